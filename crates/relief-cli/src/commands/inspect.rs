@@ -1,0 +1,174 @@
+//! `relief inspect`: what is in a height map.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use relief_io::{
+    Convention, Detection, GreenSign, HISTOGRAM_BINS, HeightOptions, SourceInfo, Tiling, Values, detect,
+    inspect, read_height, read_normal_map,
+};
+use relief_render::scene::ByteSize;
+use serde_json::{Value, json};
+
+use super::maps::HeightArguments;
+use crate::failure::Failure;
+
+/// What `relief inspect` is given.
+#[derive(Args)]
+pub struct Arguments {
+    /// Height map
+    file: PathBuf,
+    /// Its normal map: tells height from depth and +y from -y by how the two fit
+    #[arg(long, value_name = "FILE")]
+    normal: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    #[arg(long, value_name = "SIZE")]
+    max_memory: Option<ByteSize>,
+    #[command(flatten)]
+    reading: HeightArguments,
+}
+
+/// Reads and prints.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let options = arguments.reading.options(arguments.max_memory);
+    let info = inspect(&arguments.file, &options).map_err(Failure::work)?;
+    let detection = match &arguments.normal {
+        None => None,
+        Some(path) => {
+            // The convention is what is asked for, so the height is read as it stands.
+            let plain = HeightOptions { convention: Convention::Height, ..options };
+            let height = read_height(&arguments.file, &plain).map_err(Failure::work)?;
+            let normals = read_normal_map(path, GreenSign::PlusY, plain.max_bytes).map_err(Failure::work)?;
+            Some(detect(&height, &normals))
+        }
+    };
+    let mut out = io::stdout().lock();
+    if arguments.json {
+        writeln!(out, "{:#}", as_json(arguments, &info, detection.as_ref()))?;
+        return Ok(());
+    }
+    print(&mut out, arguments, &info, detection.as_ref())?;
+    Ok(())
+}
+
+fn print(
+    out: &mut impl Write,
+    arguments: &Arguments,
+    info: &SourceInfo,
+    detection: Option<&Detection>,
+) -> io::Result<()> {
+    writeln!(
+        out,
+        "{}: {}, {}x{} texels",
+        arguments.file.display(),
+        info.format.name(),
+        info.width,
+        info.height
+    )?;
+    for channel in &info.channels {
+        writeln!(out, "  channel     {} ({})", channel.name, channel.sample)?;
+    }
+    if let Some([u, v]) = info.texel_size_m {
+        writeln!(out, "  texel       {u:.6} m x {v:.6} m")?;
+    }
+    if let Some(nodata) = info.nodata_value {
+        writeln!(out, "  nodata      {nodata}")?;
+    }
+    match &info.values {
+        Some(values) => print_values(out, values)?,
+        None => writeln!(out, "  Several channels may hold the height: choose one with --channel.")?,
+    }
+    if let Some(detection) = detection {
+        let percent = |confidence: f64| (confidence * 100.0).round();
+        let (kind, hint) = match detection.convention {
+            Convention::Height => ("height", ""),
+            Convention::Depth => ("depth", ": read it with --depth"),
+        };
+        writeln!(
+            out,
+            "  convention  {kind}, confidence {} %{hint}",
+            percent(detection.convention_confidence)
+        )?;
+        let sign = green_name(detection.green);
+        writeln!(out, "  green       {sign}, confidence {} %", percent(detection.green_confidence))?;
+    }
+    Ok(())
+}
+
+fn print_values(out: &mut impl Write, values: &Values) -> io::Result<()> {
+    writeln!(out, "  height from {}", values.channel)?;
+    if let Some([least, greatest]) = values.range {
+        writeln!(out, "  range       {least} to {greatest}, {} levels used", values.levels)?;
+    }
+    if let Some([zero, one]) = values.normalised_range {
+        writeln!(out, "  heights     0 stands for {zero}, 1 for {one}")?;
+    }
+    if values.not_finite + values.nodata > 0 {
+        writeln!(
+            out,
+            "  missing     {} nodata, {} not finite: --fill fills them",
+            values.nodata, values.not_finite
+        )?;
+    }
+    writeln!(out, "  histogram   {}", bars(&values.histogram))?;
+    if let Some(Tiling { seam, tiles }) = &values.tiling {
+        for ((axis, seam), tiles) in ["u", "v"].iter().zip(seam).zip(tiles) {
+            let answer = if *tiles { "tiles" } else { "does not tile" };
+            writeln!(out, "  along {axis}     {answer} (step at the seam {seam:.2} times the steps inside)")?;
+        }
+    }
+    Ok(())
+}
+
+/// A histogram in one line; the tallest bar is the fullest bin, and no filled bin is blank.
+fn bars(histogram: &[u64; HISTOGRAM_BINS]) -> String {
+    const BARS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+    let most = histogram.iter().copied().max().unwrap_or(0).max(1);
+    histogram
+        .iter()
+        .map(|&count| match count {
+            0 => ' ',
+            _ => BARS[((count as f64 / most as f64) * 7.0).round() as usize],
+        })
+        .collect()
+}
+
+fn green_name(green: GreenSign) -> &'static str {
+    match green {
+        GreenSign::PlusY => "+y",
+        GreenSign::MinusY => "-y",
+    }
+}
+
+fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detection>) -> Value {
+    let channels: Vec<Value> = info
+        .channels
+        .iter()
+        .map(|channel| json!({ "name": channel.name, "sample": channel.sample.to_string() }))
+        .collect();
+    let values = info.values.as_ref().map(|values| {
+        let tiling =
+            values.tiling.as_ref().map(|tiling| json!({ "seam": tiling.seam, "tiles": tiling.tiles }));
+        json!({
+            "channel": values.channel, "range": values.range, "normalised_range": values.normalised_range,
+            "levels": values.levels, "histogram": values.histogram.to_vec(), "nodata": values.nodata,
+            "not_finite": values.not_finite, "tiling": tiling,
+        })
+    });
+    let detection = detection.map(|found| {
+        json!({
+            "convention": if found.convention == Convention::Depth { "depth" } else { "height" },
+            "convention_confidence": found.convention_confidence,
+            "green": green_name(found.green), "green_confidence": found.green_confidence,
+        })
+    });
+    json!({
+        "file": arguments.file, "format": info.format.name(), "width": info.width, "height": info.height,
+        "channels": channels, "nodata": info.nodata_value, "texel_size_m": info.texel_size_m, "values": values,
+        "detection": detection,
+    })
+}

@@ -1,0 +1,133 @@
+//! `relief methods`: the registry as tables.
+
+use std::io::{self, Write};
+
+use clap::Args;
+use comfy_table::presets::ASCII_MARKDOWN;
+use comfy_table::{ContentArrangement, Table};
+use relief::registry::{Entry, Param};
+use relief_shaders::{METHODS, refine, search, shade, surface};
+use serde_json::{Value, json};
+
+use crate::failure::Failure;
+
+/// What `relief methods` is given.
+#[derive(Args)]
+pub struct Arguments {
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+const STAGES: [(&str, &[Entry]); 4] = [
+    ("surface", surface::ENTRIES),
+    ("search", search::ENTRIES),
+    ("refinement", refine::ENTRIES),
+    ("shading", shade::ENTRIES),
+];
+
+/// Prints the tables.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    if arguments.json {
+        writeln!(out, "{:#}", as_json())?;
+        return Ok(());
+    }
+    writeln!(out, "Methods: pairs of a search and a refinement, for --method\n{}\n", methods_table())?;
+    for (stage, entries) in STAGES {
+        writeln!(out, "{}", heading(stage))?;
+        writeln!(out, "{}\n", entries_table(entries))?;
+    }
+    writeln!(out, "Section: of {}", METHODS[0].source.paper)?;
+    writeln!(out, "Guarantees: for view rays / bent rays / shadow rays")?;
+    Ok(())
+}
+
+fn heading(stage: &str) -> &'static str {
+    match stage {
+        "surface" => "Surfaces",
+        "search" => "Searches, for --search and --set search.NAME=VALUE",
+        "refinement" => "Refinements, for --refine and --set refine.NAME=VALUE",
+        _ => "Shadings",
+    }
+}
+
+fn table(header: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(ASCII_MARKDOWN).set_content_arrangement(ContentArrangement::Dynamic).set_header(header);
+    table
+}
+
+fn methods_table() -> Table {
+    let mut table = table(&["method", "search", "refinement", "section", "what it is"]);
+    for method in METHODS {
+        table.add_row([method.name, method.search, method.refine, method.source.section, method.summary]);
+    }
+    table
+}
+
+fn entries_table(entries: &[Entry]) -> Table {
+    let mut table = table(&["name", "section", "what it does", "parameters", "guarantees"]);
+    for entry in entries {
+        let params: Vec<String> = entry.params.iter().map(param_text).collect();
+        table.add_row([
+            entry.name.to_owned(),
+            entry.source.section.to_owned(),
+            entry.summary.to_owned(),
+            params.join("\n"),
+            guarantees(entry).join(" / "),
+        ]);
+    }
+    table
+}
+
+fn param_text(param: &Param) -> String {
+    let Param { name, summary, min, max, default, .. } = param;
+    format!("{name} = {default} ({min} to {max}): {summary}")
+}
+
+fn guarantees(entry: &Entry) -> [&'static str; 3] {
+    [entry.guarantee.view, entry.guarantee.bent, entry.guarantee.shadow].map(|guarantee| guarantee.name())
+}
+
+fn as_json() -> Value {
+    let source =
+        |source: &relief::registry::Source| json!({ "paper": source.paper, "section": source.section });
+    let methods: Vec<Value> = METHODS
+        .iter()
+        .map(|method| {
+            let settings: serde_json::Map<String, Value> =
+                method.settings.iter().map(|&(key, value)| (key.to_owned(), json!(value))).collect();
+            json!({
+                "name": method.name, "search": method.search, "refine": method.refine,
+                "settings": settings, "summary": method.summary, "source": source(&method.source),
+            })
+        })
+        .collect();
+    let mut all = serde_json::Map::from_iter([("methods".to_owned(), Value::from(methods))]);
+    for (stage, entries) in STAGES {
+        let listed: Vec<Value> = entries
+            .iter()
+            .map(|entry| {
+                let [view, bent, shadow] = guarantees(entry);
+                let params: Vec<Value> = entry
+                    .params
+                    .iter()
+                    .map(|param| {
+                        json!({
+                            "name": param.name, "summary": param.summary, "unit": param.unit, "min": param.min,
+                            "max": param.max, "default": param.default, "integer": param.integer,
+                        })
+                    })
+                    .collect();
+                json!({
+                    "id": entry.id, "name": entry.name, "summary": entry.summary, "source": source(&entry.source),
+                    "maps": entry.maps, "params": params, "argument": entry.argument,
+                    "guarantee": { "view": view, "bent": bent, "shadow": shadow },
+                })
+            })
+            .collect();
+        all.insert(stage.to_owned(), Value::from(listed));
+    }
+    Value::Object(all)
+}

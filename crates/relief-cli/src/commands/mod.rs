@@ -1,0 +1,6 @@
+//! The subcommands, one file each.
+
+pub mod inspect;
+pub mod maps;
+pub mod methods;
+pub mod render;

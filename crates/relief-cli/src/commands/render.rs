@@ -1,0 +1,263 @@
+//! `relief render`: a scene to a picture.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use relief_io::{GreenSign, PngColour};
+use relief_render::mesh::Builtin;
+use relief_render::picture;
+use relief_render::scene::{BackendChoice, ByteSize, Sampling, Scene, SceneError, SceneSpec, read_scene};
+use relief_render::{RenderError, Rendered};
+use relief_shaders::METHODS;
+use serde_json::json;
+
+use super::maps::HeightArguments;
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::values;
+
+/// What `relief render` is given. Flags override the scene file.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  relief render --height data/bricks.png -o bricks.png\n  \
+    relief render scenes/jacksboro.toml --size 1600x1200 -o jacksboro.png\n  \
+    relief render --height map.exr --method occlusion --set search.steps=64 --aov map-aov.exr -o map.png\n\n\
+    `relief methods` lists methods, searches and refinements with their settings.")]
+pub struct Arguments {
+    /// Scene file; paths in it are relative to it
+    scene: Option<PathBuf>,
+    /// Picture to write
+    #[arg(short, long, value_name = "FILE.png")]
+    output: PathBuf,
+    /// Write hit, uv, height, P, N, depth and reads of every pixel, too
+    #[arg(long, value_name = "FILE.exr")]
+    aov: Option<PathBuf>,
+    /// Width and height of the picture in pixels [default: 800x600]
+    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    size: Option<[u32; 2]>,
+    /// Print one JSON object about the picture
+    #[arg(long)]
+    pub json: bool,
+
+    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
+    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
+    height: Option<PathBuf>,
+    /// Colour map
+    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
+    color: Option<PathBuf>,
+    /// Tangent-space normal map [default: normals from the height map]
+    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
+    normal: Option<PathBuf>,
+    /// Where the normal map's green points: +y (up in the picture) or -y [default: +y]
+    #[arg(long, value_name = "SIGN", allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    green: Option<GreenSign>,
+    /// Base mesh: plane, cube, cylinder, sphere or torus [default: plane]
+    #[arg(long, value_name = "MESH", help_heading = "Maps and mesh")]
+    mesh: Option<Builtin>,
+    /// Metres of displacement between heights 0 and 1 [default: 0.05]
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    scale: Option<f64>,
+    /// Displacement of height 0 in metres [default: -scale, carved into the surface]
+    #[arg(long, value_name = "M", allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    bias: Option<f64>,
+    /// Tiles along u and v [default: 1,1]
+    #[arg(long, value_name = "U,V", value_parser = values::pair, allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    tile: Option<[f64; 2]>,
+    /// Draw back faces, too, turned over
+    #[arg(long, help_heading = "Maps and mesh")]
+    two_sided: bool,
+    #[command(flatten)]
+    reading: HeightArguments,
+
+    /// Method [default: exact]
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["search", "refine"], help_heading = "Method", help = method_help())]
+    method: Option<String>,
+    /// Search, in place of a method
+    #[arg(long, value_name = "NAME", help_heading = "Method")]
+    search: Option<String>,
+    /// Refinement, in place of a method
+    #[arg(long, value_name = "NAME", help_heading = "Method")]
+    refine: Option<String>,
+    /// Setting of the search or the refinement, as in search.steps=64; may be repeated
+    #[arg(long, value_name = "STAGE.NAME=VALUE", value_parser = values::setting, help_heading = "Method")]
+    set: Vec<(String, f64)>,
+
+    /// Position of the eye in metres [default: 0.6,0.9,1.1]
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    eye: Option<[f64; 3]>,
+    /// Point looked at [default: 0,0,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    target: Option<[f64; 3]>,
+    /// Vertical field of view [default: 40]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help_heading = "Camera and light")]
+    fov: Option<f64>,
+    /// Direction toward a directional light [default: 0.5,0.8,0.3]
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    light: Option<[f64; 3]>,
+
+    /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software adapter
+    /// [default: auto]
+    #[arg(long, value_name = "auto|cpu|gpu", help_heading = "Machine")]
+    backend: Option<BackendChoice>,
+    /// exact has the same bits everywhere; fast uses the GPU's texture sampler [default: exact]
+    #[arg(long, value_name = "exact|fast", help_heading = "Machine")]
+    sampling: Option<Sampling>,
+    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    #[arg(long, value_name = "SIZE", help_heading = "Machine")]
+    max_memory: Option<ByteSize>,
+}
+
+fn method_help() -> String {
+    let names: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
+    format!("Method: {} [default: exact]", names.join(", "))
+}
+
+/// Renders and writes.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    check_outputs(arguments)?;
+    let flags = arguments.flags();
+    let spec = match &arguments.scene {
+        Some(path) => read_scene(path).map_err(Failure::work)?.overridden_by(flags),
+        None => flags,
+    };
+    let scene = spec.load().map_err(|error| arguments.of_scene(error))?;
+    let rendered = {
+        let progress = Progress::new("rendering", arguments.json);
+        relief_render::render(&scene, &|part| progress.show(part))
+            .map_err(|error| arguments.of_render(error))?
+    };
+    write(arguments, &scene, &rendered)?;
+    report(arguments, &rendered)
+}
+
+impl Arguments {
+    /// The flags as a description that overrides the scene file's.
+    fn flags(&self) -> SceneSpec {
+        let given = |flag: bool| flag.then_some(true);
+        SceneSpec {
+            height: self.height.clone(),
+            channel: self.reading.channel.clone(),
+            depth: given(self.reading.depth),
+            range: self.reading.range,
+            raw: self.reading.raw,
+            fill: given(self.reading.fill),
+            wrap: self.reading.wrap,
+            scale: self.scale,
+            bias: self.bias,
+            color: self.color.clone(),
+            normal: self.normal.clone(),
+            green: self.green,
+            mesh: self.mesh,
+            tile: self.tile.map(|tile| tile.map(|count| count as f32)),
+            method: self.method.clone(),
+            search: self.search.clone(),
+            refine: self.refine.clone(),
+            set: BTreeMap::from_iter(self.set.iter().cloned()),
+            eye: self.eye,
+            target: self.target,
+            fov: self.fov,
+            size: self.size,
+            light: self.light,
+            backend: self.backend,
+            sampling: self.sampling,
+            two_sided: given(self.two_sided),
+            max_memory: self.max_memory,
+            ..SceneSpec::default()
+        }
+    }
+
+    /// A value that cannot be used came from the flags, since a scene file's values are checked when it is read.
+    fn of_scene(&self, error: SceneError) -> Failure {
+        match error {
+            SceneError::Value(_) | SceneError::NoHeightMap => Failure::usage(error),
+            other => Failure::work(other),
+        }
+    }
+
+    /// A method that does not exist is the command line's fault when the command line named it.
+    fn of_render(&self, error: RenderError) -> Failure {
+        let named =
+            self.method.is_some() || self.search.is_some() || self.refine.is_some() || !self.set.is_empty();
+        match error {
+            RenderError::Selection(_) | RenderError::Impossible { .. } if named => Failure::usage(error),
+            RenderError::FastOnCpu(_) if self.sampling.is_some() || self.backend.is_some() => {
+                Failure::usage(error)
+            }
+            other => Failure::work(other),
+        }
+    }
+}
+
+/// Names that end wrongly and folders that do not exist are found before the work, not after it.
+fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
+    let outputs = [(Some(&arguments.output), "png", "--output"), (arguments.aov.as_ref(), "exr", "--aov")];
+    for (path, extension, flag) in outputs {
+        let Some(path) = path else { continue };
+        let fits = path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension));
+        if !fits {
+            let name = path.display();
+            return Err(Failure::Usage(format!("{flag} {name}: give it a name that ends in .{extension}")));
+        }
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        if !folder.is_dir() {
+            let name = path.display();
+            return Err(Failure::Work(format!(
+                "{name} cannot be written: there is no folder {}",
+                folder.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn write(arguments: &Arguments, scene: &Scene, rendered: &Rendered) -> Result<(), Failure> {
+    let rendering = &rendered.rendering;
+    if let Some(path) = &arguments.aov {
+        let channels = picture::aov(rendering);
+        let channels: Vec<(&str, &[f32])> =
+            channels.iter().map(|(name, values)| (*name, values.as_slice())).collect();
+        relief_io::write_exr(path, rendering.width, rendering.height, &channels).map_err(Failure::work)?;
+    }
+    let bytes = picture::srgb8(rendering, scene.background().to_array());
+    relief_io::write_png8(&arguments.output, rendering.width, rendering.height, PngColour::Rgb, &bytes)
+        .map_err(Failure::work)
+}
+
+fn report(arguments: &Arguments, rendered: &Rendered) -> Result<(), Failure> {
+    let Rendered { rendering, backend, device, reason, selection, elapsed } = rendered;
+    let covered = rendering.pixels.iter().filter(|pixel| pixel.hit == 1);
+    let exhausted = covered.clone().filter(|pixel| pixel.exhausted == 1).count();
+    let reads: u64 = covered.clone().map(|pixel| u64::from(pixel.reads)).sum();
+    let covered = covered.count();
+    let mean = if covered == 0 { 0.0 } else { reads as f64 / covered as f64 };
+    let seconds = elapsed.as_secs_f64();
+    let mut out = io::stdout().lock();
+    if arguments.json {
+        let about = json!({
+            "output": arguments.output, "aov": arguments.aov, "width": rendering.width, "height": rendering.height,
+            "backend": backend, "device": device, "reason": reason, "seconds": seconds,
+            "search": selection.search.name, "refine": selection.refine.name,
+            "covered": covered, "exhausted": exhausted, "mean_reads": mean,
+        });
+        writeln!(out, "{about:#}")?;
+        return Ok(());
+    }
+    let (width, height) = (rendering.width, rendering.height);
+    let (search, refine) = (selection.search.name, selection.refine.name);
+    writeln!(
+        out,
+        "{}: {width}x{height}, {search} + {refine}, on the {backend} ({device}) in {seconds:.2} s, {mean:.1} reads a pixel",
+        arguments.output.display()
+    )?;
+    if let Some(reason) = reason {
+        writeln!(out, "backend auto chose the {backend}: {reason}")?;
+    }
+    if exhausted > 0 {
+        writeln!(
+            out,
+            "{exhausted} of {covered} pixels ran out of steps: raise search.limit or search.steps with --set"
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,52 @@
+//! How a command fails: what is said and the exit code.
+
+use std::io;
+use std::process::ExitCode;
+
+/// Why a command did not do its work.
+#[derive(Debug)]
+pub enum Failure {
+    /// The command line is wrong: exit code 2.
+    Usage(String),
+    /// The work failed: exit code 1.
+    Work(String),
+    /// Whoever read the output has gone, as in `relief methods | head`: nothing to say, exit code 0.
+    ReaderGone,
+}
+
+impl Failure {
+    /// A command line that cannot be carried out.
+    pub fn usage(message: impl ToString) -> Self {
+        Failure::Usage(message.to_string())
+    }
+
+    /// Work that failed.
+    pub fn work(message: impl ToString) -> Self {
+        Failure::Work(message.to_string())
+    }
+
+    /// Says it once, on the standard error, and gives the exit code.
+    pub fn report(self, json: bool) -> ExitCode {
+        let (message, code) = match self {
+            Failure::Usage(message) => (message, 2),
+            Failure::Work(message) => (message, 1),
+            Failure::ReaderGone => return ExitCode::SUCCESS,
+        };
+        if json {
+            eprintln!("{}", serde_json::json!({ "error": message, "exit": code }));
+        } else {
+            eprintln!("error: {message}");
+        }
+        ExitCode::from(code)
+    }
+}
+
+impl From<io::Error> for Failure {
+    /// Of writing to the standard output.
+    fn from(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Failure::ReaderGone,
+            _ => Failure::Work(format!("the standard output cannot be written: {error}")),
+        }
+    }
+}

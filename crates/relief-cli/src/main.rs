@@ -1,0 +1,42 @@
+//! The `relief` command.
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+mod commands;
+mod failure;
+mod progress;
+mod values;
+
+/// Displacement mapping: a height map and a mesh go in, a picture comes out.
+#[derive(Parser)]
+#[command(name = "relief", version, propagate_version = true, max_term_width = 100)]
+#[command(after_help = "Start with: relief render --height data/bricks.png -o bricks.png")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Render a height map on a mesh to a picture
+    Render(Box<commands::render::Arguments>),
+    /// Say what is in a height map: size, depth, range, used levels, histogram, whether it tiles
+    Inspect(commands::inspect::Arguments),
+    /// List every method, search and refinement with its parameters and guarantees
+    Methods(commands::methods::Arguments),
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let (result, json) = match &arguments.command {
+        Command::Render(arguments) => (commands::render::run(arguments), arguments.json),
+        Command::Inspect(arguments) => (commands::inspect::run(arguments), arguments.json),
+        Command::Methods(arguments) => (commands::methods::run(arguments), arguments.json),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(json),
+    }
+}

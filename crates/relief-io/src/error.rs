@@ -1,0 +1,226 @@
+//! What can go wrong with a file, and what the user can do about it.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use relief::HeightMapError;
+use relief::registry::UnknownName;
+
+use crate::RawLayout;
+
+/// A file could not be read: which file, and why.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {problem}", path.display())]
+pub struct ReadError {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong with it and what to do about it.
+    pub problem: ReadProblem,
+}
+
+/// Why a file could not be read.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadProblem {
+    /// The operating system refused.
+    #[error("cannot be read: {0}")]
+    Io(#[from] io::Error),
+    /// The path is a folder.
+    #[error("is a folder: give a file")]
+    Folder,
+    /// The file has no bytes.
+    #[error("is empty")]
+    Empty,
+    /// The content is none of the formats that are read.
+    #[error(
+        "is not a PNG, JPEG, EXR, TIFF, Radiance HDR or PGM file: convert it, or give --raw WxH,le (or be) for headerless 16-bit samples"
+    )]
+    Unrecognised,
+    /// A headerless file, by its name, without its layout.
+    #[error("holds samples without a header: give its size and byte order, as in --raw 1024x1024,le (or be)")]
+    NeedsRawLayout,
+    /// The length of a headerless file is not that of its layout.
+    #[error(
+        "holds {actual} bytes, but --raw {layout} needs {expected}: check width, height and that samples are 16 bit"
+    )]
+    RawSize {
+        /// The layout given.
+        layout: RawLayout,
+        /// Bytes that the layout needs.
+        expected: u64,
+        /// Bytes in the file.
+        actual: u64,
+    },
+    /// The size, or a texel, is none of a height map.
+    #[error(transparent)]
+    Map(#[from] HeightMapError),
+    /// Reading would take more memory than allowed.
+    #[error(
+        "{width}x{height} texels need {needed} bytes of memory, {limit} are allowed: make the file smaller or raise the limit"
+    )]
+    TooMuchMemory {
+        /// Width in texels.
+        width: u32,
+        /// Height in texels.
+        height: u32,
+        /// Bytes that reading needs.
+        needed: u64,
+        /// Bytes that may be used.
+        limit: u64,
+    },
+    /// The system has no more memory.
+    #[error("needs {needed} bytes of memory, which the system refuses: make the file smaller")]
+    OutOfMemory {
+        /// Bytes asked for.
+        needed: u64,
+    },
+    /// The file is damaged or cut off.
+    #[error("is a damaged or incomplete {format} file ({what}): obtain or export it again")]
+    Damaged {
+        /// The format.
+        format: &'static str,
+        /// What is wrong.
+        what: String,
+    },
+    /// The file uses a part of its format that is not read.
+    #[error("uses {what}, which is not supported: {advice}")]
+    Unsupported {
+        /// What is not supported.
+        what: String,
+        /// What to do instead.
+        advice: &'static str,
+    },
+    /// The channel asked for does not exist.
+    #[error("{0}")]
+    UnknownChannel(UnknownName),
+    /// There are several channels and none was chosen.
+    #[error("has the channels {}: choose one with --channel", channels.join(", "))]
+    ChooseChannel {
+        /// The channels.
+        channels: Vec<String>,
+    },
+    /// The three channels of the picture differ, so that none of them is clearly the height.
+    #[error(
+        "is a picture in colour (texel ({column}, {row}) is not grey); its channels are {}: choose one with --channel",
+        channels.join(", ")
+    )]
+    NotGrey {
+        /// The channels.
+        channels: Vec<String>,
+        /// Column of the first texel whose channels differ.
+        column: u32,
+        /// Its row.
+        row: u32,
+    },
+    /// The channels are none of a picture.
+    #[error("has the channels {}, which make no {what}", channels.join(", "))]
+    NoColour {
+        /// What was wanted: a picture or a normal map.
+        what: &'static str,
+        /// The channels.
+        channels: Vec<String>,
+    },
+    /// Texels without a value.
+    #[error(
+        "{} of its texels have no value ({not_finite} NaN or infinite, {nodata} marked as nodata), the first at ({column}, {row}): give --fill to fill them from their surroundings",
+        not_finite + nodata
+    )]
+    Holes {
+        /// How many are NaN or infinite.
+        not_finite: u64,
+        /// How many equal the file's nodata value.
+        nodata: u64,
+        /// Column of the first.
+        column: u32,
+        /// Row of the first.
+        row: u32,
+    },
+    /// Values of a picture are NaN or infinite.
+    #[error(
+        "{not_finite} of its texels are NaN or infinite, the first at ({column}, {row}): repair the picture"
+    )]
+    NotFinite {
+        /// How many texels.
+        not_finite: u64,
+        /// Column of the first.
+        column: u32,
+        /// Row of the first.
+        row: u32,
+    },
+    /// No texel has a value.
+    #[error("holds no texel with a finite value")]
+    AllHoles,
+    /// Values lie outside the range given.
+    #[error("its values go from {} to {}, outside the range {} to {}: widen the range", actual[0], actual[1], range[0], range[1])]
+    OutsideRange {
+        /// The range given.
+        range: [f64; 2],
+        /// Least and greatest value in the file.
+        actual: [f64; 2],
+    },
+    /// The range given is no range.
+    #[error("the range {} to {} is not usable: both ends must be finite, the first below the second (for maps of depth use the depth convention)", range[0], range[1])]
+    BadRange {
+        /// The range given.
+        range: [f64; 2],
+    },
+}
+
+impl ReadProblem {
+    pub(crate) fn at(self, path: &Path) -> ReadError {
+        ReadError { path: path.to_owned(), problem: self }
+    }
+
+    pub(crate) fn damaged(format: &'static str, what: impl ToString) -> Self {
+        Self::Damaged { format, what: what.to_string() }
+    }
+}
+
+/// A file could not be written: which file, and why. Nothing is left behind.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {problem}", path.display())]
+pub struct WriteError {
+    /// The file.
+    pub path: PathBuf,
+    /// What went wrong and what to do about it.
+    pub problem: WriteProblem,
+}
+
+/// Why a file could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteProblem {
+    /// The folder cannot be written to, or does not exist.
+    #[error("cannot write into its folder ({0}): create it, or check its permissions")]
+    Folder(#[source] io::Error),
+    /// Writing failed on the way.
+    #[error("writing failed ({0}): check the free space of the disk")]
+    Io(#[from] io::Error),
+    /// The finished file could not take its name.
+    #[error(
+        "the finished file could not be moved to its name ({0}): check that it is no folder and not protected"
+    )]
+    Rename(#[source] io::Error),
+    /// The path ends in no file name.
+    #[error("is no file name")]
+    NoName,
+    /// The samples do not fit the size.
+    #[error("{width}x{height} needs {expected} samples, {given} were given")]
+    WrongLength {
+        /// Width in texels.
+        width: u32,
+        /// Height in texels.
+        height: u32,
+        /// Samples that the size needs.
+        expected: u64,
+        /// Samples given.
+        given: u64,
+    },
+    /// The size or the channels cannot be stored in the format.
+    #[error("{0}")]
+    NotStorable(String),
+}
+
+impl WriteProblem {
+    pub(crate) fn at(self, path: &Path) -> WriteError {
+        WriteError { path: path.to_owned(), problem: self }
+    }
+}

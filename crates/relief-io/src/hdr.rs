@@ -1,0 +1,179 @@
+//! Radiance pictures (`.hdr`, RGBE), scan line by scan line.
+//!
+//! Format: Ward, "Real Pixels", Graphics Gems II (1991): three mantissas share an exponent, `mantissa 2^(exponent - 136)`,
+//! exponent 0 is black. (Radiance itself adds ½ to a mantissa, most programs do not: without it, what the format can hold
+//! exactly comes back exactly.) Scan lines are flat, run-length encoded by repeats (1, 1, 1, count), or, from 8 to 32767
+//! texels, component by component.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+
+use crate::ReadProblem;
+use crate::source::{Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
+
+/// The longest line of a header; longer ones are no header.
+const MAX_LINE: u64 = 4096;
+
+/// The most lines of a header.
+const MAX_LINES: usize = 1024;
+
+/// Widths that can be stored component by component.
+const COMPONENT_WIDTHS: std::ops::RangeInclusive<usize> = 8..=0x7fff;
+
+pub(crate) struct HdrSource {
+    file: BufReader<File>,
+    layout: Layout,
+    bottom_up: bool,
+    right_to_left: bool,
+}
+
+impl HdrSource {
+    pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
+        let mut lines = 0;
+        loop {
+            let line = read_line(&mut input.file)?;
+            lines += 1;
+            if line.is_empty() {
+                break;
+            }
+            if let Some(format) = line.strip_prefix("FORMAT=")
+                && format.trim() != "32-bit_rle_rgbe"
+            {
+                return Err(ReadProblem::Unsupported {
+                    what: format!("the colour format '{}'", format.trim().escape_default()),
+                    advice: "export it as RGBE, or as EXR",
+                });
+            }
+            if lines > MAX_LINES {
+                return Err(damaged("its header has no end"));
+            }
+        }
+        let line = read_line(&mut input.file)?;
+        let words: Vec<&str> = line.split_ascii_whitespace().collect();
+        let &[y_axis @ ("-Y" | "+Y"), height, x_axis @ ("+X" | "-X"), width] = words.as_slice() else {
+            return Err(damaged("its size is missing, or stored column by column"));
+        };
+        let side = |text: &str| text.parse::<u32>().map_err(|_| damaged("its size is no number"));
+        let size = [side(width)?, side(height)?];
+        // The best encoding turns 127 equal bytes into 2.
+        let least = u64::from(size[0]) * u64::from(size[1]) / 32;
+        input.check_size(Format::Hdr, size, 8 * u64::from(size[0]), least)?;
+        let layout = Layout::new(Format::Hdr, size, &["r", "g", "b"], SampleType::float(32));
+        Ok(Self { file: input.file, layout, bottom_up: y_axis == "+Y", right_to_left: x_axis == "-X" })
+    }
+
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    pub(crate) fn decode(mut self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        let (width, height) = (self.layout.width as usize, self.layout.height);
+        let mut texels = zeros::<[u8; 4]>(width)?;
+        let mut samples = Vec::with_capacity(width * channels.len());
+        for line in 0..height {
+            read_scan_line(&mut self.file, &mut texels)?;
+            if self.right_to_left {
+                texels.reverse();
+            }
+            samples.clear();
+            for &[r, g, b, exponent] in &texels {
+                let scale = if exponent == 0 { 0.0 } else { 2f64.powi(i32::from(exponent) - 136) };
+                samples.extend(channels.iter().map(|&channel| f64::from([r, g, b][channel]) * scale));
+            }
+            let row = if self.bottom_up { height - 1 - line } else { line };
+            sink(Span { row, column: 0, step: 1, samples: &samples })?;
+        }
+        Ok(())
+    }
+}
+
+fn read_line(file: &mut BufReader<File>) -> Result<String, ReadProblem> {
+    let mut line = Vec::new();
+    file.take(MAX_LINE).read_until(b'\n', &mut line).map_err(problem)?;
+    match line.pop() {
+        Some(b'\n') => Ok(String::from_utf8_lossy(&line).trim_end().to_owned()),
+        _ => Err(damaged("its header is cut off")),
+    }
+}
+
+fn read_scan_line(file: &mut BufReader<File>, texels: &mut [[u8; 4]]) -> Result<(), ReadProblem> {
+    let mut first = [0; 4];
+    file.read_exact(&mut first).map_err(problem)?;
+    let by_component = [2, 2, (texels.len() >> 8) as u8, texels.len() as u8];
+    if first == by_component && COMPONENT_WIDTHS.contains(&texels.len()) {
+        (0..4).try_for_each(|component| read_component(file, texels, component))
+    } else {
+        read_repeats(file, texels, first)
+    }
+}
+
+/// One component of a scan line: a count up to 128 and as many bytes, or 128 plus a count and one byte for all.
+fn read_component(
+    file: &mut BufReader<File>,
+    texels: &mut [[u8; 4]],
+    component: usize,
+) -> Result<(), ReadProblem> {
+    let mut at = 0;
+    while at < texels.len() {
+        let [count] = bytes(file)?;
+        let (length, repeated) = if count > 128 {
+            (usize::from(count - 128), Some(bytes::<1>(file)?[0]))
+        } else {
+            (usize::from(count), None)
+        };
+        let run = texels.get_mut(at..at + length).filter(|run| !run.is_empty());
+        for texel in run.ok_or_else(|| damaged("a run is empty or goes beyond its line"))? {
+            texel[component] = match repeated {
+                Some(value) => value,
+                None => bytes::<1>(file)?[0],
+            };
+        }
+        at += length;
+    }
+    Ok(())
+}
+
+/// A scan line of whole texels, where (1, 1, 1, count) repeats the last one; several in a row make a longer count.
+fn read_repeats(
+    file: &mut BufReader<File>,
+    texels: &mut [[u8; 4]],
+    first: [u8; 4],
+) -> Result<(), ReadProblem> {
+    let (mut at, mut shift) = (0, 0);
+    let mut next = Some(first);
+    while at < texels.len() {
+        let texel = match next.take() {
+            Some(texel) => texel,
+            None => bytes(file)?,
+        };
+        if let [1, 1, 1, count] = texel {
+            let length = usize::from(count).checked_shl(shift).unwrap_or(usize::MAX);
+            let last = at.checked_sub(1).map(|last| texels[last]);
+            match (last, at.checked_add(length).and_then(|end| texels.get_mut(at..end))) {
+                (Some(last), Some(run)) if shift <= 24 => run.fill(last),
+                _ => return Err(damaged("a run goes beyond its line")),
+            }
+            at += length;
+            shift += 8;
+        } else {
+            texels[at] = texel;
+            at += 1;
+            shift = 0;
+        }
+    }
+    Ok(())
+}
+
+fn bytes<const N: usize>(file: &mut BufReader<File>) -> Result<[u8; N], ReadProblem> {
+    let mut bytes = [0; N];
+    file.read_exact(&mut bytes).map_err(problem)?;
+    Ok(bytes)
+}
+
+fn damaged(what: &str) -> ReadProblem {
+    ReadProblem::damaged("Radiance HDR", what)
+}
+
+fn problem(error: std::io::Error) -> ReadProblem {
+    io_problem(Format::Hdr, error)
+}

@@ -1,0 +1,210 @@
+//! From a file to a [`HeightMap`]: choice of the channel, holes, range and convention.
+
+use std::fmt;
+use std::path::Path;
+use std::str::FromStr;
+
+use relief::registry::UnknownName;
+use relief::{HeightMap, Wrap};
+
+use crate::fill::fill_holes;
+use crate::samples::{Samples, Selection};
+use crate::source::{Layout, Source};
+use crate::{RawLayout, ReadError, ReadProblem};
+
+/// What white means in a file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Convention {
+    /// White is high.
+    #[default]
+    Height,
+    /// White is deep: a texel becomes 1 minus its value.
+    Depth,
+}
+
+impl Convention {
+    /// The name used on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Convention::Height => "height",
+            Convention::Depth => "depth",
+        }
+    }
+}
+
+impl fmt::Display for Convention {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Convention {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let all = [Convention::Height, Convention::Depth];
+        let known = all.into_iter().find(|convention| convention.name() == name);
+        known.ok_or_else(|| UnknownName::new("convention", name, all.map(Convention::name)))
+    }
+}
+
+/// The most memory that reading takes unless told otherwise: 4 GiB, a map of 23,000 texels a side.
+pub const DEFAULT_MAX_BYTES: u64 = 4 << 30;
+
+/// How to read a height map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeightOptions {
+    /// The channel to read, by its name in any case (`r`, `g`, `b`, `a`, `y`, or a name in an EXR file; `luminance` and
+    /// `height` stand for `y`). None: the only channel; of grey with alpha the grey; of red, green and blue that are
+    /// equal everywhere that grey.
+    pub channel: Option<String>,
+    /// Whether white is high or deep.
+    pub convention: Convention,
+    /// The raw values that become 0 and 1, in the file's own units: sample values, not fractions. None: see
+    /// [`read_height`].
+    pub range: Option<[f64; 2]>,
+    /// Read the file as headerless samples of this layout, whatever it holds.
+    pub raw: Option<RawLayout>,
+    /// Fill texels without a value (NaN, infinite, nodata) smoothly from their surroundings.
+    pub fill: bool,
+    /// How the map goes on beyond its edges.
+    pub wrap: Wrap,
+    /// The most memory that reading may take, in bytes.
+    pub max_bytes: u64,
+}
+
+impl Default for HeightOptions {
+    fn default() -> Self {
+        Self {
+            channel: None,
+            convention: Convention::Height,
+            range: None,
+            raw: None,
+            fill: false,
+            wrap: Wrap::Repeat,
+            max_bytes: DEFAULT_MAX_BYTES,
+        }
+    }
+}
+
+/// What reading a height map holds for a texel at its peak: the values, and in filling a pyramid of a third more and
+/// marks.
+pub(crate) const BYTES_PER_TEXEL: u64 = 8;
+
+/// Reads a height map of texels in `[0, 1]`, 1 highest.
+///
+/// The format (PNG, JPEG, EXR, TIFF and GeoTIFF, Radiance HDR, PGM, headerless raw) is recognised by the file's content.
+/// Samples are taken as stored: no gamma or colour profile is applied. Which raw values become 0 and 1:
+///
+/// * the ends of [`HeightOptions::range`] where it is given;
+/// * 0 and the type's maximum for unsigned integers of up to 16 bit (255, 65535, a PGM's maxval);
+/// * the least and the greatest value for floats, and for signed and 32 and 64-bit integers, whose type's maximum says
+///   nothing of what they hold. A constant map becomes 0.
+///
+/// [`HeightMap::physical_range`] keeps those raw values, of texel 0 and of texel 1 (with the depth convention the first is
+/// the greater). [`HeightMap::texel_size_m`] comes from a GeoTIFF's georeference.
+///
+/// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation for the exceptions.
+///
+/// # Errors
+///
+/// When the file cannot be read, is damaged, too large or not a picture; when the channel is unknown or none stands out;
+/// when texels have no value and `fill` is not set, or no texel has one; when values lie outside the range given.
+pub fn read_height(path: &Path, options: &HeightOptions) -> Result<HeightMap, ReadError> {
+    read(path, options).map_err(|problem| problem.at(path))
+}
+
+fn read(path: &Path, options: &HeightOptions) -> Result<HeightMap, ReadProblem> {
+    if let Some(range) = options.range
+        && !(range[0] < range[1] && (range[1] - range[0]).is_finite())
+    {
+        return Err(ReadProblem::BadRange { range });
+    }
+    let source = Source::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
+    let selection = select(source.layout(), options.channel.as_deref())?;
+    let full_scale = source.layout().full_scale;
+    let texel_size_m = source.layout().texel_size_m;
+    let samples = Samples::read(source, &selection)?;
+    let map = height_map(samples, full_scale, options)?;
+    Ok(match texel_size_m {
+        Some(size_m) => map.with_texel_size_m(size_m)?,
+        None => map,
+    })
+}
+
+fn height_map(
+    mut samples: Samples,
+    full_scale: Option<f64>,
+    options: &HeightOptions,
+) -> Result<HeightMap, ReadProblem> {
+    let (width, height) = (samples.width, samples.height);
+    let actual = samples.extremes;
+    if actual[0] > actual[1] {
+        return Err(ReadProblem::AllHoles);
+    }
+    if let Some(hole) = samples.first_hole {
+        if !options.fill {
+            let (column, row) = ((hole % width as usize) as u32, (hole / width as usize) as u32);
+            let (not_finite, nodata) = (samples.not_finite, samples.nodata);
+            return Err(ReadProblem::Holes { not_finite, nodata, column, row });
+        }
+        fill_holes(width, height, &mut samples.values, options.wrap);
+    }
+    let range = match (options.range, full_scale) {
+        (Some(range), _) if actual[0] < range[0] || actual[1] > range[1] => {
+            return Err(ReadProblem::OutsideRange { range, actual });
+        }
+        (Some(range), _) => range,
+        (None, Some(full_scale)) => [0.0, full_scale],
+        (None, None) => actual,
+    };
+    let span = range[1] - range[0];
+    let start = samples.offset - range[0];
+    let (sign, zero) = match options.convention {
+        Convention::Height => (1.0, 0.0),
+        Convention::Depth => (-1.0, 1.0),
+    };
+    for value in &mut samples.values {
+        let fraction = if span > 0.0 { (f64::from(*value) + start) / span } else { 0.0 };
+        *value = (zero + sign * fraction).clamp(0.0, 1.0) as f32;
+    }
+    let physical_range = match options.convention {
+        Convention::Height => range,
+        Convention::Depth => [range[1], range[0]],
+    };
+    Ok(HeightMap::new(width, height, samples.values, options.wrap)?.with_physical_range(physical_range)?)
+}
+
+/// Other names of the channels of pictures.
+const ALIASES: [(&str, &str); 8] = [
+    ("red", "r"),
+    ("green", "g"),
+    ("blue", "b"),
+    ("alpha", "a"),
+    ("luminance", "y"),
+    ("grey", "y"),
+    ("gray", "y"),
+    ("height", "y"),
+];
+
+/// The channel asked for, or the one that stands out.
+pub(crate) fn select(layout: &Layout, asked: Option<&str>) -> Result<Selection, ReadProblem> {
+    if let Some(name) = asked {
+        let alias =
+            || ALIASES.iter().find(|(alias, _)| alias.eq_ignore_ascii_case(name)).map(|(_, name)| *name);
+        let channel = layout.channel(name).or_else(|| layout.channel(alias()?));
+        let known = layout.channel_names();
+        let unknown = || UnknownName::new("channel", name, known.iter().map(String::as_str));
+        return channel.map(Selection::Channel).ok_or_else(|| ReadProblem::UnknownChannel(unknown()));
+    }
+    if layout.channels.len() == 1 {
+        return Ok(Selection::Channel(0));
+    }
+    let [y, r, g, b, a] = ["y", "r", "g", "b", "a"].map(|name| layout.channel(name));
+    let count = layout.channels.len() - usize::from(a.is_some());
+    match (y, r, g, b) {
+        (Some(y), ..) if count == 1 => Ok(Selection::Channel(y)),
+        (_, Some(r), Some(g), Some(b)) if count == 3 => Ok(Selection::Grey([r, g, b])),
+        _ => Err(ReadProblem::ChooseChannel { channels: layout.channel_names() }),
+    }
+}

@@ -1,0 +1,159 @@
+//! What a file holds, without judging it.
+
+use std::path::Path;
+
+use crate::height::{BYTES_PER_TEXEL, HeightOptions, select};
+use crate::samples::{Samples, Selection};
+use crate::source::{Channel, Format, Source};
+use crate::{ReadError, ReadProblem};
+
+/// Bins of [`Values::histogram`].
+pub const HISTOGRAM_BINS: usize = 64;
+
+/// What a file says of itself, and what its values are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SourceInfo {
+    /// The format, by the file's content.
+    pub format: Format,
+    /// Width in texels.
+    pub width: u32,
+    /// Height in texels.
+    pub height: u32,
+    /// The channels, in the file's order, with type and depth of their samples.
+    pub channels: Vec<Channel>,
+    /// The raw value that marks texels without a value, where the file names one.
+    pub nodata_value: Option<f64>,
+    /// Size of a texel along `u` and `v` in metres, where the file says so.
+    pub texel_size_m: Option<[f64; 2]>,
+    /// The values of the channel that [`crate::read_height`] would read; none where it would ask for one.
+    pub values: Option<Values>,
+}
+
+/// The values of one channel, in the file's own units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Values {
+    /// The channel; of grey stored as red, green and blue, the first of them.
+    pub channel: String,
+    /// The raw values that [`crate::read_height`] makes 0 and 1 if no range is given; none where no texel has a value.
+    pub normalised_range: Option<[f64; 2]>,
+    /// Least and greatest value; none where no texel has one.
+    pub range: Option<[f64; 2]>,
+    /// How many different values occur (at the precision of `f32` relative to their range).
+    pub levels: u64,
+    /// How many texels lie in each of [`HISTOGRAM_BINS`] equal parts of `range`.
+    pub histogram: [u64; HISTOGRAM_BINS],
+    /// Texels that are NaN or infinite.
+    pub not_finite: u64,
+    /// Texels that hold the file's nodata value.
+    pub nodata: u64,
+    /// Whether the map goes on smoothly across its edges; none where a texel has no value.
+    pub tiling: Option<Tiling>,
+}
+
+/// Whether a map goes on smoothly across its edges.
+///
+/// The seam between the last and the first column is compared with the seams inside: `seam` is the mean absolute
+/// difference across it, divided by the mean absolute difference of all neighbouring columns (rows for `v`). A map made to
+/// tile has about 1 there; one that is cut out of something larger has far more. A side of one texel tiles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tiling {
+    /// The ratio along `u` and `v`; 1 for constant maps.
+    pub seam: [f64; 2],
+    /// Whether the ratio is at most [`SEAM_LIMIT`], along `u` and `v`.
+    pub tiles: [bool; 2],
+}
+
+/// The largest seam of a map that tiles: above it the edge stands out from the steepness that the map has everywhere.
+pub const SEAM_LIMIT: f64 = 2.0;
+
+/// Reads a file and says what it holds. Options are used as in [`crate::read_height`]: `channel`, `raw` and `max_bytes`.
+///
+/// Texels without a value are counted, not an error; nor is a picture in colour, of which `values` are not given.
+///
+/// # Errors
+///
+/// When the file cannot be read, is damaged, too large or not a picture, or when the channel is unknown.
+pub fn inspect(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadError> {
+    read(path, options).map_err(|problem| problem.at(path))
+}
+
+fn read(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadProblem> {
+    let source = Source::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
+    let layout = source.layout().clone();
+    let values = match select(&layout, options.channel.as_deref()) {
+        Ok(selection) => {
+            let first = match selection {
+                Selection::Channel(channel) => channel,
+                Selection::Grey([red, ..]) => red,
+            };
+            match Samples::read(source, &selection) {
+                Ok(samples) => Some(values(samples, &layout.channels[first].name, layout.full_scale)),
+                Err(ReadProblem::NotGrey { .. }) => None,
+                Err(problem) => return Err(problem),
+            }
+        }
+        Err(ReadProblem::ChooseChannel { .. }) => None,
+        Err(problem) => return Err(problem),
+    };
+    Ok(SourceInfo {
+        format: layout.format,
+        width: layout.width,
+        height: layout.height,
+        channels: layout.channels,
+        nodata_value: layout.nodata,
+        texel_size_m: layout.texel_size_m,
+        values,
+    })
+}
+
+fn values(mut samples: Samples, channel: &str, full_scale: Option<f64>) -> Values {
+    let [least, greatest] = samples.extremes;
+    let range = (least <= greatest).then_some([least, greatest]);
+    let mut histogram = [0; HISTOGRAM_BINS];
+    let span = greatest - least;
+    for &value in samples.values.iter().filter(|value| !value.is_nan()) {
+        let fraction = if span > 0.0 { (f64::from(value) + samples.offset - least) / span } else { 0.0 };
+        histogram[((fraction * HISTOGRAM_BINS as f64) as usize).min(HISTOGRAM_BINS - 1)] += 1;
+    }
+    let tiling = (samples.holes() == 0).then(|| tiling(&samples));
+    // Sorted in place: the order is not needed any more.
+    samples.values.retain(|value| !value.is_nan());
+    samples.values.sort_unstable_by(f32::total_cmp);
+    let levels = samples.values.chunk_by(|a, b| a == b).count() as u64;
+    Values {
+        channel: channel.to_owned(),
+        normalised_range: full_scale.map(|full_scale| [0.0, full_scale]).or(range),
+        range,
+        levels,
+        histogram,
+        not_finite: samples.not_finite,
+        nodata: samples.nodata,
+        tiling,
+    }
+}
+
+fn tiling(samples: &Samples) -> Tiling {
+    let (width, height) = (samples.width as usize, samples.height as usize);
+    let value = |column: usize, row: usize| f64::from(samples.values[row * width + column]);
+    let (mut inside, mut seam) = ([0.0; 2], [0.0; 2]);
+    for row in 0..height {
+        for column in 0..width {
+            let here = value(column, row);
+            let u = (value((column + 1) % width, row) - here).abs();
+            let v = (value(column, (row + 1) % height) - here).abs();
+            *(if column + 1 == width { &mut seam[0] } else { &mut inside[0] }) += u;
+            *(if row + 1 == height { &mut seam[1] } else { &mut inside[1] }) += v;
+        }
+    }
+    let ratio = |axis: usize, side: usize| {
+        // Both are sums over all lines along the axis; inside there are `side - 1` seams a line.
+        let mean = inside[axis] / (side.max(2) - 1) as f64;
+        match (seam[axis] > 0.0, mean > 0.0) {
+            (_, true) => seam[axis] / mean,
+            (true, false) => f64::INFINITY,
+            (false, false) => 1.0,
+        }
+    };
+    let seam = [ratio(0, width), ratio(1, height)];
+    Tiling { seam, tiles: seam.map(|seam| seam <= SEAM_LIMIT) }
+}

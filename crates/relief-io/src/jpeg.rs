@@ -1,0 +1,166 @@
+//! JPEG, 8 bit, grey and colour. Samples are the decoded ones; orientation and colour profiles are not applied.
+//!
+//! The decoder gives the whole picture at once (1 or 3 bytes a texel; a progressive file takes twice as much again while
+//! it is decoded) and takes a cut-off file for a complete one, so the file's segments are walked first: size and
+//! components are known, and the end is there, before memory is taken.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Seek};
+
+use image::codecs::jpeg::JpegDecoder;
+use image::{ImageDecoder, ImageError};
+
+use crate::ReadProblem;
+use crate::source::{Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
+
+pub(crate) struct JpegSource {
+    file: BufReader<File>,
+    layout: Layout,
+}
+
+impl JpegSource {
+    pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
+        let frame = Frame::read(&mut input.file)?;
+        let texels = u64::from(frame.width) * u64::from(frame.height);
+        let components = u64::from(frame.components);
+        let decoder_bytes = texels * components * if frame.progressive { 3 } else { 1 } + input.file_len;
+        // A block of 8x8 texels takes at least one bit.
+        let least = texels / 512;
+        input.check_size(Format::Jpeg, [frame.width, frame.height], decoder_bytes, least)?;
+        input.file.rewind()?;
+        let channels: &[&str] = if frame.components == 1 { &["y"] } else { &["r", "g", "b"] };
+        let size = [frame.width, frame.height];
+        let layout = Layout::new(Format::Jpeg, size, channels, SampleType::unsigned(8));
+        Ok(Self { file: input.file, layout })
+    }
+
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        let decoder = JpegDecoder::new(self.file).map_err(problem)?;
+        let per_texel = self.layout.channels.len();
+        let size = (self.layout.width, self.layout.height);
+        if decoder.dimensions() != size || usize::from(decoder.color_type().channel_count()) != per_texel {
+            return Err(damaged("its header contradicts itself"));
+        }
+        let row_len = size.0 as usize * per_texel;
+        let mut bytes = zeros::<u8>(row_len * size.1 as usize)?;
+        decoder.read_image(&mut bytes).map_err(problem)?;
+        let mut samples = Vec::with_capacity(size.0 as usize * channels.len());
+        for (row, texels) in (0..).zip(bytes.chunks_exact(row_len)) {
+            samples.clear();
+            for texel in texels.chunks_exact(per_texel) {
+                samples.extend(channels.iter().map(|&channel| f64::from(texel[channel])));
+            }
+            sink(Span { row, column: 0, step: 1, samples: &samples })?;
+        }
+        Ok(())
+    }
+}
+
+/// What the frame header says (ITU T.81, B.2.2).
+struct Frame {
+    width: u32,
+    height: u32,
+    components: u8,
+    progressive: bool,
+}
+
+impl Frame {
+    /// Walks all segments to the end of the picture (ITU T.81, B.1.1).
+    fn read(file: &mut BufReader<File>) -> Result<Self, ReadProblem> {
+        let mut frame = None;
+        bytes::<2>(file)?;
+        loop {
+            match next_marker(file)? {
+                0xd9 => return frame.ok_or_else(|| damaged("it has no frame header")),
+                // Restart markers, and one for arithmetic coding's private use, have no length.
+                0x01 | 0xd0..=0xd8 => {}
+                marker => {
+                    let length = u16::from_be_bytes(bytes(file)?);
+                    let mut rest = length.checked_sub(2).ok_or_else(|| damaged("a segment is too short"))?;
+                    // All frame headers but DHT (c4), JPG (c8) and DAC (cc), which share their range.
+                    if matches!(marker, 0xc0..=0xcf) && !matches!(marker, 0xc4 | 0xc8 | 0xcc) {
+                        let [precision, h1, h0, w1, w0, components] = bytes(file)?;
+                        rest = rest.checked_sub(6).ok_or_else(|| damaged("its frame header is too short"))?;
+                        frame = Some(Self::check(marker, precision, [w1, w0], [h1, h0], components)?);
+                    }
+                    file.seek_relative(i64::from(rest)).map_err(io)?;
+                }
+            }
+        }
+    }
+
+    fn check(
+        marker: u8,
+        precision: u8,
+        width: [u8; 2],
+        height: [u8; 2],
+        components: u8,
+    ) -> Result<Self, ReadProblem> {
+        if precision != 8 || !matches!(marker, 0xc0..=0xc2) {
+            let what = format!("{precision}-bit JPEG of kind {}", marker - 0xc0);
+            let advice = "export it as baseline or progressive JPEG with 8 bit, or as PNG";
+            return Err(ReadProblem::Unsupported { what, advice });
+        }
+        if !matches!(components, 1 | 3 | 4) {
+            return Err(damaged("its number of components is not 1, 3 or 4"));
+        }
+        Ok(Self {
+            width: u32::from(u16::from_be_bytes(width)),
+            height: u32::from(u16::from_be_bytes(height)),
+            components,
+            progressive: marker == 0xc2,
+        })
+    }
+}
+
+/// Skips to the next marker: over entropy-coded data, in which a zero byte follows each ff that is none.
+fn next_marker(file: &mut BufReader<File>) -> Result<u8, ReadProblem> {
+    loop {
+        let buffer = file.fill_buf().map_err(io)?;
+        if buffer.is_empty() {
+            return Err(damaged("it ends too early"));
+        }
+        match buffer.iter().position(|&byte| byte == 0xff) {
+            None => {
+                let len = buffer.len();
+                file.consume(len);
+            }
+            Some(at) => {
+                file.consume(at + 1);
+                // Any number of ff may stand before a marker.
+                let mut marker = bytes::<1>(file)?;
+                while marker == [0xff] {
+                    marker = bytes(file)?;
+                }
+                if marker != [0] {
+                    return Ok(marker[0]);
+                }
+            }
+        }
+    }
+}
+
+fn bytes<const N: usize>(file: &mut BufReader<File>) -> Result<[u8; N], ReadProblem> {
+    let mut bytes = [0; N];
+    file.read_exact(&mut bytes).map_err(io)?;
+    Ok(bytes)
+}
+
+fn io(error: std::io::Error) -> ReadProblem {
+    io_problem(Format::Jpeg, error)
+}
+
+fn damaged(what: &str) -> ReadProblem {
+    ReadProblem::damaged("JPEG", what)
+}
+
+fn problem(error: ImageError) -> ReadProblem {
+    match error {
+        ImageError::IoError(error) => io(error),
+        other => ReadProblem::damaged("JPEG", other),
+    }
+}

@@ -1,0 +1,48 @@
+//! Height maps, pictures and normal maps from files, and pictures and float channels to files.
+//!
+//! | format | recognised by | samples | notes |
+//! | --- | --- | --- | --- |
+//! | PNG | content | 1 to 16 bit, grey, colour, palette, opacity | gamma chunks are not applied |
+//! | JPEG | content | 8 bit, grey, colour | |
+//! | EXR | content | f16, f32, u32, any channel | flat parts, all compressions but HTJ2K |
+//! | TIFF, GeoTIFF | content | 8 to 64-bit integers and floats | nodata and texel size; not LZMA |
+//! | Radiance HDR | content | RGBE | |
+//! | PGM (PPM) | content | 8 and 16 bit, plain and binary | |
+//! | raw | [`RawLayout`] given | 16 bit | |
+//!
+//! # Memory
+//!
+//! Headers are checked against [`HeightOptions::max_bytes`] and against the file's length before memory is taken for what
+//! they claim. Pictures are decoded row by row or block by block: reading a height map peaks at 8 bytes a texel and 32 MiB,
+//! with these exceptions, which `max_bytes` covers all the same. A *progressive colour JPEG* takes 9 bytes a texel and the
+//! file's length. An EXR or TIFF *block* (tile, strip, or the 16 to 256 rows of a compressed EXR block, all channels) is
+//! held two or three times: where the whole picture is one block, as a TIFF with a single strip, that is up to three times
+//! its uncompressed size.
+
+mod convention;
+mod error;
+mod exr;
+mod fill;
+mod hdr;
+mod height;
+mod inspect;
+mod jpeg;
+mod normal_map;
+mod pgm;
+mod picture;
+mod png;
+mod raw;
+mod samples;
+mod source;
+mod tiff;
+mod write;
+
+pub use convention::{Detection, detect};
+pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
+pub use height::{Convention, DEFAULT_MAX_BYTES, HeightOptions, read_height};
+pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
+pub use normal_map::{GreenSign, NormalMap, SHORTEST, read_normal_map};
+pub use picture::{Picture, read_picture};
+pub use raw::{BadRawLayout, ByteOrder, RawLayout};
+pub use source::{Channel, Format, SampleKind, SampleType};
+pub use write::{PngColour, write_atomically, write_exr, write_png8, write_png16};

@@ -1,0 +1,138 @@
+//! Colour pictures for shading, in linear light.
+
+use std::path::Path;
+
+use crate::source::{Layout, SampleKind, Source, Span};
+use crate::{ReadError, ReadProblem};
+
+/// A picture in linear light (BT.709 primaries where the file is sRGB), row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Width in texels.
+    pub width: u32,
+    /// Height in texels.
+    pub height: u32,
+    /// Red, green, blue and opacity of each texel. Opacity is 1 where the file has none; colours are not multiplied by it.
+    /// Float files may hold colours above 1 and below 0.
+    pub texels: Vec<[f32; 4]>,
+}
+
+const PICTURE_BYTES_PER_TEXEL: u64 = 16;
+
+/// Reads a picture: integers of up to 16 bit are decoded by the sRGB curve (IEC 61966-2-1), floats are linear as they
+/// are. Grey becomes three equal channels. At most `max_bytes` of memory are taken, 16 bytes a texel.
+///
+/// # Errors
+///
+/// When the file cannot be read, is damaged, too large, not a picture, has channels that make no colour, or holds a NaN
+/// or an infinite value.
+pub fn read_picture(path: &Path, max_bytes: u64) -> Result<Picture, ReadError> {
+    read(path, max_bytes).map_err(|problem| problem.at(path))
+}
+
+fn read(path: &Path, max_bytes: u64) -> Result<Picture, ReadProblem> {
+    let source = Source::open(path, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
+    let layout = source.layout().clone();
+    let channels = colour_channels(&layout)?;
+    let transfer = Transfer::of(&layout, channels[0])?;
+    // Colours come first, opacity last: of grey one colour, of colour three.
+    let colours = if channels.len() >= 3 { 3 } else { 1 };
+    let texels = collect(source, &channels, [0.0; 4], |samples| {
+        let colour = |channel: usize| transfer.linear(samples[channel.min(colours - 1)]);
+        let opacity = samples.get(colours).map_or(1.0, |&sample| transfer.fraction(sample));
+        [colour(0), colour(1), colour(2), opacity]
+    })?;
+    let width = layout.width as usize;
+    let bad = |texel: &[f32; 4]| texel.iter().any(|value| !value.is_finite());
+    if let Some(at) = texels.iter().position(bad) {
+        let not_finite = texels.iter().filter(|texel| bad(texel)).count() as u64;
+        let (column, row) = ((at % width) as u32, (at / width) as u32);
+        return Err(ReadProblem::NotFinite { not_finite, column, row });
+    }
+    Ok(Picture { width: layout.width, height: layout.height, texels })
+}
+
+/// Reads every texel's chosen channels and keeps what `texel` makes of them.
+pub(crate) fn collect<T: Copy>(
+    source: Source,
+    channels: &[usize],
+    empty: T,
+    texel: impl Fn(&[f64]) -> T,
+) -> Result<Vec<T>, ReadProblem> {
+    let width = source.layout().width as usize;
+    let count = width * source.layout().height as usize;
+    let mut texels = Vec::new();
+    let needed = (count * size_of::<T>()) as u64;
+    texels.try_reserve_exact(count).map_err(|_| ReadProblem::OutOfMemory { needed })?;
+    source.decode(channels, &mut |span: Span<'_>| {
+        let first = span.row as usize * width + span.column as usize;
+        for (index, samples) in span.samples.chunks_exact(channels.len()).enumerate() {
+            let at = first + index * span.step as usize;
+            if texels.len() <= at {
+                texels.resize(at + 1, empty);
+            }
+            texels[at] = texel(samples);
+        }
+        Ok(())
+    })?;
+    Ok(texels)
+}
+
+/// The channels of a picture: red, green, blue or grey, then opacity where there is one.
+fn colour_channels(layout: &Layout) -> Result<Vec<usize>, ReadProblem> {
+    let [y, r, g, b, a] = ["y", "r", "g", "b", "a"].map(|name| layout.channel(name));
+    let mut channels = match (r, g, b, y) {
+        (Some(r), Some(g), Some(b), _) => vec![r, g, b],
+        (_, _, _, Some(y)) => vec![y],
+        _ if layout.channels.len() == 1 => vec![0],
+        _ => {
+            return Err(ReadProblem::NoColour { what: "picture", channels: layout.channel_names() });
+        }
+    };
+    channels.extend(a.filter(|a| !channels.contains(a)));
+    Ok(channels)
+}
+
+/// How samples become light.
+enum Transfer {
+    /// Linear values by sample, and the sample that stands for 1.
+    Srgb(Vec<f32>, f64),
+    Linear,
+}
+
+impl Transfer {
+    fn of(layout: &Layout, channel: usize) -> Result<Self, ReadProblem> {
+        let sample = layout.channels[channel].sample;
+        match (layout.full_scale, sample.kind) {
+            (Some(full_scale), SampleKind::Unsigned) => {
+                let levels = full_scale as u32;
+                let curve = (0..=levels).map(|level| srgb_to_linear(f64::from(level) / full_scale) as f32);
+                Ok(Self::Srgb(curve.collect(), full_scale))
+            }
+            (_, SampleKind::Float) => Ok(Self::Linear),
+            _ => Err(ReadProblem::Unsupported {
+                what: format!("colours of {sample} samples"),
+                advice: "export 8 or 16-bit unsigned integers, or floats",
+            }),
+        }
+    }
+
+    fn linear(&self, sample: f64) -> f32 {
+        match self {
+            Self::Srgb(curve, _) => curve.get(sample as usize).copied().unwrap_or(1.0),
+            Self::Linear => sample as f32,
+        }
+    }
+
+    fn fraction(&self, sample: f64) -> f32 {
+        match self {
+            Self::Srgb(_, full_scale) => (sample / full_scale) as f32,
+            Self::Linear => sample as f32,
+        }
+    }
+}
+
+/// The sRGB curve (IEC 61966-2-1), from encoded to linear, both in `[0, 1]`.
+fn srgb_to_linear(encoded: f64) -> f64 {
+    if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}

@@ -1,0 +1,120 @@
+//! Headerless 16-bit samples, as Unity, Unreal and World Machine exchange them (`.raw`, `.r16`).
+
+use std::fmt;
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::str::FromStr;
+
+use crate::ReadProblem;
+use crate::source::{Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
+
+/// Which byte of a 16-bit sample comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ByteOrder {
+    /// The low byte first: `le`.
+    Little,
+    /// The high byte first: `be`.
+    Big,
+}
+
+/// The layout of a headerless file: unsigned 16-bit samples, row by row from the top. Written `403x344,le`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct RawLayout {
+    /// Width in texels, not 0.
+    pub width: u32,
+    /// Height in texels, not 0.
+    pub height: u32,
+    /// Byte order of the samples.
+    pub order: ByteOrder,
+}
+
+/// The text is no layout of a headerless file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "'{0}' is no layout of a raw file: write width x height and the byte order, as in 1024x1024,le (or be)"
+)]
+pub struct BadRawLayout(String);
+
+impl FromStr for RawLayout {
+    type Err = BadRawLayout;
+
+    fn from_str(text: &str) -> Result<Self, BadRawLayout> {
+        let parse = || {
+            let (size, order) = text.split_once(',')?;
+            let (width, height) = size.split_once('x')?;
+            let order = match order {
+                "le" => ByteOrder::Little,
+                "be" => ByteOrder::Big,
+                _ => return None,
+            };
+            let side = |text: &str| text.parse().ok().filter(|&side: &u32| side > 0);
+            Some(Self { width: side(width)?, height: side(height)?, order })
+        };
+        parse().ok_or_else(|| BadRawLayout(text.to_owned()))
+    }
+}
+
+impl fmt::Display for RawLayout {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let order = match self.order {
+            ByteOrder::Little => "le",
+            ByteOrder::Big => "be",
+        };
+        write!(f, "{}x{},{order}", self.width, self.height)
+    }
+}
+
+pub(crate) struct RawSource {
+    file: BufReader<File>,
+    layout: Layout,
+    order: ByteOrder,
+}
+
+impl RawSource {
+    pub(crate) fn open(input: Input, raw: RawLayout) -> Result<Self, ReadProblem> {
+        let size = [raw.width, raw.height];
+        let expected = u64::from(raw.width) * u64::from(raw.height) * 2;
+        if input.file_len != expected {
+            return Err(ReadProblem::RawSize { layout: raw, expected, actual: input.file_len });
+        }
+        input.check_size(Format::Raw, size, 2 * u64::from(raw.width), expected)?;
+        let layout = Layout::new(Format::Raw, size, &["y"], SampleType::unsigned(16));
+        Ok(Self { file: input.file, layout, order: raw.order })
+    }
+
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    pub(crate) fn decode(mut self, sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        let mut bytes = zeros::<u8>(2 * self.layout.width as usize)?;
+        let mut samples = Vec::with_capacity(self.layout.width as usize);
+        for row in 0..self.layout.height {
+            self.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Raw, error))?;
+            samples.clear();
+            samples.extend(bytes.as_chunks::<2>().0.iter().map(|&sample| {
+                f64::from(match self.order {
+                    ByteOrder::Little => u16::from_le_bytes(sample),
+                    ByteOrder::Big => u16::from_be_bytes(sample),
+                })
+            }));
+            sink(Span { row, column: 0, step: 1, samples: &samples })?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn layouts_are_read_as_they_are_written() {
+        let layout = RawLayout { width: 403, height: 344, order: ByteOrder::Little };
+        assert_eq!("403x344,le".parse(), Ok(layout));
+        assert_eq!(layout.to_string(), "403x344,le");
+        for bad in ["", "403x344", "403,le", "0x4,le", "4x4,xe", "-4x4,le", "4x4x4,be", "99999999999x1,le"] {
+            assert!(bad.parse::<RawLayout>().is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! One channel's raw values, collected from a decoder at 4 bytes a texel, with what has to be known of them.
+
+use crate::ReadProblem;
+use crate::source::{Layout, Source, Span};
+
+/// Raw values as `f32`, NaN where a texel has none.
+///
+/// Types wider than `f32` are stored as differences from the first value, so that their rounding is relative to the
+/// range of the values and not to their size (heights far above sea level stay exact to 2^-24 of their range).
+pub(crate) struct Samples {
+    pub width: u32,
+    pub height: u32,
+    pub values: Vec<f32>,
+    /// The raw value of a stored 0.
+    pub offset: f64,
+    /// Least and greatest raw value; the first is above the second where no texel has a value.
+    pub extremes: [f64; 2],
+    /// Texels that are NaN, infinite or beyond `f32`.
+    pub not_finite: u64,
+    /// Texels that hold the file's nodata value.
+    pub nodata: u64,
+    /// The first texel without a value, in rows from the top.
+    pub first_hole: Option<usize>,
+}
+
+/// Where the samples come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Selection {
+    /// One channel.
+    Channel(usize),
+    /// Three channels that have to be equal everywhere.
+    Grey([usize; 3]),
+}
+
+impl Samples {
+    pub(crate) fn read(source: Source, selection: &Selection) -> Result<Self, ReadProblem> {
+        let layout = source.layout();
+        let names = layout.channel_names();
+        let (channels, sample) = match selection {
+            Selection::Channel(channel) => (vec![*channel], layout.channels[*channel].sample),
+            Selection::Grey(channels) => (channels.to_vec(), layout.channels[channels[0]].sample),
+        };
+        let mut collector = Collector::new(layout, sample.fits_f32())?;
+        source.decode(&channels, &mut |span| {
+            if let Some(texel) = span
+                .samples
+                .chunks_exact(channels.len())
+                .position(|texel| texel.iter().any(|s| differ(*s, texel[0])))
+            {
+                let column = span.column + texel as u32 * span.step;
+                return Err(ReadProblem::NotGrey { channels: names.clone(), column, row: span.row });
+            }
+            collector.take(&span, channels.len());
+            Ok(())
+        })?;
+        Ok(collector.samples)
+    }
+
+    /// How many texels have no value.
+    pub(crate) fn holes(&self) -> u64 {
+        self.not_finite + self.nodata
+    }
+}
+
+fn differ(a: f64, b: f64) -> bool {
+    a != b && !(a.is_nan() && b.is_nan())
+}
+
+struct Collector {
+    samples: Samples,
+    nodata: Option<f64>,
+    exact: bool,
+}
+
+impl Collector {
+    fn new(layout: &Layout, exact: bool) -> Result<Self, ReadProblem> {
+        let texels = layout.width as usize * layout.height as usize;
+        let mut values = Vec::new();
+        let needed = 4 * texels as u64;
+        values.try_reserve_exact(texels).map_err(|_| ReadProblem::OutOfMemory { needed })?;
+        let samples = Samples {
+            width: layout.width,
+            height: layout.height,
+            values,
+            offset: 0.0,
+            extremes: [f64::INFINITY, f64::NEG_INFINITY],
+            not_finite: 0,
+            nodata: 0,
+            first_hole: None,
+        };
+        Ok(Self { samples, nodata: layout.nodata, exact })
+    }
+
+    fn take(&mut self, span: &Span<'_>, channels: usize) {
+        let samples = &mut self.samples;
+        let first = span.row as usize * samples.width as usize + span.column as usize;
+        let count = span.samples.len() / channels;
+        let end = first + count.saturating_sub(1) * span.step as usize + 1;
+        // Memory is touched only as far as the decoder has come: a cut-off file costs what it holds.
+        if samples.values.len() < end {
+            samples.values.resize(end, 0.0);
+        }
+        let stored = samples.values[first..end].iter_mut().step_by(span.step as usize);
+        for (index, (stored, texel)) in stored.zip(span.samples.chunks_exact(channels)).enumerate() {
+            let value = texel[0];
+            let is_nodata = self.nodata == Some(value);
+            if is_nodata || value.is_nan() || value.abs() > f64::from(f32::MAX) {
+                *stored = f32::NAN;
+                *(if is_nodata { &mut samples.nodata } else { &mut samples.not_finite }) += 1;
+                let at = first + index * span.step as usize;
+                samples.first_hole = Some(samples.first_hole.map_or(at, |hole| hole.min(at)));
+                continue;
+            }
+            if !self.exact && samples.extremes[0] > samples.extremes[1] {
+                samples.offset = value;
+            }
+            samples.extremes = [samples.extremes[0].min(value), samples.extremes[1].max(value)];
+            *stored = (value - samples.offset) as f32;
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! TIFF, BigTIFF and GeoTIFF, block by block, through `tiff-reader`: strips and tiles, both planar configurations,
+//! integers and floats of 8 to 64 bit, uncompressed, LZW, Deflate, PackBits, ZSTD and LERC.
+//!
+//! The first full-resolution picture of the file is read. Blocks that a sparse file leaves out hold its nodata value, or
+//! zeros where it has none.
+
+mod geo;
+
+use tiff_reader::{Ifd, OpenOptions, ParseBudgets, TiffError, TiffFile};
+
+use crate::ReadProblem;
+use crate::source::{Channel, Format, Input, Layout, SampleKind, SampleType, Sink, Span};
+
+/// What the file's tags may take; the tables of the largest height map, a strip a row, need 16 MiB.
+const MAX_TAG_BYTES: usize = 20 << 20;
+
+/// A block larger than this is handed on in several pieces.
+const WINDOW_BYTES: usize = 1 << 20;
+
+const TAG_NEW_SUBFILE_TYPE: u16 = 254;
+const WHITE_IS_ZERO: u16 = 0;
+const BLACK_IS_ZERO: u16 = 1;
+const RGB: u16 = 2;
+
+pub(crate) struct TiffSource {
+    file: TiffFile,
+    ifd: usize,
+    layout: Layout,
+    /// Samples are stored with 0 as white.
+    inverted: bool,
+    blocks: Blocks,
+}
+
+/// How the picture is cut into blocks.
+struct Blocks {
+    columns: u32,
+    rows: u32,
+    /// The file's offset of each block; 0 where a sparse file leaves it out.
+    offsets: Vec<u64>,
+    /// Whether each channel has blocks of its own.
+    planar: bool,
+}
+
+impl TiffSource {
+    pub(crate) fn open(input: Input) -> Result<Self, ReadProblem> {
+        // The cache is sized by the blocks, which are known only once the file is open: it is opened twice.
+        let probe = open(&input, 0)?;
+        let ifd = full_resolution(&probe)?;
+        let header = probe.ifd(ifd).map_err(problem)?;
+        let raster = header.raster_layout().map_err(problem)?;
+        let size = [header.width(), header.height()];
+        let sample = sample_type(raster.sample_format, raster.bits_per_sample)?;
+        let photometric = header.photometric_interpretation().unwrap_or(BLACK_IS_ZERO);
+        let (columns, rows) = if header.is_tiled() {
+            (header.tile_width().unwrap_or(0), header.tile_height().unwrap_or(0))
+        } else {
+            (size[0], header.rows_per_strip().min(size[1]))
+        };
+        if columns == 0 || rows == 0 {
+            return Err(ReadProblem::damaged("TIFF", "its blocks have no size"));
+        }
+        let planar = raster.planar_configuration == 2;
+        let in_block = if planar { 1 } else { raster.samples_per_pixel as u64 };
+        let block_bytes =
+            (u64::from(columns) * u64::from(rows)).saturating_mul(in_block * raster.bytes_per_sample as u64);
+        let count = u64::from(size[0].div_ceil(columns)) * u64::from(size[1].div_ceil(rows));
+        // A block, compressed and not; and each has an entry of at least two bytes in two tables, one block apart.
+        let least = if count > 1 { 4 * count } else { 0 };
+        input.check_size(Format::Tiff, size, block_bytes.saturating_mul(2), least)?;
+
+        let channels = channel_names(header, photometric, raster.samples_per_pixel)?;
+        let mut layout = Layout::new(Format::Tiff, size, &[], sample);
+        layout.channels = channels.into_iter().map(|name| Channel { name, sample }).collect();
+        layout.nodata = geo::nodata(header, sample);
+        layout.texel_size_m = geo::texel_size_m(header);
+        layout.full_scale = match sample.kind {
+            SampleKind::Unsigned if sample.bits <= 16 => Some(f64::from((1u32 << sample.bits) - 1)),
+            _ => None,
+        };
+        let offsets = if header.is_tiled() { header.tile_offsets() } else { header.strip_offsets() };
+        let offsets = offsets.ok_or_else(|| ReadProblem::damaged("TIFF", "it has no blocks"))?;
+        let file = open(&input, usize::try_from(block_bytes).unwrap_or(usize::MAX))?;
+        let blocks = Blocks { columns, rows, offsets, planar };
+        Ok(Self { file, ifd, layout, inverted: photometric == WHITE_IS_ZERO, blocks })
+    }
+
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        let [width, height] = [self.layout.width, self.layout.height];
+        let (columns, rows) = (self.blocks.columns, self.blocks.rows);
+        let sample_bytes = usize::from(self.layout.channels[0].sample.bits).div_ceil(8);
+        let row_bytes = (columns.min(width) as usize * sample_bytes).max(1);
+        let rows_at_once = (WINDOW_BYTES / row_bytes).clamp(1, rows as usize) as u32;
+        for top in (0..height).step_by(rows as usize) {
+            for left in (0..width).step_by(columns as usize) {
+                let block_columns = columns.min(width - left);
+                let bottom = top.saturating_add(rows).min(height);
+                for first in (top..bottom).step_by(rows_at_once as usize) {
+                    let window = [[left, first], [block_columns, rows_at_once.min(bottom - first)]];
+                    self.window(window, channels, sink)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Hands on a part of one block.
+    fn window(
+        &self,
+        [[left, top], [columns, rows]]: [[u32; 2]; 2],
+        channels: &[usize],
+        sink: &mut Sink<'_>,
+    ) -> Result<(), ReadProblem> {
+        let [columns_len, rows_len] = [columns as usize, rows as usize];
+        let mut samples = vec![0.0; columns_len * rows_len * channels.len()];
+        for (slot, &channel) in channels.iter().enumerate() {
+            let slots = samples[slot..].iter_mut().step_by(channels.len());
+            if let (true, Some(nodata)) = (self.left_out(left, top, channel), self.layout.nodata) {
+                slots.for_each(|sample| *sample = nodata);
+                continue;
+            }
+            let place = (top as usize, left as usize);
+            let bytes = self
+                .file
+                .read_band_window_bytes(self.ifd, channel, place.0, place.1, rows_len, columns_len)
+                .map_err(problem)?;
+            spread(self.layout.channels[channel].sample, &bytes, slots)?;
+        }
+        if let (true, Some(white)) = (self.inverted, self.layout.full_scale) {
+            for sample in samples.iter_mut().filter(|sample| Some(**sample) != self.layout.nodata) {
+                *sample = white - *sample;
+            }
+        }
+        for (row, samples) in (top..).zip(samples.chunks_exact(columns_len * channels.len())) {
+            sink(Span { row, column: left, step: 1, samples })?;
+        }
+        Ok(())
+    }
+
+    /// Whether a sparse file leaves out the block at that texel.
+    fn left_out(&self, left: u32, top: u32, channel: usize) -> bool {
+        let across = self.layout.width.div_ceil(self.blocks.columns) as usize;
+        let down = self.layout.height.div_ceil(self.blocks.rows) as usize;
+        let plane = if self.blocks.planar { channel * across * down } else { 0 };
+        let block = (top / self.blocks.rows) as usize * across + (left / self.blocks.columns) as usize;
+        self.blocks.offsets.get(plane + block) == Some(&0)
+    }
+}
+
+fn open(input: &Input, block_bytes: usize) -> Result<TiffFile, ReadProblem> {
+    let parse_budgets = ParseBudgets {
+        max_ifds: 256,
+        max_ifd_entries: 1024,
+        max_tag_value_bytes: MAX_TAG_BYTES,
+        max_metadata_value_bytes: MAX_TAG_BYTES,
+    };
+    let options = OpenOptions {
+        block_cache_bytes: block_bytes,
+        block_cache_slots: 16,
+        parse_budgets,
+        decode_output_bytes: block_bytes.max(WINDOW_BYTES),
+    };
+    TiffFile::open_with_options(&input.path, options).map_err(problem)
+}
+
+/// The first picture that is neither a reduced copy nor a mask (TIFF 6.0, NewSubfileType).
+fn full_resolution(file: &TiffFile) -> Result<usize, ReadProblem> {
+    let reduced_or_mask = |ifd: &Ifd| {
+        let kind = ifd.tag(TAG_NEW_SUBFILE_TYPE).and_then(|tag| tag.value.as_u32()).unwrap_or(0);
+        kind & 0b101 != 0
+    };
+    file.ifds()
+        .iter()
+        .position(|ifd| !reduced_or_mask(ifd))
+        .ok_or_else(|| ReadProblem::damaged("TIFF", "it holds no picture at full resolution"))
+}
+
+fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
+    let kind = match format {
+        1 => SampleKind::Unsigned,
+        2 => SampleKind::Signed,
+        _ => SampleKind::Float,
+    };
+    match (kind, bits) {
+        (SampleKind::Unsigned, 1..=16 | 32 | 64)
+        | (SampleKind::Signed, 8 | 16 | 32 | 64)
+        | (SampleKind::Float, 32 | 64) => Ok(SampleType { kind, bits: bits as u8 }),
+        _ => Err(unsupported(format!("{bits}-bit samples of format {format}"))),
+    }
+}
+
+fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<String>, ReadProblem> {
+    let extra = header.extra_samples().map_err(problem)?;
+    // Extra sample 0 is unspecified, 1 and 2 are opacity.
+    let opacity = extra.first().is_some_and(|extra| matches!(extra.to_code(), 1 | 2));
+    let names: &[&str] = match (photometric, count) {
+        (WHITE_IS_ZERO | BLACK_IS_ZERO, 1) => &["y"],
+        (WHITE_IS_ZERO | BLACK_IS_ZERO, 2) if opacity => &["y", "a"],
+        (RGB, 3) => &["r", "g", "b"],
+        (RGB, 4) if opacity => &["r", "g", "b", "a"],
+        (WHITE_IS_ZERO | BLACK_IS_ZERO | RGB, _) => {
+            return Ok((1..=count).map(|band| format!("band{band}")).collect());
+        }
+        (other, _) => {
+            return Err(unsupported(format!("the colour space number {other} (palette, YCbCr, CMYK ...)")));
+        }
+    };
+    Ok(names.iter().map(ToString::to_string).collect())
+}
+
+/// Native-endian samples to numbers.
+fn spread<'a>(
+    sample: SampleType,
+    bytes: &[u8],
+    slots: impl ExactSizeIterator<Item = &'a mut f64>,
+) -> Result<(), ReadProblem> {
+    fn each<'a, const N: usize>(
+        bytes: &[u8],
+        slots: impl ExactSizeIterator<Item = &'a mut f64>,
+        value: impl Fn([u8; N]) -> f64,
+    ) -> bool {
+        let fits = bytes.len() == slots.len() * N;
+        slots.zip(bytes.as_chunks::<N>().0).for_each(|(slot, &bytes)| *slot = value(bytes));
+        fits
+    }
+    let fits = match (sample.kind, sample.bits) {
+        (SampleKind::Unsigned, 1..=8) => each(bytes, slots, |b: [u8; 1]| f64::from(b[0])),
+        (SampleKind::Unsigned, 9..=16) => each(bytes, slots, |b| f64::from(u16::from_ne_bytes(b))),
+        (SampleKind::Unsigned, 17..=32) => each(bytes, slots, |b| f64::from(u32::from_ne_bytes(b))),
+        (SampleKind::Unsigned, _) => each(bytes, slots, |b| u64::from_ne_bytes(b) as f64),
+        (SampleKind::Signed, 1..=8) => each(bytes, slots, |b| f64::from(i8::from_ne_bytes(b))),
+        (SampleKind::Signed, 9..=16) => each(bytes, slots, |b| f64::from(i16::from_ne_bytes(b))),
+        (SampleKind::Signed, 17..=32) => each(bytes, slots, |b| f64::from(i32::from_ne_bytes(b))),
+        (SampleKind::Signed, _) => each(bytes, slots, |b| i64::from_ne_bytes(b) as f64),
+        (SampleKind::Float, 1..=32) => each(bytes, slots, |b| f64::from(f32::from_ne_bytes(b))),
+        (SampleKind::Float, _) => each(bytes, slots, f64::from_ne_bytes),
+    };
+    if fits {
+        Ok(())
+    } else {
+        Err(ReadProblem::damaged("TIFF", "a block has another length than its size says"))
+    }
+}
+
+fn unsupported(what: String) -> ReadProblem {
+    let advice = "convert it, for instance with gdal_translate -co COMPRESS=DEFLATE";
+    ReadProblem::Unsupported { what, advice }
+}
+
+/// The number of a compression that the reader does not know, by its name where users meet it.
+fn compression_name(code: u16) -> String {
+    match code {
+        34925 => "LZMA compression".into(),
+        other => format!("TIFF compression number {other}"),
+    }
+}
+
+fn problem(error: TiffError) -> ReadProblem {
+    match error {
+        TiffError::Io(error, _) => crate::source::io_problem(Format::Tiff, error),
+        TiffError::UnsupportedCompression(code) => unsupported(compression_name(code)),
+        error @ (TiffError::UnsupportedPredictor(_)
+        | TiffError::UnsupportedPlanarConfiguration(_)
+        | TiffError::UnsupportedBitsPerSample(_)
+        | TiffError::UnsupportedSampleFormat(_)) => unsupported(error.to_string()),
+        other => ReadProblem::damaged("TIFF", other),
+    }
+}

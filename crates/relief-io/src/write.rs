@@ -1,0 +1,239 @@
+//! Files are written whole or not at all: into a temporary file in the same folder, forced to the disk, then renamed.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use exr::block::UncompressedBlock;
+use exr::block::writer::ChunksWriter;
+use exr::meta::header::{Header, LayerAttributes};
+use exr::meta::{BlockDescription, MetaData};
+use exr::prelude::{ChannelDescription, Compression, LineOrder, SampleType, SmallVec, Text};
+use png::{BitDepth, ColorType, Encoder, EncodingError};
+use relief::HeightMap;
+
+use crate::{WriteError, WriteProblem};
+
+/// Writes a file so that, at any moment, either its old content or all of its new content is there.
+///
+/// `content` writes into a temporary file beside it; when it succeeds the bytes are forced to the disk and the file
+/// takes its name. When anything fails the temporary file is removed and an existing file of that name keeps its
+/// content.
+///
+/// # Errors
+///
+/// When the folder cannot be written to, when `content` fails (a full disk, say), or when the file cannot be renamed.
+pub fn write_atomically(
+    path: &Path,
+    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), WriteError> {
+    write_file(path, |out| content(out).map_err(WriteProblem::Io))
+}
+
+/// As [`write_atomically`], for encoders that seek and that fail in ways of their own.
+fn write_file(
+    path: &Path,
+    content: impl FnOnce(&mut BufWriter<&File>) -> Result<(), WriteProblem>,
+) -> Result<(), WriteError> {
+    write_and_rename(path, content).map_err(|problem| problem.at(path))
+}
+
+fn write_and_rename(
+    path: &Path,
+    content: impl FnOnce(&mut BufWriter<&File>) -> Result<(), WriteProblem>,
+) -> Result<(), WriteProblem> {
+    path.file_name().ok_or(WriteProblem::NoName)?;
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".relief-").suffix(".tmp");
+    // Temporary files are private by default; the finished file is not: it gets what the process' mask allows.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let temporary = builder.tempfile_in(folder).map_err(WriteProblem::Folder)?;
+    let mut out = BufWriter::with_capacity(1 << 16, temporary.as_file());
+    content(&mut out)?;
+    out.flush()?;
+    drop(out);
+    temporary.as_file().sync_all()?;
+    temporary.persist(path).map_err(|error| WriteProblem::Rename(error.error))?;
+    Ok(())
+}
+
+/// The channels of an 8-bit PNG.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PngColour {
+    /// One sample a texel.
+    Grey,
+    /// Red, green and blue.
+    Rgb,
+    /// Red, green, blue and opacity.
+    Rgba,
+}
+
+impl PngColour {
+    /// Samples a texel.
+    pub const fn channels(self) -> usize {
+        match self {
+            PngColour::Grey => 1,
+            PngColour::Rgb => 3,
+            PngColour::Rgba => 4,
+        }
+    }
+}
+
+/// Writes an 8-bit PNG. `samples` are as stored, row by row from the top, the channels of a texel side by side: what is
+/// to be seen on a screen has to be in sRGB already.
+///
+/// # Errors
+///
+/// When `samples.len()` is not width times height times channels, when the size is 0 or above what a height map may
+/// have, or when the file cannot be written.
+pub fn write_png8(
+    path: &Path,
+    width: u32,
+    height: u32,
+    colour: PngColour,
+    samples: &[u8],
+) -> Result<(), WriteError> {
+    check_length(width, height, colour.channels(), samples.len()).map_err(|problem| problem.at(path))?;
+    let colour = match colour {
+        PngColour::Grey => ColorType::Grayscale,
+        PngColour::Rgb => ColorType::Rgb,
+        PngColour::Rgba => ColorType::Rgba,
+    };
+    write_file(path, |out| {
+        write_png(out, [width, height], colour, BitDepth::Eight, |png| png.write_all(samples))
+    })
+}
+
+/// Writes a 16-bit grey PNG, row by row from the top.
+///
+/// # Errors
+///
+/// When `samples.len()` is not width times height, when the size is 0 or above what a height map may have, or when the
+/// file cannot be written.
+pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Result<(), WriteError> {
+    check_length(width, height, 1, samples.len()).map_err(|problem| problem.at(path))?;
+    write_file(path, |out| {
+        write_png(out, [width, height], ColorType::Grayscale, BitDepth::Sixteen, |png| {
+            let mut row_bytes = Vec::with_capacity(2 * width as usize);
+            for row in samples.chunks_exact(width as usize) {
+                row_bytes.clear();
+                row_bytes.extend(row.iter().flat_map(|sample| sample.to_be_bytes()));
+                png.write_all(&row_bytes)?;
+            }
+            Ok(())
+        })
+    })
+}
+
+fn write_png(
+    out: &mut BufWriter<&File>,
+    [width, height]: [u32; 2],
+    colour: ColorType,
+    depth: BitDepth,
+    rows: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), WriteProblem> {
+    let problem = |error| match error {
+        EncodingError::IoError(error) => WriteProblem::Io(error),
+        other => WriteProblem::NotStorable(other.to_string()),
+    };
+    let mut encoder = Encoder::new(out, width, height);
+    encoder.set_color(colour);
+    encoder.set_depth(depth);
+    let mut writer = encoder.write_header().map_err(problem)?;
+    let mut stream = writer.stream_writer().map_err(problem)?;
+    rows(&mut stream)?;
+    stream.finish().map_err(problem)?;
+    writer.finish().map_err(problem)
+}
+
+/// Writes 32-bit float channels into an EXR file, without loss (ZIP, 16 rows a block).
+///
+/// Each channel has its name and `width * height` samples, row by row from the top. The same input gives the same
+/// bytes. Channels are stored in the order of their names, as the format wants it.
+///
+/// # Errors
+///
+/// When there is no channel, when a name is empty, longer than 255 bytes, not printable ASCII or given twice, when a channel's
+/// length is not width times height, when the size is 0 or above what a height map may have, or when the file cannot be
+/// written.
+pub fn write_exr(
+    path: &Path,
+    width: u32,
+    height: u32,
+    channels: &[(&str, &[f32])],
+) -> Result<(), WriteError> {
+    let channels = check_channels(width, height, channels).map_err(|problem| problem.at(path))?;
+    write_file(path, |out| write_exr_blocks(out, [width as usize, height as usize], &channels))
+}
+
+fn check_channels<'a>(
+    width: u32,
+    height: u32,
+    channels: &[(&'a str, &'a [f32])],
+) -> Result<Vec<(&'a str, &'a [f32])>, WriteProblem> {
+    let mut sorted = channels.to_vec();
+    sorted.sort_by_key(|(name, _)| *name);
+    if sorted.is_empty() {
+        return Err(WriteProblem::NotStorable("an EXR file needs at least one channel".into()));
+    }
+    if let Some(pair) = sorted.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+        return Err(WriteProblem::NotStorable(format!("the channel '{}' is given twice", pair[0].0)));
+    }
+    for (name, samples) in &sorted {
+        if !(1..=255).contains(&name.len()) || !name.bytes().all(|byte| (b' '..=b'~').contains(&byte)) {
+            let must = "an EXR channel's name has 1 to 255 printable ASCII characters";
+            return Err(WriteProblem::NotStorable(format!("{must}, this one is '{name}'")));
+        }
+        check_length(width, height, 1, samples.len())?;
+    }
+    Ok(sorted)
+}
+
+fn write_exr_blocks(
+    out: &mut BufWriter<&File>,
+    [width, height]: [usize; 2],
+    channels: &[(&str, &[f32])],
+) -> Result<(), WriteProblem> {
+    let descriptions: SmallVec<[ChannelDescription; 5]> = channels
+        .iter()
+        .map(|(name, _)| ChannelDescription::new(Text::new_or_panic(name), SampleType::F32, false))
+        .collect();
+    let header = Header::new(Text::from(""), (width, height), descriptions)
+        .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)
+        .with_attributes(LayerAttributes::default());
+    let written = exr::block::write(out, [header].into_iter().collect(), true, |meta: MetaData, chunks| {
+        let list = &meta.headers[0].channels;
+        let blocks = meta.collect_ordered_block_data(|block| {
+            UncompressedBlock::collect_block_data_from_lines(list, block, |line| {
+                let start = line.location.position.y() * width + line.location.position.x();
+                let samples = &channels[line.location.channel].1[start..start + line.location.sample_count];
+                for (bytes, sample) in line.value.chunks_exact_mut(4).zip(samples) {
+                    bytes.copy_from_slice(&sample.to_ne_bytes());
+                }
+            })
+        });
+        let mut compressor = chunks.sequential_blocks_compressor(&meta);
+        for (index, block) in blocks {
+            compressor.compress_block(index, block)?;
+        }
+        Ok(())
+    });
+    written.map_err(|error| match error {
+        exr::error::Error::Io(error) => WriteProblem::Io(error),
+        other => WriteProblem::NotStorable(other.to_string()),
+    })
+}
+
+fn check_length(width: u32, height: u32, channels: usize, given: usize) -> Result<(), WriteProblem> {
+    HeightMap::check_size(width, height).map_err(|error| WriteProblem::NotStorable(error.to_string()))?;
+    let expected = u64::from(width) * u64::from(height) * channels as u64;
+    if expected != given as u64 {
+        return Err(WriteProblem::WrongLength { width, height, expected, given: given as u64 });
+    }
+    Ok(())
+}

@@ -1,0 +1,92 @@
+//! The choice of a GPU.
+
+use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, Features, Instance, InstanceDescriptor, Limits};
+
+use super::GpuError;
+
+/// Which of the machine's adapters may be used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AdapterChoice {
+    /// A hardware adapter: discrete, integrated or virtual, in that order. Never a software one.
+    #[default]
+    Real,
+    /// A software adapter, such as Mesa's lavapipe: slow, and the same bits on every machine.
+    Software,
+    /// A hardware adapter if there is one, else a software one.
+    Any,
+}
+
+impl AdapterChoice {
+    /// The place of a kind of adapter in the order of preference; none where it is not wanted.
+    fn rank(self, kind: DeviceType) -> Option<u32> {
+        let rank = match kind {
+            DeviceType::DiscreteGpu => 0,
+            DeviceType::IntegratedGpu => 1,
+            DeviceType::VirtualGpu => 2,
+            DeviceType::Other => 3,
+            DeviceType::Cpu => 4,
+        };
+        let wanted = match self {
+            AdapterChoice::Real => rank < 3,
+            AdapterChoice::Software => kind == DeviceType::Cpu,
+            AdapterChoice::Any => true,
+        };
+        wanted.then_some(rank)
+    }
+
+    /// The best adapter of that kind.
+    pub(super) fn find(self) -> Result<Adapter, GpuError> {
+        let instance = Instance::new(InstanceDescriptor {
+            backends: Backends::VULKAN | Backends::METAL | Backends::DX12,
+            ..InstanceDescriptor::new_without_display_handle()
+        });
+        let adapters = pollster::block_on(instance.enumerate_adapters(Backends::all()));
+        let found = adapters.iter().map(|adapter| described(&adapter.get_info())).collect();
+        adapters
+            .into_iter()
+            .filter_map(|adapter| Some((self.rank(adapter.get_info().device_type)?, adapter)))
+            .min_by_key(|(rank, _)| *rank)
+            .map(|(_, adapter)| adapter)
+            .ok_or(GpuError::NoAdapter { wanted: self, found })
+    }
+}
+
+/// Name, backend and driver in one line.
+pub(super) fn described(info: &AdapterInfo) -> String {
+    let driver = [info.driver.as_str(), info.driver_info.as_str()].map(str::trim);
+    let driver: Vec<&str> = driver.into_iter().filter(|part| !part.is_empty()).collect();
+    let driver = if driver.is_empty() { String::new() } else { format!(", {}", driver.join(" ")) };
+    format!("{} ({}{driver})", info.name.trim(), info.backend)
+}
+
+/// What is asked of the device: WebGPU's reduced defaults, and room for maps and meshes as large as the adapter takes.
+pub(super) fn limits(adapter: &Adapter) -> Limits {
+    let has = adapter.limits();
+    Limits {
+        max_storage_buffer_binding_size: has.max_storage_buffer_binding_size,
+        max_buffer_size: has.max_buffer_size,
+        ..Limits::downlevel_defaults().using_resolution(has)
+    }
+}
+
+/// The feature that fast sampling needs, where the adapter has it.
+pub(super) fn features(adapter: &Adapter) -> Features {
+    adapter.features() & Features::FLOAT32_FILTERABLE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_software_adapter_is_never_taken_for_a_real_one() {
+        for kind in [DeviceType::Cpu, DeviceType::Other] {
+            assert_eq!(AdapterChoice::Real.rank(kind), None, "{kind:?}");
+        }
+        for kind in [DeviceType::DiscreteGpu, DeviceType::IntegratedGpu, DeviceType::VirtualGpu] {
+            assert!(AdapterChoice::Real.rank(kind).is_some(), "{kind:?}");
+            assert_eq!(AdapterChoice::Software.rank(kind), None, "{kind:?}");
+            assert!(AdapterChoice::Any.rank(kind) < AdapterChoice::Any.rank(DeviceType::Cpu), "{kind:?}");
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! Scenes, and the two backends that render them: the CPU, which every machine has, and the GPU through wgpu.
+//!
+//! A [`Scene`](scene::Scene) is built or loaded, and [`render()`] makes a picture of it. Both backends run the same shaders and give
+//! the same picture; [`picture`] turns it into bytes and channels.
+
+pub mod camera;
+pub mod cpu;
+#[cfg(feature = "gpu")]
+pub mod gpu;
+pub mod job;
+pub mod light;
+pub mod material;
+pub mod mesh;
+pub mod picture;
+pub mod prepare;
+pub mod raycast;
+mod render;
+pub mod scene;
+
+pub use render::{RenderError, Rendered, render, select};

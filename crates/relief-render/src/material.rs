@@ -1,0 +1,107 @@
+//! The material: Blinn-Phong.
+
+use glam::Vec3;
+
+/// The greatest shininess. It is a whole number so that shaders can raise to it by multiplication alone, with the same
+/// bits everywhere; beyond this a highlight is smaller than a pixel.
+pub const MAX_SHININESS: u32 = 1024;
+
+/// A Blinn-Phong material: under irradiance `E` from direction `L`, seen from `V`, with `h` half-way between,
+/// `E (diffuse (N·L) + specular (N·h)^shininess)`.
+///
+/// Colours are linear, red, green, blue, each part from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    diffuse: Vec3,
+    specular: Vec3,
+    shininess: u32,
+}
+
+/// Why there is no such material.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MaterialError {
+    /// A colour is not between 0 and 1.
+    #[error("the {what} colour is {colour}: each part must be from 0 to 1")]
+    BadColour {
+        /// Which colour.
+        what: &'static str,
+        /// Its value.
+        colour: Vec3,
+    },
+    /// The shininess is out of range.
+    #[error("the shininess is {0}: it must be a whole number from 1 to {MAX_SHININESS}")]
+    BadShininess(u32),
+}
+
+impl Material {
+    /// A material of those colours; `shininess` is a whole number from 1 to [`MAX_SHININESS`]. Where a scene has a
+    /// colour picture, `diffuse` multiplies it.
+    ///
+    /// # Errors
+    ///
+    /// When a part of a colour or the shininess is out of range.
+    pub fn new(diffuse: Vec3, specular: Vec3, shininess: u32) -> Result<Self, MaterialError> {
+        for (what, colour) in [("diffuse", diffuse), ("specular", specular)] {
+            if !(colour.cmpge(Vec3::ZERO) & colour.cmple(Vec3::ONE)).all() {
+                return Err(MaterialError::BadColour { what, colour });
+            }
+        }
+        if !(1..=MAX_SHININESS).contains(&shininess) {
+            return Err(MaterialError::BadShininess(shininess));
+        }
+        Ok(Self { diffuse, specular, shininess })
+    }
+
+    /// The part of the light that is scattered in all directions.
+    pub fn diffuse(&self) -> Vec3 {
+        self.diffuse
+    }
+
+    /// The strength of the highlight.
+    pub fn specular(&self) -> Vec3 {
+        self.specular
+    }
+
+    /// The exponent of the highlight: greater is smaller.
+    pub fn shininess(&self) -> u32 {
+        self.shininess
+    }
+}
+
+impl Default for Material {
+    /// Light grey with a faint, broad highlight.
+    fn default() -> Self {
+        Self { diffuse: Vec3::splat(0.8), specular: Vec3::splat(0.1), shininess: 32 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_colours_and_exponents_in_range_are_accepted() {
+        assert!(
+            Material::new(Vec3::ONE, Vec3::ZERO, 1).is_ok()
+                && Material::new(Vec3::ONE, Vec3::ONE, 1024).is_ok()
+        );
+        for colour in [Vec3::new(0.0, 1.1, 0.0), Vec3::new(-0.1, 0.0, 0.0), Vec3::NAN] {
+            assert!(matches!(
+                Material::new(colour, Vec3::ONE, 1),
+                Err(MaterialError::BadColour { what: "diffuse", .. })
+            ));
+            assert!(matches!(
+                Material::new(Vec3::ONE, colour, 1),
+                Err(MaterialError::BadColour { what: "specular", .. })
+            ));
+        }
+        for shininess in [0, 1025] {
+            assert_eq!(
+                Material::new(Vec3::ONE, Vec3::ONE, shininess),
+                Err(MaterialError::BadShininess(shininess))
+            );
+        }
+        let Material { diffuse, specular, shininess } = Material::default();
+        assert!(Material::new(diffuse, specular, shininess).is_ok());
+    }
+}

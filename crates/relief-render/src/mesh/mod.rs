@@ -1,0 +1,179 @@
+//! Base meshes: triangles with texture coordinates and true tangent frames.
+
+mod builtin;
+mod cube;
+mod cylinder;
+mod patch;
+mod plane;
+mod sphere;
+mod torus;
+
+use glam::{Vec2, Vec3};
+
+pub use builtin::Builtin;
+pub use cube::cube;
+pub use cylinder::cylinder;
+pub use plane::plane;
+pub use sphere::sphere;
+pub use torus::torus;
+
+/// The most divisions of a side of a built-in mesh; at that number a plane has a million quads.
+pub const MAX_DIVISIONS: u32 = 1024;
+
+/// One corner of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertex {
+    /// Position in the world, in metres.
+    pub position: Vec3,
+    /// Unit outward normal.
+    pub normal: Vec3,
+    /// Derivative of the position by `u`: points along growing `u`, as long as one tile in metres. Not normalised and
+    /// not made orthogonal to the bitangent.
+    pub tangent: Vec3,
+    /// Derivative of the position by `v`: points along growing `v`, as long as one tile in metres.
+    pub bitangent: Vec3,
+    /// Texture coordinates, `(0, 0)` the top-left corner of the map, `v` downward; not wrapped.
+    pub uv: Vec2,
+}
+
+/// Triangles over shared vertices.
+///
+/// Corners run counter-clockwise seen from the front. Every index is below the number of vertices and every number of
+/// every vertex is finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    vertices: Vec<Vertex>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// Why something is no mesh.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MeshError {
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} has the corner {index}, but there are {vertices} vertices")]
+    NoSuchVertex {
+        /// Number of the first such triangle.
+        triangle: usize,
+        /// The index that it names.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// A number of a vertex is NaN or infinite.
+    #[error("vertex {0} has a number that is not finite")]
+    NotFinite(usize),
+    /// There are more triangles than a 32-bit number counts.
+    #[error("a mesh of {0} triangles is too large")]
+    TooLarge(usize),
+    /// A tile factor is not finite and positive.
+    #[error("the tile factors are {0} and {1}: they must be finite and positive")]
+    BadTile(f32, f32),
+    /// A number of divisions is outside its range.
+    #[error("{given} divisions {direction}: from {least} to {MAX_DIVISIONS} are possible")]
+    BadDivisions {
+        /// What is divided.
+        direction: &'static str,
+        /// The number given.
+        given: u32,
+        /// The least possible number.
+        least: u32,
+    },
+}
+
+impl Mesh {
+    /// A mesh of those vertices and triangles.
+    ///
+    /// # Errors
+    ///
+    /// When an index is not below the number of vertices or a number is not finite.
+    pub fn new(vertices: Vec<Vertex>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        if u32::try_from(triangles.len()).is_err() {
+            return Err(MeshError::TooLarge(triangles.len()));
+        }
+        if let Some(at) = vertices.iter().position(|vertex| !vertex.is_finite()) {
+            return Err(MeshError::NotFinite(at));
+        }
+        for (triangle, corners) in triangles.iter().enumerate() {
+            if let Some(&index) = corners.iter().find(|&&index| index as usize >= vertices.len()) {
+                return Err(MeshError::NoSuchVertex { triangle, index, vertices: vertices.len() });
+            }
+        }
+        Ok(Self { vertices, triangles })
+    }
+
+    /// The vertices.
+    #[inline]
+    pub fn vertices(&self) -> &[Vertex] {
+        &self.vertices
+    }
+
+    /// The corners of every triangle, as places in [`Self::vertices`].
+    #[inline]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The corners of one triangle. Panics when there is no such triangle.
+    #[inline]
+    pub fn corners(&self, triangle: u32) -> [&Vertex; 3] {
+        self.triangles[triangle as usize].map(|index| &self.vertices[index as usize])
+    }
+
+    /// A point of a triangle: every number of its corners, weighted with the barycentric `weights` (which add up to 1).
+    /// Nothing is normalised. Panics when there is no such triangle.
+    pub fn interpolated(&self, triangle: u32, weights: [f32; 3]) -> Vertex {
+        let [a, b, c] = self.corners(triangle);
+        let [wa, wb, wc] = weights;
+        Vertex {
+            position: a.position * wa + b.position * wb + c.position * wc,
+            normal: a.normal * wa + b.normal * wb + c.normal * wc,
+            tangent: a.tangent * wa + b.tangent * wb + c.tangent * wc,
+            bitangent: a.bitangent * wa + b.bitangent * wb + c.bitangent * wc,
+            uv: a.uv * wa + b.uv * wb + c.uv * wc,
+        }
+    }
+
+    /// The same mesh with `tile` times as many tiles along `u` and `v`: texture coordinates are multiplied, tangents
+    /// and bitangents divided.
+    ///
+    /// # Errors
+    ///
+    /// When a factor is not finite and positive, or so large or small that a coordinate is no longer finite.
+    pub fn tiled(mut self, tile: Vec2) -> Result<Self, MeshError> {
+        if !(tile.is_finite() && tile.cmpgt(Vec2::ZERO).all()) {
+            return Err(MeshError::BadTile(tile.x, tile.y));
+        }
+        for vertex in &mut self.vertices {
+            vertex.uv *= tile;
+            vertex.tangent /= tile.x;
+            vertex.bitangent /= tile.y;
+        }
+        if self.vertices.iter().all(Vertex::is_finite) {
+            Ok(self)
+        } else {
+            Err(MeshError::BadTile(tile.x, tile.y))
+        }
+    }
+}
+
+impl Vertex {
+    fn is_finite(&self) -> bool {
+        self.position.is_finite()
+            && self.normal.is_finite()
+            && self.tangent.is_finite()
+            && self.bitangent.is_finite()
+            && self.uv.is_finite()
+    }
+}
+
+/// Refuses a number of divisions outside `least..=MAX_DIVISIONS`.
+fn check_divisions(direction: &'static str, given: u32, least: u32) -> Result<(), MeshError> {
+    if (least..=MAX_DIVISIONS).contains(&given) {
+        Ok(())
+    } else {
+        Err(MeshError::BadDivisions { direction, given, least })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,132 @@
+//! A scene to a job: the shaders' settings, the triangles in the world and the camera's matrices.
+
+use glam::{DMat4, DVec3, Vec3};
+use relief_io::Picture;
+use relief_shaders::Selection;
+use relief_shaders::cpu::{Corner, Light as ShaderLight, Settings, Triangle};
+
+use crate::camera::Camera;
+use crate::job::{Job, TexelMap};
+use crate::light::Light;
+use crate::mesh::{Mesh, Vertex};
+use crate::scene::Scene;
+
+/// The least distance of the near plane, as a part of the far plane's: depths have 24 bits, of which such a ratio leaves
+/// ten at the far end. Smaller and distant surfaces flicker; larger and the eye cannot come close to a surface.
+const NEAR_OVER_FAR: f64 = 1e-4;
+
+/// What a job needs beyond the scene's own maps.
+pub struct Prepared {
+    settings: Settings,
+    triangles: Vec<Triangle>,
+    view_projection: [[f32; 4]; 4],
+}
+
+impl Prepared {
+    /// Prepares a scene for the stages chosen.
+    pub fn new(scene: &Scene, selection: &Selection) -> Self {
+        let mesh = scene.mesh();
+        Self {
+            settings: settings(scene, selection),
+            triangles: (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number)).collect(),
+            view_projection: view_projection(scene.camera(), mesh, scene.size()).as_mat4().to_cols_array_2d(),
+        }
+    }
+
+    /// The job of a prepared scene.
+    pub fn job<'a>(&'a self, scene: &'a Scene) -> Job<'a> {
+        let [width, height] = scene.size();
+        let map = |picture: &'a Picture| TexelMap {
+            width: picture.width,
+            height: picture.height,
+            texels: &picture.texels,
+        };
+        Job {
+            width,
+            height,
+            settings: self.settings,
+            triangles: &self.triangles,
+            view_projection: self.view_projection,
+            height_map: scene.height_map(),
+            color_map: scene.color().map(map),
+            normal_map: scene.normal_map().map(map),
+            two_sided: scene.two_sided(),
+        }
+    }
+}
+
+fn settings(scene: &Scene, selection: &Selection) -> Settings {
+    let four = |v: Vec3| [v.x, v.y, v.z, 0.0];
+    let place = |v: DVec3, w: f32| [v.x as f32, v.y as f32, v.z as f32, w];
+    let (camera, material, height) = (scene.camera(), scene.material(), scene.height_map());
+    let [columns, rows] = scene.size();
+    let across = 2.0 * (camera.fov_degrees().to_radians() / 2.0).tan() / f64::from(rows);
+    let (right, down) = (camera.right() * across, camera.up() * -across);
+    let corner = camera.forward() - right * (f64::from(columns) / 2.0) - down * (f64::from(rows) / 2.0);
+
+    let mut lights = [ShaderLight::new([0.0; 4], [0.0; 4]); relief_shaders::MAX_LIGHTS];
+    for (slot, light) in lights.iter_mut().zip(scene.lights()) {
+        *slot = match *light {
+            Light::Directional { toward, irradiance } => {
+                ShaderLight::new(place(toward, 0.0), four(irradiance))
+            }
+            Light::Point { position_m, intensity } => {
+                ShaderLight::new(place(position_m, 1.0), four(intensity))
+            }
+        };
+    }
+    let size = |map: Option<&Picture>| map.map_or([1, 1], |map| [map.width, map.height]);
+    Settings::new(
+        selection.search_params,
+        selection.refine_params,
+        place(camera.eye(), 1.0),
+        place(camera.forward(), 0.0),
+        place(corner, 0.0),
+        place(right, 0.0),
+        place(down, 0.0),
+        four(scene.ambient()),
+        four(material.diffuse()),
+        four(material.specular()),
+        lights,
+        [height.width(), height.height()],
+        size(scene.color()),
+        size(scene.normal_map()),
+        height.wrap() as u32,
+        selection.surface.id,
+        selection.search.id,
+        selection.refine.id,
+        selection.shade.id,
+        scene.lights().len() as u32,
+        material.shininess(),
+        u32::from(scene.color().is_some()),
+        u32::from(scene.normal_map().is_some()),
+        height.scale_m() as f32,
+        height.bias_m() as f32,
+    )
+}
+
+fn triangle(mesh: &Mesh, number: u32) -> Triangle {
+    let corner = |vertex: &Vertex| {
+        Corner::new(
+            vertex.position.to_array(),
+            vertex.normal.to_array(),
+            vertex.tangent.to_array(),
+            vertex.bitangent.to_array(),
+            vertex.uv.to_array(),
+        )
+    };
+    let [a, b, c] = mesh.corners(number).map(corner);
+    Triangle { a, b, c }
+}
+
+/// The matrix for the rasteriser, with planes that hold the whole mesh.
+fn view_projection(camera: &Camera, mesh: &Mesh, size: [u32; 2]) -> DMat4 {
+    let depth = |vertex: &Vertex| camera.forward().dot(vertex.position.as_dvec3() - camera.eye());
+    let farthest = mesh.vertices().iter().map(depth).fold(0.0, f64::max);
+    let nearest = mesh.vertices().iter().map(depth).fold(f64::INFINITY, f64::min);
+    // A mesh behind the eye shows nothing, whatever the planes.
+    let far = if farthest > 0.0 { farthest * 1.01 } else { 1.0 };
+    let near = (nearest * 0.99).clamp(far * NEAR_OVER_FAR, far * 0.5);
+    let aspect = f64::from(size[0]) / f64::from(size[1]);
+    camera.view_projection(aspect, near, far).unwrap_or(DMat4::IDENTITY)
+}

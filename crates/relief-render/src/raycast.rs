@@ -1,0 +1,258 @@
+//! Rays against a base mesh, without leaks.
+//!
+//! The hierarchy is built by `obvhs`; traversal and triangle test are ours. The test shears space so that the ray runs
+//! along an axis and asks on which side of each projected edge the ray passes (after Woop, Benthin and Wald,
+//! *Watertight Ray/Triangle Intersection*, JCGT 2013). It works in `f64` throughout: a product of rounded numbers
+//! keeps its order under rounding, so that the sign of `a b - c d` is never wrong and only ever lost to 0, which counts
+//! as inside. Both triangles at an edge see the same two projected corners, so a ray cannot pass between them.
+
+use crate::camera::Ray;
+use crate::mesh::Mesh;
+use glam::{DVec2, DVec3};
+use obvhs::BvhBuildParams;
+use obvhs::bvh2::{Bvh2, builder::build_bvh2_from_tris};
+use obvhs::triangle::Triangle;
+
+/// How far boxes are grown, relative to the largest coordinate in play. It must exceed the triangle test's rounding
+/// (a few 1e-16), or a box could reject what the test would accept; larger costs visits only.
+const BOX_SLACK: f64 = 1e-12;
+
+/// The depth of hierarchy that is walked without taking memory. Deeper ones, which only contrived meshes have, take it.
+const STACK_DEPTH: usize = 64;
+
+/// Which sides of a triangle a ray can hit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sides {
+    /// Only fronts: corners counter-clockwise seen from where the ray comes.
+    #[default]
+    Front,
+    /// Fronts and backs.
+    Both,
+}
+
+/// A point where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceHit {
+    /// Parameter of the point along the ray, at least 0; for a camera's ray the depth along the view axis in metres.
+    pub t: f64,
+    /// Number of the triangle in the mesh.
+    pub triangle: u32,
+    /// Barycentric coordinates of the point: the weights of the triangle's corners, none negative, which add up to 1.
+    pub weights: [f64; 3],
+    /// Whether the front was hit.
+    pub front: bool,
+}
+
+/// A mesh prepared for ray casting.
+///
+/// Answers depend on the mesh and the ray alone, not on the hierarchy: hits are ordered by `(t, triangle)`, and where a
+/// ray meets an edge or a corner, every triangle there is hit.
+pub struct RayCaster {
+    corners: Vec<[DVec3; 3]>,
+    bvh: Bvh2,
+    depth: usize,
+    /// The largest absolute coordinate of the mesh.
+    extent: f64,
+}
+
+impl RayCaster {
+    /// Prepares a mesh; takes about 300 bytes a triangle.
+    pub fn new(mesh: &Mesh) -> Self {
+        let numbers = 0..mesh.triangles().len() as u32;
+        let triangles: Vec<Triangle> = numbers
+            .map(|triangle| {
+                let [v0, v1, v2] = mesh.corners(triangle).map(|corner| corner.position.into());
+                Triangle { v0, v1, v2 }
+            })
+            .collect();
+        let bvh = if triangles.is_empty() {
+            Bvh2::default()
+        } else {
+            build_bvh2_from_tris(&triangles, BvhBuildParams::medium_build(), &mut Default::default())
+        };
+        let corners: Vec<[DVec3; 3]> = triangles
+            .iter()
+            .map(|triangle| [triangle.v0, triangle.v1, triangle.v2].map(|corner| corner.as_dvec3()))
+            .collect();
+        let extent =
+            corners.iter().flatten().fold(0.0f64, |extent, corner| extent.max(corner.abs().max_element()));
+        let depth = depth_below(&bvh);
+        Self { corners, bvh, depth, extent }
+    }
+
+    /// The hit with the least `(t, triangle)` that comes after the hit given, or the first one of all. A ray whose
+    /// numbers are not finite, or whose direction is 0, hits nothing.
+    pub fn next_hit(&self, ray: &Ray, sides: Sides, after: Option<&SurfaceHit>) -> Option<SurfaceHit> {
+        let query = Query::new(ray, sides, after, self.extent)?;
+        if self.depth <= STACK_DEPTH {
+            self.walk(&query, &mut [(0.0, 0); STACK_DEPTH])
+        } else {
+            self.walk(&query, &mut vec![(0.0, 0); self.depth])
+        }
+    }
+
+    /// All hits in the order of `(t, triangle)`, found one by one as they are asked for.
+    pub fn hits<'a>(&'a self, ray: &'a Ray, sides: Sides) -> impl Iterator<Item = SurfaceHit> + 'a {
+        std::iter::successors(self.next_hit(ray, sides, None), move |last| {
+            self.next_hit(ray, sides, Some(last))
+        })
+    }
+
+    /// Walks the hierarchy near to far. `stack` has room for a node on every level.
+    fn walk(&self, query: &Query, stack: &mut [(f64, u32)]) -> Option<SurfaceHit> {
+        let mut best: Option<SurfaceHit> = None;
+        let mut waiting = 0;
+        let mut next = self.enter(query, 0).map(|entry| (entry, 0));
+        loop {
+            let Some((entry, index)) = next.take().or_else(|| {
+                waiting = usize::checked_sub(waiting, 1)?;
+                Some(stack[waiting])
+            }) else {
+                return best;
+            };
+            if best.is_some_and(|best| entry > best.t) {
+                continue;
+            }
+            let node = &self.bvh.nodes[index as usize];
+            if node.is_leaf() {
+                let first = node.first_index as usize;
+                for &triangle in &self.bvh.primitive_indices[first..first + node.prim_count as usize] {
+                    if let Some(hit) = query.triangle(triangle, &self.corners[triangle as usize])
+                        && best.is_none_or(|best| precedes((hit.t, hit.triangle), (best.t, best.triangle)))
+                    {
+                        best = Some(hit);
+                    }
+                }
+                continue;
+            }
+            let (left, right) = (node.first_index, node.first_index + 1);
+            match (self.enter(query, left), self.enter(query, right)) {
+                (Some(a), Some(b)) => {
+                    let (near, far) = if a <= b { ((a, left), (b, right)) } else { ((b, right), (a, left)) };
+                    stack[waiting] = far;
+                    waiting += 1;
+                    next = Some(near);
+                }
+                (Some(a), None) => next = Some((a, left)),
+                (None, Some(b)) => next = Some((b, right)),
+                (None, None) => {}
+            }
+        }
+    }
+
+    /// The parameter at which the ray enters a node's grown box, or nothing if it does not meet what it still looks
+    /// for there.
+    #[inline]
+    fn enter(&self, query: &Query, node: u32) -> Option<f64> {
+        let bounds = self.bvh.nodes.get(node as usize)?.aabb();
+        let (min, max) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
+        let a = (min - query.slack - query.ray.origin) * query.inverse;
+        let b = (max + query.slack - query.ray.origin) * query.inverse;
+        let entry = a.min(b).max_element();
+        let exit = a.max(b).min_element();
+        (entry <= exit && exit >= query.after.0).then_some(entry)
+    }
+}
+
+/// A ray with what can be computed once for all triangles.
+struct Query {
+    ray: Ray,
+    sides: Sides,
+    /// Hits at or before this `(t, triangle)` are not wanted.
+    after: (f64, Option<u32>),
+    inverse: DVec3,
+    slack: DVec3,
+    /// The axes that the shear maps to x, y and z; z is the one along which the direction is longest.
+    axes: [usize; 3],
+    /// `(x, y)` of the direction, divided by its `z`.
+    shear: DVec2,
+    inverse_z: f64,
+}
+
+impl Query {
+    fn new(ray: &Ray, sides: Sides, after: Option<&SurfaceHit>, extent: f64) -> Option<Self> {
+        let longest = ray.direction.abs().max_element();
+        if !(longest > 0.0 && ray.direction.is_finite() && ray.origin.is_finite()) {
+            return None;
+        }
+        let z = ray.direction.abs().max_position();
+        // A cyclic order keeps the handedness and with it which side is the front; a negative z mirrors it.
+        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
+        if ray.direction[z] < 0.0 {
+            std::mem::swap(&mut x, &mut y);
+        }
+        let inverse_z = 1.0 / ray.direction[z];
+        let largest = extent.max(ray.origin.abs().max_element()).max(f64::MIN_POSITIVE);
+        Some(Self {
+            ray: *ray,
+            sides,
+            after: after.map_or((0.0, None), |hit| (hit.t, Some(hit.triangle))),
+            inverse: ray.direction.recip(),
+            slack: DVec3::splat(largest * BOX_SLACK),
+            axes: [x, y, z],
+            shear: DVec2::new(ray.direction[x], ray.direction[y]) * inverse_z,
+            inverse_z,
+        })
+    }
+
+    /// A corner in the space where the ray runs along `+z` from the origin; depends on nothing but corner and ray.
+    #[inline]
+    fn sheared(&self, corner: DVec3) -> DVec3 {
+        let p = corner - self.ray.origin;
+        let [x, y, z] = self.axes;
+        DVec3::new(p[x] - self.shear.x * p[z], p[y] - self.shear.y * p[z], p[z] * self.inverse_z)
+    }
+
+    #[inline]
+    fn triangle(&self, triangle: u32, corners: &[DVec3; 3]) -> Option<SurfaceHit> {
+        let [a, b, c] = [self.sheared(corners[0]), self.sheared(corners[1]), self.sheared(corners[2])];
+        // Twice the areas of the parts of the projected triangle opposite each corner. Seen along the ray, a front's
+        // corners run clockwise in these right-handed axes.
+        let wa = c.x * b.y - c.y * b.x;
+        let wb = a.x * c.y - a.y * c.x;
+        let wc = b.x * a.y - b.y * a.x;
+        let front = wa >= 0.0 && wb >= 0.0 && wc >= 0.0;
+        let back = wa <= 0.0 && wb <= 0.0 && wc <= 0.0;
+        if !(front || back && self.sides == Sides::Both) {
+            return None;
+        }
+        let area = wa + wb + wc;
+        if area == 0.0 {
+            // Seen exactly from the edge: its neighbours are hit there.
+            return None;
+        }
+        let weights = [wa / area, wb / area, wc / area];
+        let t = a.z + weights[1] * (b.z - a.z) + weights[2] * (c.z - a.z);
+        let wanted = match self.after {
+            (_, None) => t >= 0.0,
+            (after, Some(number)) => precedes((after, number), (t, triangle)),
+        };
+        wanted.then_some(SurfaceHit { t, triangle, weights, front })
+    }
+}
+
+/// The order of hits.
+#[inline]
+fn precedes(a: (f64, u32), b: (f64, u32)) -> bool {
+    a.0 < b.0 || a.0 == b.0 && a.1 < b.1
+}
+
+/// How many levels of inner nodes lie below the root, itself included: the most nodes that can wait during a walk.
+fn depth_below(bvh: &Bvh2) -> usize {
+    let mut deepest = 0;
+    let mut waiting = vec![(0u32, 1)];
+    while let Some((index, depth)) = waiting.pop() {
+        deepest = deepest.max(depth);
+        match bvh.nodes.get(index as usize) {
+            Some(node) if !node.is_leaf() => {
+                waiting.push((node.first_index, depth + 1));
+                waiting.push((node.first_index + 1, depth + 1));
+            }
+            _ => {}
+        }
+    }
+    deepest
+}
+
+#[cfg(test)]
+mod tests;

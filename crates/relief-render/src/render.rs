@@ -1,0 +1,154 @@
+//! A scene to a picture, on the backend that was asked for.
+
+use std::time::{Duration, Instant};
+
+use relief::exact::FastTracer;
+use relief::registry::Guarantee;
+use relief_shaders::{Selection, SelectionError};
+
+use crate::cpu;
+#[cfg(feature = "gpu")]
+use crate::gpu::{AdapterChoice, Gpu, GpuError};
+use crate::job::Rendering;
+use crate::prepare::Prepared;
+use crate::raycast::RayCaster;
+use crate::scene::{BackendChoice, MethodChoice, MethodNames, Sampling, Scene};
+
+/// A finished picture and how it came about.
+#[derive(Clone, Debug)]
+pub struct Rendered {
+    /// The pixels.
+    pub rendering: Rendering,
+    /// "cpu" or "gpu".
+    pub backend: &'static str,
+    /// What the backend is: the number of threads, or the adapter and its driver.
+    pub device: String,
+    /// Why that backend, when it was chosen automatically.
+    pub reason: Option<String>,
+    /// What was run.
+    pub selection: Selection,
+    /// Time of the rendering alone.
+    pub elapsed: Duration,
+}
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum RenderError {
+    /// The method, search, refinement or a setting is not available.
+    #[error(transparent)]
+    Selection(#[from] SelectionError),
+    /// The pair cannot be used for the rays of this scene.
+    #[error(
+        "{stage} '{name}' is impossible for view rays: choose another; `relief methods` lists what each can do"
+    )]
+    Impossible {
+        /// "search" or "refinement".
+        stage: &'static str,
+        /// The variant.
+        name: &'static str,
+    },
+    /// The CPU was asked for the sampling that only GPUs have.
+    #[error(
+        "sampling 'fast' uses a GPU's texture sampler, which the CPU backend does not have{0}: use --sampling exact"
+    )]
+    FastOnCpu(&'static str),
+    /// The GPU backend was asked for and is not in this build.
+    #[error("this build has no GPU backend: build with the feature 'gpu', or use --backend cpu")]
+    NoGpuBackend,
+    /// The GPU failed.
+    #[cfg(feature = "gpu")]
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
+
+/// The stages that a scene's method names, with its settings.
+///
+/// # Errors
+///
+/// When a name is unknown, a setting does not exist or is out of range, or the pair cannot trace view rays.
+pub fn select(choice: &MethodChoice) -> Result<Selection, RenderError> {
+    let mut selection = match &choice.names {
+        MethodNames::Method(name) => Selection::method(name)?,
+        MethodNames::Pair { search, refine } => Selection::pair(search, refine)?,
+    };
+    for (key, &value) in &choice.settings {
+        selection.set(key, value)?;
+    }
+    for (stage, entry) in [("search", selection.search), ("refinement", selection.refine)] {
+        if entry.guarantee.view == Guarantee::Impossible {
+            return Err(RenderError::Impossible { stage, name: entry.name });
+        }
+    }
+    Ok(selection)
+}
+
+/// Renders a scene. `progress` is told the finished part, from 0 to 1, from any thread.
+///
+/// # Errors
+///
+/// When the method is not available, the backend is not, or the backend fails.
+pub fn render(scene: &Scene, progress: &(dyn Fn(f32) + Sync)) -> Result<Rendered, RenderError> {
+    let selection = select(scene.method())?;
+    match choose(scene)? {
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu { gpu, reason } => {
+            let prepared = Prepared::new(scene, &selection);
+            let started = Instant::now();
+            let rendering = gpu.render(&prepared.job(scene), scene.sampling(), progress)?;
+            let elapsed = started.elapsed();
+            Ok(Rendered { rendering, backend: "gpu", device: gpu.description(), reason, selection, elapsed })
+        }
+        Chosen::Cpu { reason } => Ok(on_cpu(scene, selection, reason, progress)),
+    }
+}
+
+fn on_cpu(
+    scene: &Scene,
+    selection: Selection,
+    reason: Option<String>,
+    progress: &(dyn Fn(f32) + Sync),
+) -> Rendered {
+    let started = Instant::now();
+    let prepared = Prepared::new(scene, &selection);
+    let base = RayCaster::new(scene.mesh());
+    let tracer = selection.is_exact().then(|| FastTracer::new(scene.height_map()));
+    let rendering = cpu::render(&prepared.job(scene), &base, tracer.as_ref(), progress);
+    let threads = rayon::current_num_threads();
+    let device = format!("{threads} thread{}", if threads == 1 { "" } else { "s" });
+    Rendered { rendering, backend: "cpu", device, reason, selection, elapsed: started.elapsed() }
+}
+
+enum Chosen {
+    #[cfg(feature = "gpu")]
+    Gpu {
+        gpu: Gpu,
+        reason: Option<String>,
+    },
+    Cpu {
+        reason: Option<String>,
+    },
+}
+
+#[cfg(feature = "gpu")]
+fn choose(scene: &Scene) -> Result<Chosen, RenderError> {
+    let fast = scene.sampling() == Sampling::Fast;
+    match scene.backend() {
+        BackendChoice::Cpu if fast => Err(RenderError::FastOnCpu("")),
+        BackendChoice::Cpu => Ok(Chosen::Cpu { reason: None }),
+        BackendChoice::Gpu => Ok(Chosen::Gpu { gpu: Gpu::new(AdapterChoice::Any)?, reason: None }),
+        BackendChoice::Auto => match Gpu::new(AdapterChoice::Real) {
+            Ok(gpu) => Ok(Chosen::Gpu { gpu, reason: Some("a GPU was found".to_owned()) }),
+            Err(_) if fast => Err(RenderError::FastOnCpu(", and no GPU was found")),
+            Err(error) => Ok(Chosen::Cpu { reason: Some(error.to_string()) }),
+        },
+    }
+}
+
+#[cfg(not(feature = "gpu"))]
+fn choose(scene: &Scene) -> Result<Chosen, RenderError> {
+    match scene.backend() {
+        BackendChoice::Gpu => Err(RenderError::NoGpuBackend),
+        _ if scene.sampling() == Sampling::Fast => Err(RenderError::FastOnCpu("")),
+        _ => Ok(Chosen::Cpu { reason: None }),
+    }
+}

@@ -1,0 +1,115 @@
+//! Choices that are names.
+
+use relief::registry::UnknownName;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::str::FromStr;
+
+/// Which method finds the first hit, as names: the registry of the shaders says which names and settings there are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MethodChoice {
+    /// The method, or the pair of its stages.
+    pub names: MethodNames,
+    /// Parameters that differ from their default, by names such as `search.steps`.
+    pub settings: BTreeMap<String, f64>,
+}
+
+/// The name of a method, or of the two stages of one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MethodNames {
+    /// A method by its name.
+    Method(String),
+    /// A search and a refinement.
+    Pair {
+        /// Name of the search.
+        search: String,
+        /// Name of the refinement.
+        refine: String,
+    },
+}
+
+impl Default for MethodChoice {
+    /// The method `exact`.
+    fn default() -> Self {
+        Self { names: MethodNames::Method("exact".to_owned()), settings: BTreeMap::new() }
+    }
+}
+
+/// What computes the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum BackendChoice {
+    /// A GPU if there is one, else the CPU.
+    #[default]
+    Auto,
+    /// The CPU, on all its cores.
+    Cpu,
+    /// A GPU.
+    Gpu,
+}
+
+/// How textures are read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Sampling {
+    /// Texels are loaded and interpolated in `f32`: the same bits on every machine.
+    #[default]
+    Exact,
+    /// The GPU's sampler interpolates: faster, with 8 bits of sub-texel precision on most hardware.
+    Fast,
+}
+
+impl BackendChoice {
+    /// Every choice, in the order in which help lists them.
+    pub const ALL: [BackendChoice; 3] = [BackendChoice::Auto, BackendChoice::Cpu, BackendChoice::Gpu];
+
+    /// The name used on the command line and in scenes.
+    pub const fn name(self) -> &'static str {
+        match self {
+            BackendChoice::Auto => "auto",
+            BackendChoice::Cpu => "cpu",
+            BackendChoice::Gpu => "gpu",
+        }
+    }
+}
+
+impl Sampling {
+    /// Every choice, in the order in which help lists them.
+    pub const ALL: [Sampling; 2] = [Sampling::Exact, Sampling::Fast];
+
+    /// The name used on the command line and in scenes.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Sampling::Exact => "exact",
+            Sampling::Fast => "fast",
+        }
+    }
+}
+
+impl fmt::Display for BackendChoice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl fmt::Display for Sampling {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for BackendChoice {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let found = Self::ALL.into_iter().find(|choice| choice.name() == name);
+        found.ok_or_else(|| UnknownName::new("backend", name, Self::ALL.map(Self::name)))
+    }
+}
+
+impl FromStr for Sampling {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let found = Self::ALL.into_iter().find(|choice| choice.name() == name);
+        found.ok_or_else(|| UnknownName::new("sampling", name, Self::ALL.map(Self::name)))
+    }
+}

@@ -1,0 +1,126 @@
+//! What can be wrong with a scene.
+
+use super::ByteSize;
+use crate::camera::CameraError;
+use crate::light::LightError;
+use crate::material::MaterialError;
+use crate::mesh::MeshError;
+use relief::HeightMapError;
+use relief_io::ReadError;
+use std::path::PathBuf;
+
+/// Why a scene cannot be read, completed or loaded.
+#[derive(Debug, thiserror::Error)]
+pub enum SceneError {
+    /// The scene file cannot be read.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The scene file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The scene file is no TOML, has an unknown key, or a value of the wrong kind.
+    #[error("{}: {source}", path.display())]
+    Toml {
+        /// The scene file.
+        path: PathBuf,
+        /// What is wrong, with the line.
+        source: Box<toml::de::Error>,
+    },
+    /// A key of the scene file has a value that cannot be used.
+    #[error("{}, line {line}: {source}", path.display())]
+    InFile {
+        /// The scene file.
+        path: PathBuf,
+        /// The line of the value, counted from 1.
+        line: usize,
+        /// What is wrong.
+        source: ValueError,
+    },
+    /// A value cannot be used.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+    /// No height map is named.
+    #[error("the scene has no height map: give --height FILE, or the key 'height' in the scene file")]
+    NoHeightMap,
+    /// A map cannot be read.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// The picture would take more memory than allowed.
+    #[error(
+        "a picture of {width}x{height} needs {needed} bytes of memory, {limit} are allowed: make it smaller or raise the limit with --max-memory"
+    )]
+    TooMuchMemory {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+        /// Bytes that rendering needs for its pixels.
+        needed: u64,
+        /// Bytes that may be used.
+        limit: ByteSize,
+    },
+}
+
+/// A value that cannot be used, with its key: the flag of the same name, or the key in the scene file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{key}: {problem}")]
+pub struct ValueError {
+    /// The key.
+    pub key: &'static str,
+    /// What is wrong with it.
+    pub problem: ValueProblem,
+}
+
+/// What is wrong with a value.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ValueProblem {
+    /// A number is NaN, infinite or out of range.
+    #[error("{value} is not possible: it must be {must}")]
+    Number {
+        /// The number.
+        value: f64,
+        /// What it must be.
+        must: &'static str,
+    },
+    /// The picture has no pixels, or too many a side.
+    #[error(
+        "{width}x{height} pixels are not possible: each side must be from 1 to {}",
+        super::MAX_IMAGE_SIDE
+    )]
+    Size {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+    },
+    /// Two keys that exclude each other are given.
+    #[error("cannot be given together with {0}")]
+    Excludes(&'static str),
+    /// A key is given without another that it needs.
+    #[error("needs {0} as well")]
+    Needs(&'static str),
+    /// The camera is impossible.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// A light is impossible.
+    #[error(transparent)]
+    Light(#[from] LightError),
+    /// The material is impossible.
+    #[error(transparent)]
+    Material(#[from] MaterialError),
+    /// The mesh is impossible.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The displacement is impossible.
+    #[error(transparent)]
+    HeightMap(#[from] HeightMapError),
+}
+
+impl ValueProblem {
+    /// The error of this problem with the value of that key.
+    pub(crate) fn of(self, key: &'static str) -> ValueError {
+        ValueError { key, problem: self }
+    }
+}

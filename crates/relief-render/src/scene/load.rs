@@ -1,0 +1,234 @@
+//! From a description to a scene: defaults, checks, files.
+
+use super::builder::{DEFAULT_EYE, DEFAULT_FOV};
+use super::error::{SceneError, ValueError, ValueProblem};
+use super::{ByteSize, LightSpec, MethodChoice, MethodNames, Scene, SceneBuilder, SceneSpec};
+use crate::camera::{Camera, CameraError};
+use crate::light::{Light, LightError};
+use crate::material::Material;
+use crate::mesh::Mesh;
+use glam::{DVec3, Vec2, Vec3};
+use relief::HeightMap;
+use relief_io::{Convention, HeightOptions};
+
+/// The memory that maps and picture may take when nothing else is said.
+pub const DEFAULT_MAX_MEMORY: ByteSize = ByteSize(4 << 30);
+
+/// Memory that rendering takes for a pixel: its results on the GPU, their copy, and the picture to be written.
+const BYTES_PER_PIXEL: u64 = 192;
+
+/// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the first part.
+const NORMAL_BYTES: [u64; 2] = [12, 16];
+
+/// The displacement between heights 0 and 1 when nothing else is said, in metres.
+const DEFAULT_SCALE_M: f64 = 0.05;
+
+/// What of a description needs no file, completed and checked.
+struct Parts {
+    mesh: Mesh,
+    camera: Camera,
+    lights: Option<Vec<Light>>,
+    material: Material,
+    method: MethodChoice,
+    scale_m: f64,
+    bias_m: f64,
+}
+
+impl SceneSpec {
+    /// Whether everything that needs no file is possible. A scene file is checked so before flags are laid over it.
+    ///
+    /// # Errors
+    ///
+    /// When a value is out of range, or keys are given that exclude or need each other.
+    pub fn check(&self) -> Result<(), ValueError> {
+        let parts = self.parts()?;
+        // A map of one texel stands in for the file, so that the builder's own checks are made as well.
+        let problem = |problem: relief::HeightMapError| ValueProblem::from(problem).of("height");
+        let flat = HeightMap::new(1, 1, vec![0.0], self.wrap.unwrap_or_default()).map_err(problem)?;
+        self.builder(parts, flat)?.build().map(drop)
+    }
+
+    /// Reads the files and completes the scene. Relative paths start at the current folder; those of a scene file were
+    /// made to start at its own when it was read.
+    ///
+    /// # Errors
+    ///
+    /// When there is no height map, a value is out of range, a file cannot be read, or maps and picture need more than
+    /// `max_memory`, which is found out before that memory is taken.
+    pub fn load(&self) -> Result<Scene, SceneError> {
+        let parts = self.parts()?;
+        let height = self.height.as_ref().ok_or(SceneError::NoHeightMap)?;
+        let mut left = self.memory_beside_the_picture()?;
+        let options = HeightOptions {
+            channel: self.channel.clone(),
+            convention: if self.depth == Some(true) { Convention::Depth } else { Convention::Height },
+            range: self.range,
+            raw: self.raw,
+            fill: self.fill.unwrap_or_default(),
+            wrap: self.wrap.unwrap_or_default(),
+            max_bytes: left,
+        };
+        let height_map = relief_io::read_height(height, &options)?;
+        left = left.saturating_sub(4 * u64::from(height_map.width()) * u64::from(height_map.height()));
+        let mut builder = self.builder(parts, height_map)?;
+        if let Some(path) = &self.color {
+            let color = relief_io::read_picture(path, left)?;
+            left = left.saturating_sub(16 * u64::from(color.width) * u64::from(color.height));
+            builder = builder.color(color);
+        }
+        if let Some(path) = &self.normal {
+            let [read, converted] = NORMAL_BYTES;
+            let green = self.green.unwrap_or_default();
+            builder = builder.normal_map(relief_io::read_normal_map(
+                path,
+                green,
+                left / (read + converted) * read,
+            )?);
+        }
+        Ok(builder.build()?)
+    }
+
+    /// What `max_memory` leaves for maps.
+    fn memory_beside_the_picture(&self) -> Result<u64, SceneError> {
+        let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
+        let [width, height] = self.size.unwrap_or(super::builder::DEFAULT_SIZE);
+        let pixels = u64::from(width) * u64::from(height);
+        let needed = pixels.saturating_mul(BYTES_PER_PIXEL);
+        limit.0.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })
+    }
+
+    fn parts(&self) -> Result<Parts, ValueError> {
+        let scale_m = self.scale.unwrap_or(DEFAULT_SCALE_M);
+        if !(scale_m >= 0.0 && scale_m.is_finite()) {
+            let must = "finite and not negative";
+            return Err(ValueProblem::Number { value: scale_m, must }.of("scale"));
+        }
+        let bias_m = self.bias.unwrap_or(-scale_m);
+        if !bias_m.is_finite() {
+            return Err(ValueProblem::Number { value: bias_m, must: "finite" }.of("bias"));
+        }
+        if let Some([low, high]) = self.range
+            && !(low.is_finite() && high.is_finite() && low < high)
+        {
+            let (value, must) =
+                if low.is_finite() { (high, "finite and above the first") } else { (low, "finite") };
+            return Err(ValueProblem::Number { value, must }.of("range"));
+        }
+        let mesh =
+            self.mesh.unwrap_or_default().build().map_err(|error| ValueProblem::from(error).of("mesh"))?;
+        let mesh = match self.tile {
+            Some(tile) => {
+                mesh.tiled(Vec2::from(tile)).map_err(|error| ValueProblem::from(error).of("tile"))?
+            }
+            None => mesh,
+        };
+        Ok(Parts {
+            mesh,
+            camera: self.camera()?,
+            lights: self.lights()?,
+            material: self.material()?,
+            method: self.method_choice()?,
+            scale_m,
+            bias_m,
+        })
+    }
+
+    fn builder(&self, parts: Parts, height_map: HeightMap) -> Result<SceneBuilder, ValueError> {
+        let height_map = height_map
+            .with_displacement(parts.scale_m, parts.bias_m)
+            .map_err(|error| ValueProblem::from(error).of("scale"))?;
+        let mut builder = Scene::builder(height_map)
+            .mesh(parts.mesh)
+            .camera(parts.camera)
+            .material(parts.material)
+            .method(parts.method)
+            .backend(self.backend.unwrap_or_default())
+            .sampling(self.sampling.unwrap_or_default())
+            .two_sided(self.two_sided.unwrap_or_default());
+        if let Some(lights) = parts.lights {
+            builder = builder.lights(lights);
+        }
+        if let Some(ambient) = self.ambient {
+            builder = builder.ambient(ambient.into());
+        }
+        if let Some(background) = self.background {
+            builder = builder.background(background.into());
+        }
+        if let Some([width, height]) = self.size {
+            builder = builder.size(width, height);
+        }
+        Ok(builder)
+    }
+
+    fn camera(&self) -> Result<Camera, ValueError> {
+        let eye = self.eye.map_or(DEFAULT_EYE, DVec3::from);
+        let target = self.target.map_or(DVec3::ZERO, DVec3::from);
+        Camera::new(eye, target, self.fov.unwrap_or(DEFAULT_FOV)).map_err(|error| {
+            let key = match error {
+                CameraError::BadFov(_) => "fov",
+                _ if self.eye.is_some() => "eye",
+                _ => "target",
+            };
+            ValueProblem::from(error).of(key)
+        })
+    }
+
+    fn lights(&self) -> Result<Option<Vec<Light>>, ValueError> {
+        match (self.light, &self.lights) {
+            (Some(_), Some(_)) => Err(ValueProblem::Excludes("lights").of("light")),
+            (Some(toward), None) => {
+                let light = Light::directional(toward.into(), Vec3::ONE);
+                Ok(Some(vec![light.map_err(|error| ValueProblem::from(error).of("light"))?]))
+            }
+            (None, Some(lights)) => {
+                let lights: Result<Vec<Light>, ValueProblem> = lights.iter().map(LightSpec::light).collect();
+                lights.map(Some).map_err(|problem| problem.of("lights"))
+            }
+            (None, None) => Ok(None),
+        }
+    }
+
+    fn material(&self) -> Result<Material, ValueError> {
+        let Some(spec) = &self.material else {
+            return Ok(Material::default());
+        };
+        let default = Material::default();
+        Material::new(
+            spec.diffuse.map_or(default.diffuse(), Vec3::from),
+            spec.specular.map_or(default.specular(), Vec3::from),
+            spec.shininess.unwrap_or(default.shininess()),
+        )
+        .map_err(|error| ValueProblem::from(error).of("material"))
+    }
+
+    fn method_choice(&self) -> Result<MethodChoice, ValueError> {
+        let names = match (&self.method, &self.search, &self.refine) {
+            (None, None, None) => MethodChoice::default().names,
+            (Some(method), None, None) => MethodNames::Method(method.clone()),
+            (None, Some(search), Some(refine)) => {
+                MethodNames::Pair { search: search.clone(), refine: refine.clone() }
+            }
+            (None, Some(_), None) => return Err(ValueProblem::Needs("refine").of("search")),
+            (None, None, Some(_)) => return Err(ValueProblem::Needs("search").of("refine")),
+            (Some(_), _, _) => return Err(ValueProblem::Excludes("search and refine").of("method")),
+        };
+        Ok(MethodChoice { names, settings: self.set.clone() })
+    }
+}
+
+impl LightSpec {
+    fn light(&self) -> Result<Light, ValueProblem> {
+        let colour = Vec3::from(self.color.unwrap_or([1.0; 3]));
+        let intensity = self.intensity.unwrap_or(1.0);
+        if !(intensity >= 0.0 && intensity.is_finite()) {
+            let must = "finite and not negative";
+            return Err(ValueProblem::Number { value: f64::from(intensity), must });
+        }
+        let light = match (self.direction, self.position) {
+            (Some(toward), None) => Light::directional(toward.into(), colour * intensity),
+            (None, Some(position)) => Light::point(position.into(), colour * intensity),
+            _ => Err(LightError::DirectionOrPosition),
+        };
+        Ok(light?)
+    }
+}

@@ -1,0 +1,332 @@
+use super::*;
+use crate::light::MAX_LIGHTS;
+use crate::mesh::Builtin;
+use glam::DVec3;
+use proptest::prelude::*;
+use relief::Wrap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A file of the project, from its root.
+fn shipped(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
+}
+
+/// What reading a scene file with that text gives.
+fn read(text: &str) -> Result<SceneSpec, SceneError> {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("scene.toml");
+    fs::write(&path, text).expect("a temporary file");
+    read_scene(&path)
+}
+
+fn flat_map() -> HeightMap {
+    HeightMap::new(1, 1, vec![0.5], Wrap::Repeat).expect("a valid map")
+}
+
+/// A file with every key but those that exclude others.
+const FULL: &str = r#"
+height = "maps/a.exr"
+channel = "height"
+depth = true
+range = [236, 1076.5]
+raw = "403x344,le"
+fill = true
+wrap = "mirror"
+scale = 0.2
+bias = -0.1
+color = "/somewhere/b.png"
+normal = "c.png"
+green = "-y"
+mesh = "torus"
+tile = [8, 3.5]
+search = "linear"
+refine = "binary"
+set.search.steps = 64
+set.refine.steps = 6
+eye = [1, 2, 3]
+target = [0, 0.5, 0]
+fov = 30
+size = [640, 480]
+lights = [
+    { direction = [0, 1, 0], intensity = 0.5 },
+    { position = [1, 1, 1], color = [1, 0.5, 0.25], intensity = 2 },
+]
+ambient = [0.1, 0.1, 0.2]
+material = { diffuse = [0.5, 0.6, 0.7], specular = [0, 0, 0], shininess = 100 }
+background = [0, 0, 1]
+backend = "cpu"
+sampling = "fast"
+two-sided = true
+max-memory = "512MiB"
+"#;
+
+#[test]
+fn every_key_is_read() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("scene.toml");
+    fs::write(&path, FULL).expect("a temporary file");
+    let spec = read_scene(&path).expect("a proper scene");
+    let settings = [("search.steps".to_owned(), 64.0), ("refine.steps".to_owned(), 6.0)];
+    let expected = SceneSpec {
+        height: Some(folder.path().join("maps/a.exr")),
+        channel: Some("height".to_owned()),
+        depth: Some(true),
+        range: Some([236.0, 1076.5]),
+        raw: "403x344,le".parse().ok(),
+        fill: Some(true),
+        wrap: Some(Wrap::Mirror),
+        scale: Some(0.2),
+        bias: Some(-0.1),
+        color: Some(PathBuf::from("/somewhere/b.png")),
+        normal: Some(folder.path().join("c.png")),
+        green: "-y".parse().ok(),
+        mesh: Some(Builtin::Torus),
+        tile: Some([8.0, 3.5]),
+        method: None,
+        search: Some("linear".to_owned()),
+        refine: Some("binary".to_owned()),
+        set: settings.into_iter().collect(),
+        eye: Some([1.0, 2.0, 3.0]),
+        target: Some([0.0, 0.5, 0.0]),
+        fov: Some(30.0),
+        size: Some([640, 480]),
+        light: None,
+        lights: Some(vec![
+            LightSpec { direction: Some([0.0, 1.0, 0.0]), intensity: Some(0.5), ..LightSpec::default() },
+            LightSpec {
+                direction: None,
+                position: Some([1.0, 1.0, 1.0]),
+                color: Some([1.0, 0.5, 0.25]),
+                intensity: Some(2.0),
+            },
+        ]),
+        ambient: Some([0.1, 0.1, 0.2]),
+        material: Some(MaterialSpec {
+            diffuse: Some([0.5, 0.6, 0.7]),
+            specular: Some([0.0; 3]),
+            shininess: Some(100),
+        }),
+        background: Some([0.0, 0.0, 1.0]),
+        backend: Some(BackendChoice::Cpu),
+        sampling: Some(Sampling::Fast),
+        two_sided: Some(true),
+        max_memory: Some(ByteSize(512 << 20)),
+    };
+    assert!(expected.raw.is_some() && expected.green.is_some());
+    assert_eq!(spec, expected);
+    assert_eq!(read("").expect("an empty scene"), SceneSpec::default());
+}
+
+#[test]
+fn mistakes_in_a_file_are_reported_with_their_line() {
+    // Each of these is wrong on its third line.
+    let mistakes = [
+        "heigth = 'x.png'",
+        "mesh = 'shpere'",
+        "wrap = 3",
+        "fov = '40'",
+        "eye = [1, 2]",
+        "eye = [1, 2, 3, 4]",
+        "lights = [{ position = [1, 2, 3, 4] }]",
+        "material = { diffuse = [1, 1] }",
+        "tile = [1, 2, 3]",
+        "raw = '0x0'",
+        "max-memory = -5",
+        "lights = [{ direction = [1, 2, 3], colour = [1, 1, 1] }]",
+        "size = [-1, 5]",
+        "set.search = 5",
+        "material = { shininess = 1.5 }",
+        "= 5",
+    ];
+    for mistake in mistakes {
+        let error = read(&format!("scale = 0.1\n\n{mistake}\n")).expect_err(mistake);
+        assert!(matches!(error, SceneError::Toml { .. }), "{mistake}: {error:?}");
+        assert!(error.to_string().contains("line 3"), "{mistake}: {error}");
+    }
+    let impossible = [
+        ("fov = 180", "fov"),
+        ("eye = [0, 0, 0]", "eye"),
+        ("target = [0.6, 0.9, 1.1]", "target"),
+        ("scale = -1", "scale"),
+        ("bias = nan", "bias"),
+        ("range = [5, 5]", "range"),
+        ("range = [-inf, 5]", "range"),
+        ("tile = [0, 1]", "tile"),
+        ("size = [0, 5]", "size"),
+        ("size = [40000, 5]", "size"),
+        ("light = [0, 0, 0]", "light"),
+        ("lights = [{}]", "lights"),
+        ("lights = [{ direction = [0, 1, 0], position = [0, 1, 0] }]", "lights"),
+        ("lights = [{ direction = [0, 1, 0], intensity = -1 }]", "lights"),
+        ("ambient = [0, nan, 0]", "ambient"),
+        ("background = [0, -1, 0]", "background"),
+        ("material = { diffuse = [2, 0, 0] }", "material"),
+        ("material = { shininess = 0 }", "material"),
+        ("search = 'linear'", "search"),
+        ("refine = 'binary'", "refine"),
+        ("set.search.steps = inf", "set"),
+    ];
+    for (text, expected) in impossible {
+        match read(&format!("# scene\n\n{text}\n")).expect_err(text) {
+            SceneError::InFile { line, source, .. } => {
+                assert_eq!((line, source.key), (3, expected), "{text}");
+            }
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+    let both = read("light = [0, 1, 0]\nlights = []").expect_err("one excludes the other");
+    assert!(matches!(both, SceneError::InFile { .. }));
+    let both =
+        read("method = 'relief'\nsearch = 'linear'\nrefine = 'binary'").expect_err("one excludes the others");
+    assert!(matches!(both, SceneError::InFile { .. }));
+}
+
+#[test]
+fn files_that_are_no_scene_are_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("scene.toml");
+    assert!(matches!(read_scene(&path), Err(SceneError::Io { .. })), "absent");
+    assert!(matches!(read_scene(folder.path()), Err(SceneError::Io { .. })), "a folder");
+    fs::write(&path, [0xff, 0xfe, 0x00]).expect("a temporary file");
+    assert!(matches!(read_scene(&path), Err(SceneError::Io { .. })), "not text");
+    fs::write(&path, "#".repeat(2 << 20)).expect("a temporary file");
+    assert!(matches!(read_scene(&path), Err(SceneError::Io { .. })), "too long");
+}
+
+#[test]
+fn what_is_said_later_wins() {
+    let file = read(FULL).expect("a proper scene");
+    assert_eq!(file.clone().overridden_by(SceneSpec::default()), file);
+    let flags = SceneSpec { fov: Some(20.0), mesh: Some(Builtin::Plane), ..SceneSpec::default() };
+    let both = file.clone().overridden_by(flags);
+    assert_eq!(both, SceneSpec { fov: Some(20.0), mesh: Some(Builtin::Plane), ..file });
+}
+
+#[test]
+fn what_belongs_to_something_replaced_goes_with_it() {
+    let file = read(FULL).expect("a proper scene");
+    let with = |over: SceneSpec| {
+        let both = file.clone().overridden_by(over);
+        both.check().expect("still a proper scene");
+        both
+    };
+
+    let both = with(SceneSpec { height: Some("new.png".into()), fill: Some(true), ..SceneSpec::default() });
+    assert_eq!((both.raw, both.channel, both.depth, both.range), (None, None, None, None));
+    assert_eq!((both.fill, both.wrap), (Some(true), Some(Wrap::Mirror)));
+
+    let both = with(SceneSpec { normal: Some("new.png".into()), ..SceneSpec::default() });
+    assert_eq!(both.green, None);
+
+    let both = with(SceneSpec { scale: Some(0.5), ..SceneSpec::default() });
+    assert_eq!(both.bias, None);
+
+    let both = with(SceneSpec { light: Some([0.0, 1.0, 0.0]), ..SceneSpec::default() });
+    assert_eq!(both.lights, None);
+
+    let both = with(SceneSpec { method: Some("parallax".into()), ..SceneSpec::default() });
+    assert!(both.search.is_none() && both.refine.is_none() && both.set.is_empty());
+
+    let set = [("refine.steps".to_owned(), 9.0)].into_iter().collect();
+    let both = with(SceneSpec { search: Some("cells".into()), set, ..SceneSpec::default() });
+    assert_eq!((both.search.as_deref(), both.refine.as_deref()), (Some("cells"), Some("binary")));
+    assert_eq!(both.set.into_iter().collect::<Vec<_>>(), [("refine.steps".to_owned(), 9.0)]);
+}
+
+#[test]
+fn a_scene_is_loaded_with_its_defaults() {
+    let spec = SceneSpec { height: Some(shipped("data/noise.png")), ..SceneSpec::default() };
+    let scene = spec.load().expect("a scene");
+    let map = scene.height_map();
+    assert_eq!((map.width(), map.height(), map.wrap()), (128, 128, Wrap::Repeat));
+    assert_eq!((map.scale_m(), map.bias_m()), (0.05, -0.05));
+    assert_eq!((scene.size(), scene.camera().eye()), ([800, 600], DVec3::new(0.6, 0.9, 1.1)));
+    assert_eq!((scene.camera().target(), scene.camera().fov_degrees()), (DVec3::ZERO, 40.0));
+    assert_eq!((scene.lights().len(), scene.two_sided(), scene.mesh().triangles().len()), (1, false, 2));
+    assert_eq!(scene.method(), &MethodChoice::default());
+    assert!(scene.color().is_none() && scene.normal_map().is_none());
+    // The builder's own defaults are the same ones.
+    let built = Scene::builder(map.clone()).build().expect("a scene");
+    assert_eq!(format!("{built:?}"), format!("{scene:?}"));
+}
+
+#[test]
+fn normal_maps_point_where_they_are_said_to() {
+    let load = |green: &str| {
+        let height = Some(shipped("data/noise.png"));
+        let normal = Some(shipped("data/bricks_color.png"));
+        let spec = SceneSpec { height, normal, green: green.parse().ok(), ..SceneSpec::default() };
+        let scene = spec.load().expect("a scene");
+        let map = scene.normal_map().expect("a normal map").clone();
+        assert_eq!((map.width, map.height, map.texels.len()), (256, 256, 256 * 256));
+        map.texels
+    };
+    for ([x, y, z, zero], [other_x, other_y, other_z, _]) in load("+y").into_iter().zip(load("-y")) {
+        assert_eq!((x, y, z, zero), (other_x, -other_y, other_z, 0.0));
+        assert!((x * x + y * y + z * z - 1.0).abs() < 1e-5);
+    }
+}
+
+#[test]
+fn missing_maps_and_too_large_ones_are_refused() {
+    assert!(matches!(SceneSpec::default().load(), Err(SceneError::NoHeightMap)));
+    let absent = SceneSpec { height: Some("no/such/file.png".into()), ..SceneSpec::default() };
+    assert!(matches!(absent.load(), Err(SceneError::Read(_))));
+
+    let height = Some(shipped("data/noise.png"));
+    let tight = SceneSpec { height, size: Some([10, 10]), ..SceneSpec::default() };
+    let with = |bytes| SceneSpec { max_memory: Some(ByteSize(bytes)), ..tight.clone() }.load();
+    assert!(matches!(with(1000), Err(SceneError::TooMuchMemory { width: 10, height: 10, .. })));
+    let Err(SceneError::Read(error)) = with(20_000) else { panic!("the picture fits, the map does not") };
+    assert!(matches!(error.problem, relief_io::ReadProblem::TooMuchMemory { width: 128, height: 128, .. }));
+    assert!(with(64 << 20).is_ok());
+    let vast = SceneSpec { size: Some([MAX_IMAGE_SIDE; 2]), ..tight };
+    assert!(matches!(vast.load(), Err(SceneError::TooMuchMemory { .. })));
+}
+
+#[test]
+fn the_builder_refuses_what_is_impossible() {
+    let key = |builder: SceneBuilder| builder.build().expect_err("an impossible scene").key;
+    assert_eq!(key(Scene::builder(flat_map()).size(0, 1)), "size");
+    assert_eq!(key(Scene::builder(flat_map()).ambient(Vec3::splat(-1.0))), "ambient");
+    assert_eq!(key(Scene::builder(flat_map()).background(Vec3::NAN)), "background");
+    let light = Light::directional(DVec3::Y, Vec3::ONE).expect("a proper light");
+    assert_eq!(key(Scene::builder(flat_map()).lights(vec![light; MAX_LIGHTS + 1])), "lights");
+    assert!(Scene::builder(flat_map()).lights(vec![]).build().is_ok());
+}
+
+#[test]
+fn every_shipped_scene_loads() {
+    let mut scenes = 0;
+    for entry in fs::read_dir(shipped("scenes")).expect("the folder of scenes") {
+        let path = entry.expect("a file").path();
+        let spec = read_scene(&path).expect("a proper scene");
+        spec.load().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        scenes += 1;
+    }
+    assert!(scenes >= 5);
+}
+
+proptest! {
+    #[test]
+    fn no_text_makes_reading_panic(text in "[a-z-]{0,8} ?= ?[\\[\\]{}\"0-9a-z., -]{0,30}\n?[\\PC\n]{0,60}") {
+        let _ = read(&text);
+    }
+
+    #[test]
+    fn overriding_twice_is_overriding_by_both(
+        a in any::<(Option<bool>, Option<u8>)>(),
+        b in any::<(Option<bool>, Option<u8>)>(),
+        c in any::<(Option<bool>, Option<u8>)>(),
+    ) {
+        let spec = |(two_sided, number): (Option<bool>, Option<u8>)| SceneSpec {
+            two_sided,
+            fov: number.map(f64::from),
+            method: number.map(|number| number.to_string()),
+            ..SceneSpec::default()
+        };
+        let stepwise = spec(a).overridden_by(spec(b)).overridden_by(spec(c));
+        prop_assert_eq!(stepwise, spec(a).overridden_by(spec(b).overridden_by(spec(c))));
+    }
+}

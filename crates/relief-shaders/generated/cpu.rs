@@ -1,0 +1,2043 @@
+// The stages' translation. Written by `cargo xtask link`; do not edit.
+
+use crate::cpu::runtime as rt;
+use crate::cpu::runtime::SquareRoot as _;
+
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Corner {
+    pub position: rt::Vec3<f32>,
+    pub normal: rt::Vec3<f32>,
+    pub tangent: rt::Vec3<f32>,
+    pub bitangent: rt::Vec3<f32>,
+    pub uv: rt::Vec2<f32>,
+}
+impl Corner {
+    pub fn new(
+        position: impl rt::Into<rt::Vec3<f32>>,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        tangent: impl rt::Into<rt::Vec3<f32>>,
+        bitangent: impl rt::Into<rt::Vec3<f32>>,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Self {
+        Self { position: rt::into(position), normal: rt::into(normal), tangent: rt::into(tangent), bitangent: rt::into(bitangent), uv: rt::into(uv) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Path {
+    pub uv: rt::Vec2<f32>,
+    pub duv: rt::Vec2<f32>,
+    pub h: rt::Vec3<f32>,
+    pub exit: f32,
+    pub base: f32,
+    pub metric: rt::Vec4<f32>,
+}
+impl Path {
+    pub fn new(
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        duv: impl rt::Into<rt::Vec2<f32>>,
+        h: impl rt::Into<rt::Vec3<f32>>,
+        exit: impl rt::Into<f32>,
+        base: impl rt::Into<f32>,
+        metric: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { uv: rt::into(uv), duv: rt::into(duv), h: rt::into(h), exit: rt::into(exit), base: rt::into(base), metric: rt::into(metric) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Entered {
+    pub valid: u32,
+    pub path: Path,
+    pub point: rt::Vec3<f32>,
+    pub uv: rt::Vec2<f32>,
+    pub tangent: rt::Vec3<f32>,
+    pub bitangent: rt::Vec3<f32>,
+    pub normal: rt::Vec3<f32>,
+}
+impl Entered {
+    pub fn new(
+        valid: impl rt::Into<u32>,
+        path: impl rt::Into<Path>,
+        point: impl rt::Into<rt::Vec3<f32>>,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        tangent: impl rt::Into<rt::Vec3<f32>>,
+        bitangent: impl rt::Into<rt::Vec3<f32>>,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { valid: rt::into(valid), path: rt::into(path), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Found {
+    pub status: u32,
+    pub near: f32,
+    pub far: f32,
+    pub near_gap: f32,
+    pub far_gap: f32,
+    pub reads: u32,
+}
+impl Found {
+    pub fn new(
+        status: impl rt::Into<u32>,
+        near: impl rt::Into<f32>,
+        far: impl rt::Into<f32>,
+        near_gap: impl rt::Into<f32>,
+        far_gap: impl rt::Into<f32>,
+        reads: impl rt::Into<u32>,
+    ) -> Self {
+        Self { status: rt::into(status), near: rt::into(near), far: rt::into(far), near_gap: rt::into(near_gap), far_gap: rt::into(far_gap), reads: rt::into(reads) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Grid {
+    pub origin: rt::Vec2<f32>,
+    pub step: rt::Vec2<f32>,
+}
+impl Grid {
+    pub fn new(
+        origin: impl rt::Into<rt::Vec2<f32>>,
+        step: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Self {
+        Self { origin: rt::into(origin), step: rt::into(step) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Hit {
+    pub found: u32,
+    pub exhausted: u32,
+    pub uv: rt::Vec2<f32>,
+    pub height: f32,
+    pub t: f32,
+    pub reads: u32,
+}
+impl Hit {
+    pub fn new(
+        found: impl rt::Into<u32>,
+        exhausted: impl rt::Into<u32>,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        height: impl rt::Into<f32>,
+        t: impl rt::Into<f32>,
+        reads: impl rt::Into<u32>,
+    ) -> Self {
+        Self { found: rt::into(found), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), t: rt::into(t), reads: rt::into(reads) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Light {
+    pub place: rt::Vec4<f32>,
+    pub color: rt::Vec4<f32>,
+}
+impl Light {
+    pub fn new(
+        place: impl rt::Into<rt::Vec4<f32>>,
+        color: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { place: rt::into(place), color: rt::into(color) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct PixelIn {
+    pub origin: rt::Vec3<f32>,
+    pub direction: rt::Vec3<f32>,
+    pub side: f32,
+    pub a: Corner,
+    pub b: Corner,
+    pub c: Corner,
+}
+impl PixelIn {
+    pub fn new(
+        origin: impl rt::Into<rt::Vec3<f32>>,
+        direction: impl rt::Into<rt::Vec3<f32>>,
+        side: impl rt::Into<f32>,
+        a: impl rt::Into<Corner>,
+        b: impl rt::Into<Corner>,
+        c: impl rt::Into<Corner>,
+    ) -> Self {
+        Self { origin: rt::into(origin), direction: rt::into(direction), side: rt::into(side), a: rt::into(a), b: rt::into(b), c: rt::into(c) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct PixelOut {
+    pub color: rt::Vec4<f32>,
+    pub hit: u32,
+    pub exhausted: u32,
+    pub uv: rt::Vec2<f32>,
+    pub height: f32,
+    pub position: rt::Vec3<f32>,
+    pub normal: rt::Vec3<f32>,
+    pub depth: f32,
+    pub t: f32,
+    pub cell: rt::Vec2<i32>,
+    pub reads: u32,
+}
+impl PixelOut {
+    pub fn new(
+        color: impl rt::Into<rt::Vec4<f32>>,
+        hit: impl rt::Into<u32>,
+        exhausted: impl rt::Into<u32>,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        height: impl rt::Into<f32>,
+        position: impl rt::Into<rt::Vec3<f32>>,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        depth: impl rt::Into<f32>,
+        t: impl rt::Into<f32>,
+        cell: impl rt::Into<rt::Vec2<i32>>,
+        reads: impl rt::Into<u32>,
+    ) -> Self {
+        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Settings {
+    pub search_params: rt::Vec4<f32>,
+    pub refine_params: rt::Vec4<f32>,
+    pub eye: rt::Vec4<f32>,
+    pub forward: rt::Vec4<f32>,
+    pub corner: rt::Vec4<f32>,
+    pub right: rt::Vec4<f32>,
+    pub down: rt::Vec4<f32>,
+    pub ambient: rt::Vec4<f32>,
+    pub diffuse: rt::Vec4<f32>,
+    pub specular: rt::Vec4<f32>,
+    pub lights: [Light; 8],
+    pub height_size: rt::Vec2<u32>,
+    pub color_size: rt::Vec2<u32>,
+    pub normal_size: rt::Vec2<u32>,
+    pub wrap: u32,
+    pub surface: u32,
+    pub search: u32,
+    pub refine: u32,
+    pub shade: u32,
+    pub light_count: u32,
+    pub shininess: u32,
+    pub has_color: u32,
+    pub has_normal: u32,
+    pub scale_m: f32,
+    pub bias_m: f32,
+}
+impl Settings {
+    pub fn new(
+        search_params: impl rt::Into<rt::Vec4<f32>>,
+        refine_params: impl rt::Into<rt::Vec4<f32>>,
+        eye: impl rt::Into<rt::Vec4<f32>>,
+        forward: impl rt::Into<rt::Vec4<f32>>,
+        corner: impl rt::Into<rt::Vec4<f32>>,
+        right: impl rt::Into<rt::Vec4<f32>>,
+        down: impl rt::Into<rt::Vec4<f32>>,
+        ambient: impl rt::Into<rt::Vec4<f32>>,
+        diffuse: impl rt::Into<rt::Vec4<f32>>,
+        specular: impl rt::Into<rt::Vec4<f32>>,
+        lights: impl rt::Into<[Light; 8]>,
+        height_size: impl rt::Into<rt::Vec2<u32>>,
+        color_size: impl rt::Into<rt::Vec2<u32>>,
+        normal_size: impl rt::Into<rt::Vec2<u32>>,
+        wrap: impl rt::Into<u32>,
+        surface: impl rt::Into<u32>,
+        search: impl rt::Into<u32>,
+        refine: impl rt::Into<u32>,
+        shade: impl rt::Into<u32>,
+        light_count: impl rt::Into<u32>,
+        shininess: impl rt::Into<u32>,
+        has_color: impl rt::Into<u32>,
+        has_normal: impl rt::Into<u32>,
+        scale_m: impl rt::Into<f32>,
+        bias_m: impl rt::Into<f32>,
+    ) -> Self {
+        Self { search_params: rt::into(search_params), refine_params: rt::into(refine_params), eye: rt::into(eye), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), diffuse: rt::into(diffuse), specular: rt::into(specular), lights: rt::into(lights), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), wrap: rt::into(wrap), surface: rt::into(surface), search: rt::into(search), refine: rt::into(refine), shade: rt::into(shade), light_count: rt::into(light_count), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
+    }
+}
+#[allow(non_upper_case_globals)]
+pub const FOUND_ABOVE: rt::Scalar<u32> = rt::Scalar(1u32);
+#[allow(non_upper_case_globals)]
+pub const FOUND_BELOW: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
+pub const FOUND_BRACKET: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
+pub const FOUND_EXHAUSTED: rt::Scalar<u32> = rt::Scalar(4u32);
+#[allow(non_upper_case_globals)]
+pub const FOUND_MISS: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const FOUND_STARTED_BELOW: rt::Scalar<u32> = rt::Scalar(5u32);
+#[allow(non_upper_case_globals)]
+pub const FOUND_UNBRACKETED: rt::Scalar<u32> = rt::Scalar(6u32);
+#[allow(non_upper_case_globals)]
+pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
+#[allow(non_upper_case_globals)]
+pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
+#[allow(non_upper_case_globals)]
+pub const WRAP_MIRROR: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
+pub const WRAP_REPEAT: rt::Scalar<u32> = rt::Scalar(0u32);
+pub struct Resources<'g> {
+    #[doc = "group(0) binding(2)"]
+    pub color_map: rt::ColorTexture<'g>,
+    #[doc = "group(0) binding(1)"]
+    pub height_map: rt::HeightTexture<'g>,
+    #[doc = "group(0) binding(3)"]
+    pub normal_map: rt::ColorTexture<'g>,
+    #[doc = "group(0) binding(0)"]
+    pub settings: Settings,
+}
+impl<'g> Resources<'g> {
+    pub fn wrap_index(
+        &self,
+        i: impl rt::Into<rt::Scalar<i32>>,
+        n: impl rt::Into<rt::Scalar<i32>>,
+    ) -> i32 {
+        rt::into(self.v_wrap_index(rt::into(i), rt::into(n)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_wrap_index(
+        &self,
+        i: rt::Scalar<i32>,
+        n: rt::Scalar<i32>,
+    ) -> rt::Scalar<i32> {
+        let mut local: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(i.elementwise_ge(rt::Scalar(0i32))) {
+            local = i.elementwise_lt(n);
+        } else {
+            local = rt::Scalar(false);
+        }
+        let _e8 = local;
+        if rt::Scalar::into_branch_condition(_e8) {
+            return i;
+        }
+        let _e11 = rt::Scalar(self.settings.wrap);
+        if rt::Scalar::into_branch_condition(_e11.elementwise_eq(WRAP_CLAMP)) {
+            return i.clamp(rt::Scalar(0i32), (n - rt::Scalar(1i32)));
+        }
+        let _e20 = rt::Scalar(self.settings.wrap);
+        if rt::Scalar::into_branch_condition(_e20.elementwise_eq(WRAP_REPEAT)) {
+            return (((i % n) + n) % n);
+        }
+        let period = (rt::Scalar(2i32) * n);
+        let folded = (((i % period) + period) % period);
+        return ((period - rt::Scalar(1i32)) - folded).select(folded, folded.elementwise_lt(n));
+    }
+    pub fn height_cell(&self, cell: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_height_cell(rt::into(cell)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_cell(&self, cell: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e3 = self.settings.height_size;
+        let n_1 = _e3.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(cell.x(), n_1.x());
+        let _e12 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), n_1.x());
+        let _e15 = self.v_wrap_index(cell.y(), n_1.y());
+        let _e20 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), n_1.y());
+        let _e24 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e29 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e39 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return <rt::Vec4<f32>>::from_scalars(_e24.x(), _e29.x(), _e34.x(), _e39.x());
+    }
+    pub fn cell_gap(
+        &self,
+        path: Path,
+        grid: Grid,
+        cell_1: impl rt::Into<rt::Vec2<f32>>,
+        t: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_cell_gap(path, grid, rt::into(cell_1), rt::into(t)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_gap(
+        &self,
+        path: Path,
+        grid: Grid,
+        cell_1: rt::Vec2<f32>,
+        t: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e5 = self.v_height_cell(cell_1.cast_elem_as_i32());
+        let bx = (_e5.y() - _e5.x());
+        let by = (_e5.z() - _e5.x());
+        let twist = ((_e5.x() - _e5.y()) + (_e5.w() - _e5.z()));
+        let at_4 = ((grid.origin - cell_1) + (grid.step * t));
+        let z = (path.h.x() + (t * (path.h.y() + (t * path.h.z()))));
+        let dz = (path.h.y() + ((rt::Scalar(2f32) * t) * path.h.z()));
+        return <rt::Vec3<f32>>::from_scalars((z - (((_e5.x() + (bx * at_4.x())) + (by * at_4.y())) + ((twist * at_4.x()) * at_4.y()))), (dz - (((bx * grid.step.x()) + (by * grid.step.y())) + (twist * ((at_4.x() * grid.step.y()) + (at_4.y() * grid.step.x()))))), (path.h.z() - ((twist * grid.step.x()) * grid.step.y())));
+    }
+    pub fn cell_leave(
+        &self,
+        grid_1: Grid,
+        cell_2: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_cell_leave(grid_1, rt::into(cell_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_leave(
+        &self,
+        grid_1: Grid,
+        cell_2: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut leave: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+
+        if rt::Scalar::into_branch_condition(grid_1.step.x().elementwise_gt(rt::Scalar(0f32))) {
+            leave.set_x((((cell_2.x() + rt::Scalar(1f32)) - grid_1.origin.x()) / grid_1.step.x()));
+        }
+        if rt::Scalar::into_branch_condition(grid_1.step.x().elementwise_lt(rt::Scalar(0f32))) {
+            leave.set_x(((cell_2.x() - grid_1.origin.x()) / grid_1.step.x()));
+        }
+        if rt::Scalar::into_branch_condition(grid_1.step.y().elementwise_gt(rt::Scalar(0f32))) {
+            leave.set_y((((cell_2.y() + rt::Scalar(1f32)) - grid_1.origin.y()) / grid_1.step.y()));
+        }
+        if rt::Scalar::into_branch_condition(grid_1.step.y().elementwise_lt(rt::Scalar(0f32))) {
+            leave.set_y(((cell_2.y() - grid_1.origin.y()) / grid_1.step.y()));
+        }
+        let _e58 = leave;
+        return _e58;
+    }
+    pub fn cell_next(
+        &self,
+        grid_2: Grid,
+        cell_3: impl rt::Into<rt::Vec2<f32>>,
+        leave_1: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_cell_next(grid_2, rt::into(cell_3), rt::into(leave_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_next(
+        &self,
+        grid_2: Grid,
+        cell_3: rt::Vec2<f32>,
+        leave_1: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut next: rt::Vec2<f32>;
+
+        next = cell_3;
+        if rt::Scalar::into_branch_condition(leave_1.x().elementwise_le(leave_1.y())) {
+            next.set_x((cell_3.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_2.step.x().elementwise_gt(rt::Scalar(0f32)))));
+        } else {
+            next.set_y((cell_3.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_2.step.y().elementwise_gt(rt::Scalar(0f32)))));
+        }
+        let _e27 = next;
+        return _e27;
+    }
+    pub fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_cell_of(rt::into(point)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
+    }
+    pub fn chosen_refine(&self) -> u32 {
+        rt::into(self.v_chosen_refine())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_chosen_refine(&self) -> rt::Scalar<u32> {
+        let _e2 = rt::Scalar(self.settings.refine);
+        return _e2;
+    }
+    pub fn chosen_search(&self) -> u32 {
+        rt::into(self.v_chosen_search())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_chosen_search(&self) -> rt::Scalar<u32> {
+        let _e2 = rt::Scalar(self.settings.search);
+        return _e2;
+    }
+    pub fn chosen_shade(&self) -> u32 {
+        rt::into(self.v_chosen_shade())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_chosen_shade(&self) -> rt::Scalar<u32> {
+        let _e2 = rt::Scalar(self.settings.shade);
+        return _e2;
+    }
+    pub fn chosen_surface(&self) -> u32 {
+        rt::into(self.v_chosen_surface())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_chosen_surface(&self) -> rt::Scalar<u32> {
+        let _e2 = rt::Scalar(self.settings.surface);
+        return _e2;
+    }
+    pub fn color_at(&self, uv: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_color_at(rt::into(uv)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_color_at(&self, uv: rt::Vec2<f32>) -> rt::Vec4<f32> {
+        let _e3 = self.settings.color_size;
+        let n_2 = _e3.cast_elem_as_i32();
+        let _e7 = self.settings.color_size;
+        let point_2 = ((uv * _e7.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e14 = self.v_cell_of(point_2);
+        let f = (point_2 - _e14);
+        let i_1 = _e14.cast_elem_as_i32();
+        let _e19 = self.v_wrap_index(i_1.x(), n_2.x());
+        let _e24 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
+        let _e27 = self.v_wrap_index(i_1.y(), n_2.y());
+        let _e32 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
+        let h00_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h10_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h01_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h11_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e24, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let top = (h00_ + ((h10_ - h00_) * f.x()));
+        let bottom = (h01_ + ((h11_ - h01_) * f.x()));
+        return (top + ((bottom - top) * f.y()));
+    }
+    pub fn color_or_white(&self, uv_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_color_or_white(rt::into(uv_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_color_or_white(&self, uv_1: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = rt::Scalar(self.settings.has_color);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
+            let _e6 = self.v_color_at(uv_1);
+            return _e6.xyz();
+        }
+        return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+    }
+    pub fn quadratic(
+        &self,
+        c: impl rt::Into<rt::Vec3<f32>>,
+        s: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_quadratic(rt::into(c), rt::into(s)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_quadratic(
+        &self,
+        c: rt::Vec3<f32>,
+        s: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (c.x() + (s * (c.y() + (s * c.z()))));
+    }
+    pub fn first_root(
+        &self,
+        c_1: impl rt::Into<rt::Vec3<f32>>,
+        span: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_first_root(rt::into(c_1), rt::into(span)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_first_root(
+        &self,
+        c_1: rt::Vec3<f32>,
+        span: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut a: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut b: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+
+        let discriminant = ((c_1.y() * c_1.y()) - ((rt::Scalar(4f32) * c_1.z()) * c_1.x()));
+        if rt::Scalar::into_branch_condition(discriminant.elementwise_ge(rt::Scalar(0f32))) {
+            let root = discriminant.sqrt();
+            let q = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root).select(root, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
+            if rt::Scalar::into_branch_condition(c_1.z().elementwise_ne(rt::Scalar(0f32))) {
+                a = (q / c_1.z());
+            }
+            if rt::Scalar::into_branch_condition(q.elementwise_ne(rt::Scalar(0f32))) {
+                b = (c_1.x() / q);
+            }
+            let _e37 = a;
+            let _e38 = a;
+            a = rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e38.elementwise_ge(rt::Scalar(0f32)));
+            let _e43 = b;
+            let _e44 = b;
+            b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
+            let _e49 = a;
+            let _e50 = b;
+            let first = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first.elementwise_le(span)) {
+                return first;
+            }
+        }
+        let _e53 = self.v_quadratic(c_1, span);
+        if rt::Scalar::into_branch_condition(_e53.elementwise_le(rt::Scalar(0f32))) {
+            return span;
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub fn height_size(&self) -> rt::Vec2<f32> {
+        rt::into(self.v_height_size())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_size(&self) -> rt::Vec2<f32> {
+        let _e2 = self.settings.height_size;
+        return _e2.cast_elem_as_f32();
+    }
+    pub fn grid_of(&self, path_1: Path) -> Grid {
+        rt::into(self.v_grid_of(path_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_grid_of(&self, path_1: Path) -> Grid {
+        let _e1 = self.v_height_size();
+        return <Grid>::new(((path_1.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_1.duv * _e1));
+    }
+    pub fn has_interval(&self, found: Found) -> bool {
+        rt::into(self.v_has_interval(found))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
+        let mut local_1: rt::Scalar<bool>;
+        let mut local_2: rt::Scalar<bool>;
+        let mut local_3: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
+            if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
+                local_2 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
+            } else {
+                local_2 = rt::Scalar(true);
+            }
+            let _e16 = local_2;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_3 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_3 = rt::Scalar(true);
+            }
+            let _e24 = local_3;
+            local_1 = _e24;
+        } else {
+            local_1 = rt::Scalar(false);
+        }
+        let _e26 = local_1;
+        return _e26;
+    }
+    pub fn height_and_slope(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_height_and_slope(rt::into(uv_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_and_slope(&self, uv_2: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e1 = self.v_height_size();
+        let point_3 = ((uv_2 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e7 = self.v_cell_of(point_3);
+        let f_1 = (point_3 - _e7);
+        let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
+        let top_1 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
+        let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
+        let left = (_e10.x() + ((_e10.z() - _e10.x()) * f_1.y()));
+        let right = (_e10.y() + ((_e10.w() - _e10.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f_1.y())), ((right - left) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
+    }
+    pub fn height_at(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_height_at(rt::into(uv_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_at(&self, uv_3: rt::Vec2<f32>) -> rt::Scalar<f32> {
+        let _e1 = self.v_height_size();
+        let point_4 = ((uv_3 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e7 = self.v_cell_of(point_4);
+        let f_2 = (point_4 - _e7);
+        let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
+        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f_2.x()));
+        let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_2.x()));
+        return (top_2 + ((bottom_2 - top_2) * f_2.y()));
+    }
+    pub fn path_height(
+        &self,
+        path_2: Path,
+        t_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_height(path_2, rt::into(t_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_height(
+        &self,
+        path_2: Path,
+        t_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (path_2.h.x() + (t_1 * (path_2.h.y() + (t_1 * path_2.h.z()))));
+    }
+    pub fn miss(&self, reads: impl rt::Into<rt::Scalar<u32>>) -> Hit {
+        rt::into(self.v_miss(rt::into(reads)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_miss(&self, reads: rt::Scalar<u32>) -> Hit {
+        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads);
+    }
+    pub fn path_uv(
+        &self,
+        path_3: Path,
+        t_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_path_uv(path_3, rt::into(t_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_uv(
+        &self,
+        path_3: Path,
+        t_2: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        return (path_3.uv + (path_3.duv * t_2));
+    }
+    pub fn hit_on_path(
+        &self,
+        path_4: Path,
+        t_3: impl rt::Into<rt::Scalar<f32>>,
+        exhausted: impl rt::Into<rt::Scalar<u32>>,
+        reads_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Hit {
+        rt::into(self.v_hit_on_path(path_4, rt::into(t_3), rt::into(exhausted), rt::into(reads_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_hit_on_path(
+        &self,
+        path_4: Path,
+        t_3: rt::Scalar<f32>,
+        exhausted: rt::Scalar<u32>,
+        reads_1: rt::Scalar<u32>,
+    ) -> Hit {
+        let mut local_4: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(t_3.elementwise_gt(rt::Scalar(path_4.exit))) {
+            let _e9 = self.v_path_height(path_4, rt::Scalar(path_4.exit));
+            local_4 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        } else {
+            local_4 = rt::Scalar(false);
+        }
+        let _e13 = local_4;
+        if rt::Scalar::into_branch_condition(_e13) {
+            let _e14 = self.v_miss(reads_1);
+            return _e14;
+        }
+        let inside = t_3.clamp(rt::Scalar(0f32), rt::Scalar(path_4.exit));
+        let _e19 = self.v_path_uv(path_4, inside);
+        let _e20 = self.v_path_height(path_4, inside);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_1);
+    }
+    pub fn inside_unit(
+        &self,
+        x0_: impl rt::Into<rt::Scalar<f32>>,
+        dx: impl rt::Into<rt::Scalar<f32>>,
+        interval: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_inside_unit(rt::into(x0_), rt::into(dx), rt::into(interval)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_inside_unit(
+        &self,
+        x0_: rt::Scalar<f32>,
+        dx: rt::Scalar<f32>,
+        interval: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut local_5: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
+                local_5 = x0_.elementwise_gt(rt::Scalar(1f32));
+            } else {
+                local_5 = rt::Scalar(true);
+            }
+            let _e13 = local_5;
+            if rt::Scalar::into_branch_condition(_e13) {
+                return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
+            }
+            return interval;
+        }
+        let a_2 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
+    }
+    pub fn normal_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_at(&self, uv_4: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = self.settings.normal_size;
+        let n_3 = _e3.cast_elem_as_i32();
+        let _e7 = self.settings.normal_size;
+        let point_5 = ((uv_4 * _e7.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e14 = self.v_cell_of(point_5);
+        let f_3 = (point_5 - _e14);
+        let i_2 = _e14.cast_elem_as_i32();
+        let _e19 = self.v_wrap_index(i_2.x(), n_3.x());
+        let _e24 = self.v_wrap_index((i_2.x() + rt::Scalar(1i32)), n_3.x());
+        let _e27 = self.v_wrap_index(i_2.y(), n_3.y());
+        let _e32 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_3.y());
+        let h00_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h10_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h01_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h11_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let top_3 = (h00_1 + ((h10_1 - h00_1) * f_3.x()));
+        let bottom_3 = (h01_1 + ((h11_1 - h01_1) * f_3.x()));
+        return (top_3 + ((bottom_3 - top_3) * f_3.y())).xyz();
+    }
+    pub fn normal_from_map(
+        &self,
+        at: Entered,
+        uv_5: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_from_map(at, rt::into(uv_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_from_map(
+        &self,
+        at: Entered,
+        uv_5: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e2 = self.v_normal_at(uv_5);
+        let along_u = at.tangent.normalize();
+        let along_v = at.bitangent.normalize();
+        return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at.normal * _e2.z())).normalize();
+    }
+    pub fn normal_from_height(
+        &self,
+        at_1: Entered,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_from_height(at_1, rt::into(uv_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_from_height(
+        &self,
+        at_1: Entered,
+        uv_6: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e2 = self.v_height_size();
+        let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e2.x()), rt::Scalar(0f32));
+        let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e2.y()));
+        let _e14 = self.v_height_at((uv_6 + du));
+        let _e16 = self.v_height_at((uv_6 - du));
+        let _e23 = rt::Scalar(self.settings.scale_m);
+        let slope_u = ((_e14 - _e16) * ((rt::Scalar(0.5f32) * _e2.x()) * _e23));
+        let _e27 = self.v_height_at((uv_6 + dv));
+        let _e29 = self.v_height_at((uv_6 - dv));
+        let _e36 = rt::Scalar(self.settings.scale_m);
+        let slope_v = ((_e27 - _e29) * ((rt::Scalar(0.5f32) * _e2.y()) * _e36));
+        let along_u_1 = (at_1.tangent + (at_1.normal * slope_u));
+        let along_v_1 = (at_1.bitangent + (at_1.normal * slope_v));
+        let across = along_v_1.cross(along_u_1).normalize();
+        return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_1.normal).elementwise_ge(rt::Scalar(0f32))));
+    }
+    pub fn mesostructure_normal(
+        &self,
+        at_2: Entered,
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_mesostructure_normal(at_2, rt::into(uv_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_mesostructure_normal(
+        &self,
+        at_2: Entered,
+        uv_7: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = rt::Scalar(self.settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
+            let _e7 = self.v_normal_from_map(at_2, uv_7);
+            return _e7;
+        }
+        let _e8 = self.v_normal_from_height(at_2, uv_7);
+        return _e8;
+    }
+    pub fn normal_z(
+        &self,
+        path_5: Path,
+        slope: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_normal_z(path_5, rt::into(slope)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_z(
+        &self,
+        path_5: Path,
+        slope: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let m = path_5.metric;
+        let area = ((m.x() * m.z()) - (m.y() * m.y()));
+        let squared = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared)).sqrt());
+    }
+    pub fn path_gap(
+        &self,
+        path_6: Path,
+        t_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_gap(path_6, rt::into(t_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_gap(
+        &self,
+        path_6: Path,
+        t_4: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e2 = self.v_path_height(path_6, t_4);
+        let _e3 = self.v_path_uv(path_6, t_4);
+        let _e4 = self.v_height_at(_e3);
+        return (_e2 - _e4);
+    }
+    pub fn path_slope(
+        &self,
+        path_7: Path,
+        t_5: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_slope(path_7, rt::into(t_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_slope(
+        &self,
+        path_7: Path,
+        t_5: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (path_7.h.y() + ((rt::Scalar(2f32) * t_5) * path_7.h.z()));
+    }
+    pub fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_pixel_direction(&self, pixel: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = self.settings.corner;
+        let _e7 = self.settings.right;
+        let _e14 = self.settings.down;
+        return ((_e3.xyz() + (_e7.xyz() * pixel.x())) + (_e14.xyz() * pixel.y()));
+    }
+    pub fn pixel_of(
+        &self,
+        a_1: Corner,
+        b_1: Corner,
+        c_2: Corner,
+        side: impl rt::Into<rt::Scalar<f32>>,
+        point_1: impl rt::Into<rt::Vec2<f32>>,
+    ) -> PixelIn {
+        rt::into(self.v_pixel_of(a_1, b_1, c_2, rt::into(side), rt::into(point_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_pixel_of(
+        &self,
+        a_1: Corner,
+        b_1: Corner,
+        c_2: Corner,
+        side: rt::Scalar<f32>,
+        point_1: rt::Vec2<f32>,
+    ) -> PixelIn {
+        let _e7 = self.settings.eye;
+        let _e9 = self.v_pixel_direction(point_1);
+        return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_2);
+    }
+    pub fn starting_point(&self, path_8: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_8, found_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_starting_point(&self, path_8: Path, found_1: Found) -> rt::Scalar<f32> {
+        let mut local_6: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
+            return rt::Scalar(path_8.base);
+        }
+        if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
+            local_6 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+        } else {
+            local_6 = rt::Scalar(true);
+        }
+        let _e16 = local_6;
+        if rt::Scalar::into_branch_condition(_e16) {
+            return rt::Scalar(found_1.far);
+        }
+        return rt::Scalar(found_1.near);
+    }
+    pub fn refine_none(
+        &self,
+        path_9: Path,
+        found_2: Found,
+        params: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_none(path_9, found_2, rt::into(params)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_none(
+        &self,
+        path_9: Path,
+        found_2: Found,
+        params: rt::Vec4<f32>,
+    ) -> Hit {
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_2.reads));
+            return _e7;
+        }
+        let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
+        let _e14 = self.v_starting_point(path_9, found_2);
+        let _e16 = self.v_hit_on_path(path_9, _e14, exhausted_1, rt::Scalar(found_2.reads));
+        return _e16;
+    }
+    pub fn refine_binary(
+        &self,
+        path_10: Path,
+        found_3: Found,
+        params_1: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_binary(path_10, found_3, rt::into(params_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_binary(
+        &self,
+        path_10: Path,
+        found_3: Found,
+        params_1: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut near: rt::Scalar<f32>;
+        let mut far: rt::Scalar<f32>;
+        let mut reads_2: rt::Scalar<u32>;
+        let mut local_7: rt::Scalar<bool>;
+        let mut crossed: rt::Scalar<bool>;
+        let mut k: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        let _e3 = self.v_has_interval(found_3);
+        if rt::Scalar::into_branch_condition((!_e3)) {
+            let _e5 = self.v_refine_none(path_10, found_3, params_1);
+            return _e5;
+        }
+        near = rt::Scalar(found_3.near);
+        far = rt::Scalar(found_3.far);
+        reads_2 = rt::Scalar(found_3.reads);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
+            let _e18 = far;
+            let _e19 = self.v_path_height(path_10, _e18);
+            local_7 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+        } else {
+            local_7 = rt::Scalar(true);
+        }
+        let _e23 = local_7;
+        crossed = _e23;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e27 = k;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_1.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e30 = near;
+                    let _e31 = far;
+                    let middle = (rt::Scalar(0.5f32) * (_e30 + _e31));
+                    let _e35 = reads_2;
+                    reads_2 = (_e35 + rt::Scalar(1u32));
+                    let _e38 = self.v_path_gap(path_10, middle);
+                    if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
+                        far = middle;
+                        crossed = rt::Scalar(true);
+                    } else {
+                        near = middle;
+                    }
+                    let _e42 = k;
+                    k = (_e42 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e45 = crossed;
+        if rt::Scalar::into_branch_condition((!_e45)) {
+            let _e47 = reads_2;
+            let _e48 = self.v_miss(_e47);
+            return _e48;
+        }
+        let _e49 = near;
+        let _e50 = far;
+        let _e55 = reads_2;
+        let _e56 = self.v_hit_on_path(path_10, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
+        return _e56;
+    }
+    pub fn refine_offset(
+        &self,
+        path_11: Path,
+        found_4: Found,
+        params_2: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_offset(path_11, found_4, rt::into(params_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_offset(
+        &self,
+        path_11: Path,
+        found_4: Found,
+        params_2: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_6: rt::Scalar<f32>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_4.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_11, found_4);
+        let _e9 = self.v_path_uv(path_11, _e8);
+        let _e10 = self.v_height_at(_e9);
+        let _e11 = self.v_path_slope(path_11, _e8);
+        t_6 = _e8;
+        if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
+            let _e15 = self.v_path_height(path_11, _e8);
+            t_6 = (_e8 + ((_e10 - _e15) / _e11));
+        }
+        let _e19 = t_6;
+        let _e29 = self.v_hit_on_path(path_11, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
+        return _e29;
+    }
+    pub fn refine_offset_limited(
+        &self,
+        path_12: Path,
+        found_5: Found,
+        params_3: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_offset_limited(path_12, found_5, rt::into(params_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_offset_limited(
+        &self,
+        path_12: Path,
+        found_5: Found,
+        params_3: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut hit: Hit;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_5.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_12, found_5);
+        let _e9 = self.v_path_uv(path_12, _e8);
+        let _e10 = self.v_height_at(_e9);
+        let _e11 = self.v_path_height(path_12, _e8);
+        let rise_m = ((_e10 - _e11) * path_12.metric.w());
+        let _e26 = self.v_hit_on_path(path_12, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        hit = _e26;
+        let _e29 = rt::Scalar(hit.found);
+        if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
+            rt::Scalar(hit.height) = _e10;
+        }
+        let _e33 = hit;
+        return _e33;
+    }
+    pub fn refine_patch(
+        &self,
+        path_13: Path,
+        found_6: Found,
+        params_4: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_patch(path_13, found_6, rt::into(params_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_patch(
+        &self,
+        path_13: Path,
+        found_6: Found,
+        params_4: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_7: rt::Scalar<f32>;
+        let mut cell_4: rt::Vec2<f32>;
+        let mut reads_3: rt::Scalar<u32>;
+        let mut local_8: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_6.reads));
+            return _e7;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)) {
+            let _e14 = self.v_hit_on_path(path_13, rt::Scalar(found_6.near), rt::Scalar(1u32), rt::Scalar(found_6.reads));
+            return _e14;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_STARTED_BELOW)) {
+            let _e21 = self.v_hit_on_path(path_13, rt::Scalar(found_6.near), rt::Scalar(0u32), rt::Scalar(found_6.reads));
+            return _e21;
+        }
+        let _e22 = self.v_grid_of(path_13);
+        t_7 = rt::Scalar(found_6.near);
+        let _e27 = t_7;
+        let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
+        cell_4 = _e30;
+        reads_3 = rt::Scalar(found_6.reads);
+        let _e34 = reads_3;
+        let limit = (_e34 + params_4.x().cast_elem_as_u32());
+        'naga_break: loop {
+            'naga_continue: {
+                let _e38 = reads_3;
+                if rt::Scalar::into_branch_condition(_e38.elementwise_lt(limit)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e40 = cell_4;
+                    let _e41 = self.v_cell_leave(_e22, _e40);
+                    let end = _e41.x().min(_e41.y()).min(rt::Scalar(found_6.far));
+                    let _e47 = t_7;
+                    let span_1 = (end - _e47).max(rt::Scalar(0f32));
+                    let _e51 = cell_4;
+                    let _e52 = t_7;
+                    let _e53 = self.v_cell_gap(path_13, _e22, _e51, _e52);
+                    let _e54 = reads_3;
+                    reads_3 = (_e54 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e60 = t_7;
+                        let _e62 = reads_3;
+                        let _e63 = self.v_hit_on_path(path_13, _e60, rt::Scalar(0u32), _e62);
+                        return _e63;
+                    }
+                    let _e64 = self.v_first_root(_e53, span_1);
+                    if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e67 = t_7;
+                        let _e70 = reads_3;
+                        let _e71 = self.v_hit_on_path(path_13, (_e67 + _e64), rt::Scalar(0u32), _e70);
+                        return _e71;
+                    }
+                    if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_6.far))) {
+                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
+                            local_8 = rt::Scalar(found_6.status).elementwise_eq(FOUND_BELOW);
+                        } else {
+                            local_8 = rt::Scalar(true);
+                        }
+                        let _e84 = local_8;
+                        if rt::Scalar::into_branch_condition(_e84) {
+                            let _e87 = reads_3;
+                            let _e88 = self.v_hit_on_path(path_13, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
+                            return _e88;
+                        }
+                        let _e89 = reads_3;
+                        let _e90 = self.v_miss(_e89);
+                        return _e90;
+                    }
+                    let _e91 = cell_4;
+                    let _e92 = self.v_cell_next(_e22, _e91, _e41);
+                    cell_4 = _e92;
+                    let _e93 = t_7;
+                    t_7 = _e93.max(end);
+                }
+            }
+        }
+        let _e95 = t_7;
+        let _e97 = reads_3;
+        let _e98 = self.v_hit_on_path(path_13, _e95, rt::Scalar(1u32), _e97);
+        return _e98;
+    }
+    pub fn refine_secant(
+        &self,
+        path_14: Path,
+        found_7: Found,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_secant(path_14, found_7, rt::into(params_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_secant(
+        &self,
+        path_14: Path,
+        found_7: Found,
+        params_5: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut near_1: rt::Scalar<f32>;
+        let mut far_1: rt::Scalar<f32>;
+        let mut near_gap: rt::Scalar<f32>;
+        let mut far_gap: rt::Scalar<f32>;
+        let mut reads_4: rt::Scalar<u32>;
+        let mut t_8: rt::Scalar<f32>;
+        let mut k_1: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let _e3 = self.v_has_interval(found_7);
+        if rt::Scalar::into_branch_condition((!_e3)) {
+            let _e5 = self.v_refine_none(path_14, found_7, params_5);
+            return _e5;
+        }
+        near_1 = rt::Scalar(found_7.near);
+        far_1 = rt::Scalar(found_7.far);
+        near_gap = rt::Scalar(found_7.near_gap);
+        far_gap = rt::Scalar(found_7.far_gap);
+        reads_4 = rt::Scalar(found_7.reads);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_ne(FOUND_BRACKET)) {
+            let _e19 = near_1;
+            let _e20 = self.v_path_gap(path_14, _e19);
+            near_gap = _e20;
+            let _e21 = far_1;
+            let _e22 = self.v_path_gap(path_14, _e21);
+            far_gap = _e22;
+            let _e23 = reads_4;
+            reads_4 = (_e23 + rt::Scalar(2u32));
+            let _e26 = far_gap;
+            if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
+                let _e29 = reads_4;
+                let _e30 = self.v_miss(_e29);
+                return _e30;
+            }
+        }
+        let _e31 = far_1;
+        t_8 = _e31;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e35 = k_1;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_5.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e38 = near_gap;
+                    let _e39 = far_gap;
+                    let drop = (_e38 - _e39);
+                    if rt::Scalar::into_branch_condition((!drop.elementwise_gt(rt::Scalar(0f32)))) {
+                        break 'naga_break;
+                    }
+                    let _e44 = near_1;
+                    let _e45 = far_1;
+                    let _e46 = near_1;
+                    let _e48 = near_gap;
+                    t_8 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
+                    let _e52 = k_1;
+                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_5.x())) {
+                        let _e55 = t_8;
+                        let _e56 = self.v_path_gap(path_14, _e55);
+                        let _e57 = reads_4;
+                        reads_4 = (_e57 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
+                            let _e62 = t_8;
+                            far_1 = _e62;
+                            far_gap = _e56;
+                        } else {
+                            let _e63 = t_8;
+                            near_1 = _e63;
+                            near_gap = _e56;
+                        }
+                    }
+                    let _e64 = k_1;
+                    k_1 = (_e64 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e67 = t_8;
+        let _e69 = reads_4;
+        let _e70 = self.v_hit_on_path(path_14, _e67, rt::Scalar(0u32), _e69);
+        return _e70;
+    }
+    pub fn refine_slope(
+        &self,
+        path_15: Path,
+        found_8: Found,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope(path_15, found_8, rt::into(params_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope(
+        &self,
+        path_15: Path,
+        found_8: Found,
+        params_6: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_9: rt::Scalar<f32>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_8.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_15, found_8);
+        let _e9 = self.v_path_uv(path_15, _e8);
+        let _e10 = self.v_height_and_slope(_e9);
+        let _e12 = self.v_path_height(path_15, _e8);
+        let rise = (_e10.x() - _e12);
+        t_9 = _e8;
+        if rt::Scalar::into_branch_condition(params_6.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e18 = self.v_path_slope(path_15, _e8);
+            let closing = (_e18 - ((_e10.y() * path_15.duv.x()) + (_e10.z() * path_15.duv.y())));
+            if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
+                t_9 = (_e8 + (rise / closing));
+            }
+        } else {
+            let _e39 = self.v_normal_z(path_15, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
+            t_9 = (_e8 - ((rise * path_15.metric.w()) * _e39));
+        }
+        let _e42 = t_9;
+        let _e52 = self.v_hit_on_path(path_15, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
+        return _e52;
+    }
+    pub fn refine_slope_iterative(
+        &self,
+        path_16: Path,
+        found_9: Found,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope_iterative(path_16, found_9, rt::into(params_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope_iterative(
+        &self,
+        path_16: Path,
+        found_9: Found,
+        params_7: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_10: rt::Scalar<f32>;
+        let mut reads_5: rt::Scalar<u32>;
+        let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_9.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_16, found_9);
+        t_10 = _e8;
+        reads_5 = rt::Scalar(found_9.reads);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e14 = k_2;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_7.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e17 = t_10;
+                    let _e18 = self.v_path_uv(path_16, _e17);
+                    let _e19 = self.v_height_and_slope(_e18);
+                    let _e20 = reads_5;
+                    reads_5 = (_e20 + rt::Scalar(1u32));
+                    let _e24 = t_10;
+                    let _e25 = self.v_path_height(path_16, _e24);
+                    let rise_1 = (_e19.x() - _e25);
+                    if rt::Scalar::into_branch_condition(params_7.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e30 = t_10;
+                        let _e31 = self.v_path_slope(path_16, _e30);
+                        let closing_1 = (_e31 - ((_e19.y() * path_16.duv.x()) + (_e19.z() * path_16.duv.y())));
+                        if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
+                            let _e44 = t_10;
+                            t_10 = (_e44 + (rise_1 / closing_1));
+                        }
+                    } else {
+                        let _e47 = t_10;
+                        let _e54 = self.v_normal_z(path_16, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
+                        t_10 = (_e47 - ((rise_1 * path_16.metric.w()) * _e54));
+                    }
+                    let _e57 = t_10;
+                    t_10 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_16.exit));
+                    let _e61 = k_2;
+                    k_2 = (_e61 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e64 = t_10;
+        let _e71 = reads_5;
+        let _e72 = self.v_hit_on_path(path_16, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
+        return _e72;
+    }
+    pub fn refine_true_secant(
+        &self,
+        path_17: Path,
+        found_10: Found,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_true_secant(path_17, found_10, rt::into(params_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_true_secant(
+        &self,
+        path_17: Path,
+        found_10: Found,
+        params_8: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut before: rt::Scalar<f32>;
+        let mut last: rt::Scalar<f32>;
+        let mut before_gap: rt::Scalar<f32>;
+        let mut last_gap: rt::Scalar<f32>;
+        let mut reads_6: rt::Scalar<u32>;
+        let mut k_3: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let _e3 = self.v_has_interval(found_10);
+        if rt::Scalar::into_branch_condition((!_e3)) {
+            let _e5 = self.v_refine_none(path_17, found_10, params_8);
+            return _e5;
+        }
+        before = rt::Scalar(found_10.near);
+        last = rt::Scalar(found_10.far);
+        before_gap = rt::Scalar(found_10.near_gap);
+        last_gap = rt::Scalar(found_10.far_gap);
+        reads_6 = rt::Scalar(found_10.reads);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
+            let _e19 = before;
+            let _e20 = self.v_path_gap(path_17, _e19);
+            before_gap = _e20;
+            let _e21 = last;
+            let _e22 = self.v_path_gap(path_17, _e21);
+            last_gap = _e22;
+            let _e23 = reads_6;
+            reads_6 = (_e23 + rt::Scalar(2u32));
+            let _e26 = last_gap;
+            if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
+                let _e29 = reads_6;
+                let _e30 = self.v_miss(_e29);
+                return _e30;
+            }
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e33 = k_3;
+                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_8.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e36 = before_gap;
+                    let _e37 = last_gap;
+                    let change = (_e36 - _e37);
+                    if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
+                        break 'naga_break;
+                    }
+                    let _e41 = last;
+                    let _e42 = last;
+                    let _e43 = before;
+                    let _e45 = last_gap;
+                    let t_12 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let _e52 = last;
+                    before = _e52;
+                    let _e53 = last_gap;
+                    before_gap = _e53;
+                    last = t_12;
+                    let _e54 = k_3;
+                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
+                        let _e57 = self.v_path_gap(path_17, t_12);
+                        last_gap = _e57;
+                        let _e58 = reads_6;
+                        reads_6 = (_e58 + rt::Scalar(1u32));
+                    }
+                    let _e61 = k_3;
+                    k_3 = (_e61 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e64 = last;
+        let _e66 = reads_6;
+        let _e67 = self.v_hit_on_path(path_17, _e64, rt::Scalar(0u32), _e66);
+        return _e67;
+    }
+    pub fn refine_stage(&self, path_18: Path, found_11: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_18, found_11))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_stage(&self, path_18: Path, found_11: Found) -> Hit {
+        let _e2 = self.v_chosen_refine();
+        match rt::Scalar::into_inner(_e2) {
+            0u32 => {
+                let _e5 = self.settings.refine_params;
+                let _e6 = self.v_refine_none(path_18, found_11, _e5);
+                return _e6;
+            }
+            1u32 => {
+                let _e9 = self.settings.refine_params;
+                let _e10 = self.v_refine_offset(path_18, found_11, _e9);
+                return _e10;
+            }
+            2u32 => {
+                let _e13 = self.settings.refine_params;
+                let _e14 = self.v_refine_offset_limited(path_18, found_11, _e13);
+                return _e14;
+            }
+            3u32 => {
+                let _e17 = self.settings.refine_params;
+                let _e18 = self.v_refine_slope(path_18, found_11, _e17);
+                return _e18;
+            }
+            4u32 => {
+                let _e21 = self.settings.refine_params;
+                let _e22 = self.v_refine_slope_iterative(path_18, found_11, _e21);
+                return _e22;
+            }
+            5u32 => {
+                let _e25 = self.settings.refine_params;
+                let _e26 = self.v_refine_binary(path_18, found_11, _e25);
+                return _e26;
+            }
+            6u32 => {
+                let _e29 = self.settings.refine_params;
+                let _e30 = self.v_refine_secant(path_18, found_11, _e29);
+                return _e30;
+            }
+            7u32 => {
+                let _e33 = self.settings.refine_params;
+                let _e34 = self.v_refine_true_secant(path_18, found_11, _e33);
+                return _e34;
+            }
+            _ => {
+                let _e37 = self.settings.refine_params;
+                let _e38 = self.v_refine_patch(path_18, found_11, _e37);
+                return _e38;
+            }
+        }
+    }
+    pub fn search_cells(
+        &self,
+        path_19: Path,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_cells(path_19, rt::into(params_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_cells(
+        &self,
+        path_19: Path,
+        params_9: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_5: rt::Vec2<f32>;
+        let mut t_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_7: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_9: rt::Scalar<bool>;
+        let mut s_1: rt::Scalar<f32>;
+
+        let _e2 = self.v_grid_of(path_19);
+        let _e4 = self.v_cell_of(_e2.origin);
+        cell_5 = _e4;
+        let limit_1 = params_9.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e12 = reads_7;
+                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(limit_1)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e14 = cell_5;
+                    let _e15 = self.v_cell_leave(_e2, _e14);
+                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_19.exit));
+                    let _e21 = cell_5;
+                    let _e22 = t_11;
+                    let _e23 = self.v_cell_gap(path_19, _e2, _e21, _e22);
+                    let _e24 = reads_7;
+                    reads_7 = (_e24 + rt::Scalar(1u32));
+                    let _e27 = t_11;
+                    let span_2 = (end_1 - _e27).max(rt::Scalar(0f32));
+                    if rt::Scalar::into_branch_condition(_e23.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e34 = reads_7;
+                        if rt::Scalar::into_branch_condition(_e34.elementwise_eq(rt::Scalar(1u32))) {
+                            local_9 = _e23.x().elementwise_lt(rt::Scalar(0f32));
+                        } else {
+                            local_9 = rt::Scalar(false);
+                        }
+                        let _e43 = local_9;
+                        if rt::Scalar::into_branch_condition(_e43) {
+                            let _e47 = reads_7;
+                            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e23.x(), _e23.x(), _e47);
+                        }
+                        let _e52 = t_11;
+                        let _e53 = t_11;
+                        let _e56 = reads_7;
+                        return <Found>::new(FOUND_BRACKET, _e52, _e53, _e23.x(), _e23.x(), _e56);
+                    }
+                    s_1 = span_2;
+                    if rt::Scalar::into_branch_condition(_e23.z().elementwise_gt(rt::Scalar(0f32))) {
+                        s_1 = ((rt::Scalar(0f32) - _e23.y()) / (rt::Scalar(2f32) * _e23.z())).clamp(rt::Scalar(0f32), span_2);
+                    }
+                    let _e71 = s_1;
+                    let _e72 = self.v_quadratic(_e23, _e71);
+                    if rt::Scalar::into_branch_condition(_e72.elementwise_le(rt::Scalar(0f32))) {
+                        let _e76 = t_11;
+                        let _e77 = t_11;
+                        let _e78 = s_1;
+                        let _e81 = reads_7;
+                        return <Found>::new(FOUND_BRACKET, _e76, (_e77 + _e78), _e23.x(), _e72, _e81);
+                    }
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_19.exit))) {
+                        let _e86 = t_11;
+                        let _e89 = self.v_quadratic(_e23, span_2);
+                        let _e90 = reads_7;
+                        return <Found>::new(FOUND_MISS, _e86, rt::Scalar(path_19.exit), _e23.x(), _e89, _e90);
+                    }
+                    let _e92 = cell_5;
+                    let _e93 = self.v_cell_next(_e2, _e92, _e15);
+                    cell_5 = _e93;
+                    let _e94 = t_11;
+                    t_11 = _e94.max(end_1);
+                }
+            }
+        }
+        let _e97 = t_11;
+        let _e99 = reads_7;
+        return <Found>::new(FOUND_EXHAUSTED, _e97, rt::Scalar(path_19.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e99);
+    }
+    pub fn search_linear(
+        &self,
+        path_20: Path,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_linear(path_20, rt::into(params_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_linear(
+        &self,
+        path_20: Path,
+        params_10: rt::Vec4<f32>,
+    ) -> Found {
+        let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_1: rt::Scalar<f32>;
+        let mut reads_8: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let cosine = (path_20.h.y().abs() * path_20.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_10.x() * params_10.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
+        let _e22 = self.v_path_gap(path_20, rt::Scalar(0f32));
+        near_gap_1 = _e22;
+        let _e26 = near_gap_1;
+        if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
+            let _e30 = near_gap_1;
+            let _e31 = near_gap_1;
+            let _e32 = reads_8;
+            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e30, _e31, _e32);
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e38 = k_4;
+                if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e41 = k_4;
+                    let t_13 = (rt::Scalar(path_20.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_20, t_13);
+                    let _e45 = reads_8;
+                    reads_8 = (_e45 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
+                        let _e51 = near_2;
+                        let _e52 = near_gap_1;
+                        let _e53 = reads_8;
+                        return <Found>::new(FOUND_BRACKET, _e51, t_13, _e52, _e44, _e53);
+                    }
+                    near_2 = t_13;
+                    near_gap_1 = _e44;
+                    let _e55 = k_4;
+                    k_4 = (_e55 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e59 = near_2;
+        let _e60 = near_2;
+        let _e61 = near_gap_1;
+        let _e62 = near_gap_1;
+        let _e63 = reads_8;
+        return <Found>::new(FOUND_MISS, _e59, _e60, _e61, _e62, _e63);
+    }
+    pub fn search_none(
+        &self,
+        path_21: Path,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_none(path_21, rt::into(params_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_none(
+        &self,
+        path_21: Path,
+        params_11: rt::Vec4<f32>,
+    ) -> Found {
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+    }
+    pub fn search_stage(&self, path_22: Path) -> Found {
+        rt::into(self.v_search_stage(path_22))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_stage(&self, path_22: Path) -> Found {
+        let _e1 = self.v_chosen_search();
+        match rt::Scalar::into_inner(_e1) {
+            0u32 => {
+                let _e4 = self.settings.search_params;
+                let _e5 = self.v_search_none(path_22, _e4);
+                return _e5;
+            }
+            1u32 => {
+                let _e8 = self.settings.search_params;
+                let _e9 = self.v_search_linear(path_22, _e8);
+                return _e9;
+            }
+            _ => {
+                let _e12 = self.settings.search_params;
+                let _e13 = self.v_search_cells(path_22, _e12);
+                return _e13;
+            }
+        }
+    }
+    pub fn whole_power(
+        &self,
+        base: impl rt::Into<rt::Scalar<f32>>,
+        exponent: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_whole_power(rt::into(base), rt::into(exponent)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_whole_power(
+        &self,
+        base: rt::Scalar<f32>,
+        exponent: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let mut result: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut square: rt::Scalar<f32>;
+        let mut rest: rt::Scalar<u32>;
+
+        square = base;
+        rest = exponent;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e6 = rest;
+                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e9 = rest;
+                    if rt::Scalar::into_branch_condition((_e9 % rt::Scalar(2u32)).elementwise_eq(rt::Scalar(1u32))) {
+                        let _e14 = result;
+                        let _e15 = square;
+                        result = (_e14 * _e15);
+                    }
+                    let _e17 = square;
+                    let _e18 = square;
+                    square = (_e17 * _e18);
+                    let _e20 = rest;
+                    rest = (_e20 / rt::Scalar(2u32));
+                }
+            }
+        }
+        let _e23 = result;
+        return _e23;
+    }
+    pub fn shade_blinn_phong(
+        &self,
+        position: impl rt::Into<rt::Vec3<f32>>,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        view: impl rt::Into<rt::Vec3<f32>>,
+        color: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_shade_blinn_phong(rt::into(position), rt::into(normal), rt::into(view), rt::into(color)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_blinn_phong(
+        &self,
+        position: rt::Vec3<f32>,
+        normal: rt::Vec3<f32>,
+        view: rt::Vec3<f32>,
+        color: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let mut light: rt::Vec3<f32>;
+        let mut k_5: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut toward: rt::Vec3<f32>;
+        let mut falloff: rt::Scalar<f32>;
+
+        let _e6 = self.settings.diffuse;
+        let diffuse = (_e6.xyz() * color);
+        let _e11 = self.settings.ambient;
+        light = (_e11.xyz() * diffuse);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e17 = k_5;
+                let _e20 = rt::Scalar(self.settings.light_count);
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(_e20)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e24 = k_5;
+                    let place = self.settings.lights[rt::Scalar::into_array_index(_e24)].place;
+                    let _e30 = k_5;
+                    let _e33 = self.settings.lights[rt::Scalar::into_array_index(_e30)].color;
+                    let strength = _e33.xyz();
+                    toward = place.xyz();
+                    falloff = rt::Scalar(1f32);
+                    if rt::Scalar::into_branch_condition(place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+                        toward = (place.xyz() - position);
+                        let _e44 = toward;
+                        let _e45 = toward;
+                        falloff = (rt::Scalar(1f32) / _e44.dot(_e45).max(rt::Scalar(0.000001f32)));
+                    }
+                    let _e51 = toward;
+                    toward = _e51.normalize();
+                    let _e53 = toward;
+                    let cosine_1 = normal.dot(_e53);
+                    if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
+                        let _e57 = toward;
+                        let lobe = normal.dot((_e57 + view).normalize()).max(rt::Scalar(0f32));
+                        let _e65 = self.settings.specular;
+                        let _e69 = rt::Scalar(self.settings.shininess);
+                        let _e70 = self.v_whole_power(lobe, _e69);
+                        let specular = (_e65.xyz() * _e70);
+                        let _e72 = light;
+                        let _e76 = falloff;
+                        light = (_e72 + ((((diffuse * cosine_1) + specular) * strength) * _e76));
+                    }
+                    let _e79 = k_5;
+                    k_5 = (_e79 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e82 = light;
+        return _e82;
+    }
+    pub fn shade_stage(
+        &self,
+        position_1: impl rt::Into<rt::Vec3<f32>>,
+        normal_1: impl rt::Into<rt::Vec3<f32>>,
+        view_1: impl rt::Into<rt::Vec3<f32>>,
+        color_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_shade_stage(rt::into(position_1), rt::into(normal_1), rt::into(view_1), rt::into(color_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_stage(
+        &self,
+        position_1: rt::Vec3<f32>,
+        normal_1: rt::Vec3<f32>,
+        view_1: rt::Vec3<f32>,
+        color_1: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = self.v_chosen_shade();
+        match rt::Scalar::into_inner(_e4) {
+            _ => {
+                let _e5 = self.v_shade_blinn_phong(position_1, normal_1, view_1, color_1);
+                return _e5;
+            }
+        }
+    }
+    pub fn shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_1, at_3, hit_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
+        let mut local_10: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_3.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_10 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
+        } else {
+            local_10 = rt::Scalar(true);
+        }
+        let _e13 = local_10;
+        if rt::Scalar::into_branch_condition(_e13) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
+        }
+        let _e41 = self.v_height_at(hit_1.uv);
+        let aside = (hit_1.uv - at_3.uv);
+        let _e57 = rt::Scalar(self.settings.bias_m);
+        let _e60 = rt::Scalar(self.settings.scale_m);
+        let position_2 = (((at_3.point + (at_3.tangent * aside.x())) + (at_3.bitangent * aside.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
+        let _e66 = self.v_mesostructure_normal(at_3, hit_1.uv);
+        let _e69 = self.settings.eye;
+        let view_2 = (_e69.xyz() - position_2).normalize();
+        let _e74 = self.v_color_or_white(hit_1.uv);
+        let _e75 = self.v_shade_stage(position_2, _e66, view_2, _e74);
+        let _e78 = self.settings.eye;
+        let _e83 = self.settings.forward;
+        let depth = (position_2 - _e78.xyz()).dot(_e83.xyz());
+        let _e87 = self.v_height_size();
+        let _e93 = self.v_cell_of(((hit_1.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_1.exhausted), hit_1.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_1.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_1.reads));
+    }
+    pub fn surface_plane(&self, pixel_2: PixelIn) -> Entered {
+        rt::into(self.v_surface_plane(pixel_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_plane(&self, pixel_2: PixelIn) -> Entered {
+        let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut local_11: rt::Scalar<bool>;
+        let mut enter: rt::Scalar<f32>;
+        let mut leave_2: rt::Scalar<f32>;
+        let mut interval_1: rt::Vec2<f32>;
+
+        let a_3 = pixel_2.a.position;
+        let e1_ = (pixel_2.b.position - a_3);
+        let e2_ = (pixel_2.c.position - a_3);
+        let n_4 = e1_.cross(e2_);
+        let nn = n_4.dot(n_4);
+        let toward_1 = n_4.dot(pixel_2.direction);
+        let distance = (n_4.dot((a_3 - pixel_2.origin)) / toward_1);
+        let point_6 = (pixel_2.origin + (pixel_2.direction * distance));
+        let from_a = (point_6 - a_3);
+        let wb = (from_a.cross(e2_).dot(n_4) / nn);
+        let wc = (e1_.cross(from_a).dot(n_4) / nn);
+        let wa = ((rt::Scalar(1f32) - wb) - wc);
+        let uv_8 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
+        let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
+        let bitangent = (((pixel_2.a.bitangent * wa) + (pixel_2.b.bitangent * wb)) + (pixel_2.c.bitangent * wc));
+        let normal_2 = ((((pixel_2.a.normal * wa) + (pixel_2.b.normal * wb)) + (pixel_2.c.normal * wc)).normalize() * rt::Scalar(pixel_2.side));
+        let along = pixel_2.direction.length();
+        let direction = (pixel_2.direction / rt::Vec3::splat_from_scalar(along));
+        let tt = tangent.dot(tangent);
+        let tb = tangent.dot(bitangent);
+        let bb = bitangent.dot(bitangent);
+        let td = tangent.dot(direction);
+        let bd = bitangent.dot(direction);
+        let area_1 = ((tt * bb) - (tb * tb));
+        let descent = (rt::Scalar(0f32) - normal_2.dot(direction));
+        if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
+            local_11 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
+        } else {
+            local_11 = rt::Scalar(true);
+        }
+        let _e106 = local_11;
+        if rt::Scalar::into_branch_condition(_e106) {
+            valid = rt::Scalar(0u32);
+        }
+        let duv = (<rt::Vec2<f32>>::from_scalars(((td * bb) - (bd * tb)), ((bd * tt) - (td * tb))) / rt::Vec2::splat_from_scalar(area_1));
+        let _e119 = rt::Scalar(self.settings.scale_m);
+        let scale = _e119.max(rt::Scalar(0.000000001f32));
+        let _e124 = rt::Scalar(self.settings.bias_m);
+        let base_height = ((rt::Scalar(0f32) - _e124) / scale);
+        let slope_1 = ((rt::Scalar(0f32) - descent) / scale);
+        let eye = ((rt::Scalar(0f32) - distance) * along);
+        let top_4 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
+        enter = top_4.max(eye);
+        leave_2 = ((base_height * scale) / descent);
+        let _e143 = leave_2;
+        let _e144 = leave_2;
+        leave_2 = (_e143 + ((_e144 - top_4) * rt::Scalar(0.000001f32)));
+        let _e151 = rt::Scalar(self.settings.wrap);
+        if rt::Scalar::into_branch_condition(_e151.elementwise_eq(WRAP_CLAMP)) {
+            let _e156 = enter;
+            let _e157 = leave_2;
+            let _e159 = self.v_inside_unit(uv_8.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e156, _e157));
+            interval_1 = _e159;
+            let _e163 = interval_1;
+            let _e164 = self.v_inside_unit(uv_8.y(), duv.y(), _e163);
+            interval_1 = _e164;
+            let _e166 = interval_1.x();
+            enter = _e166;
+            let _e168 = interval_1.y();
+            leave_2 = _e168;
+        }
+        let _e169 = leave_2;
+        let _e170 = enter;
+        if rt::Scalar::into_branch_condition((!_e169.elementwise_gt(_e170))) {
+            valid = rt::Scalar(0u32);
+        }
+        let _e174 = enter;
+        let _e177 = enter;
+        let entry_height = (base_height + (slope_1 * _e174)).select(rt::Scalar(1f32), _e177.elementwise_eq(top_4));
+        let _e181 = enter;
+        let _e186 = leave_2;
+        let _e187 = enter;
+        let _e189 = enter;
+        let _e194 = rt::Scalar(self.settings.scale_m);
+        let path_24 = <Path>::new((uv_8 + (duv * _e181)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_1, rt::Scalar(0f32)), (_e186 - _e187), (rt::Scalar(0f32) - _e189), <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e194));
+        let _e197 = valid;
+        return <Entered>::new(_e197, path_24, point_6, uv_8, tangent, bitangent, normal_2);
+    }
+    pub fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
+        rt::into(self.v_surface_stage(pixel_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_stage(&self, pixel_3: PixelIn) -> Entered {
+        let _e1 = self.v_chosen_surface();
+        match rt::Scalar::into_inner(_e1) {
+            _ => {
+                let _e2 = self.v_surface_plane(pixel_3);
+                return _e2;
+            }
+        }
+    }
+    pub fn trace(&self, path_23: Path) -> Hit {
+        rt::into(self.v_trace(path_23))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_trace(&self, path_23: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_23);
+        let _e2 = self.v_refine_stage(path_23, _e1);
+        return _e2;
+    }
+    pub fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_4))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {
+        let _e1 = self.v_surface_stage(pixel_4);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(0u32))) {
+            let _e6 = self.v_miss(rt::Scalar(0u32));
+            let _e7 = self.v_shade_hit(pixel_4, _e1, _e6);
+            return _e7;
+        }
+        let _e9 = self.v_trace(_e1.path);
+        let _e10 = self.v_shade_hit(pixel_4, _e1, _e9);
+        return _e10;
+    }
+}

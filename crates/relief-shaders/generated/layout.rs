@@ -1,0 +1,286 @@
+// Host-shared structs and their bytes on the GPU. Written by `cargo xtask link`; do not edit.
+
+use super::bytes::Shared;
+use super::generated::*;
+use super::runtime as rt;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Band {
+    pub first_row: u32,
+    pub rows: u32,
+}
+
+impl Shared for Band {
+    const SIZE: usize = 8;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.first_row.write(&mut bytes[0..]);
+        self.rows.write(&mut bytes[4..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            first_row: Shared::read(&bytes[0..]),
+            rows: Shared::read(&bytes[4..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Record {
+    pub color: rt::Vec4<f32>,
+    pub position: rt::Vec3<f32>,
+    pub depth: f32,
+    pub normal: rt::Vec3<f32>,
+    pub height: f32,
+    pub uv: rt::Vec2<f32>,
+    pub t: f32,
+    pub hit: u32,
+    pub cell: rt::Vec2<i32>,
+    pub reads: u32,
+    pub exhausted: u32,
+}
+
+impl Shared for Record {
+    const SIZE: usize = 80;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.color.write(&mut bytes[0..]);
+        self.position.write(&mut bytes[16..]);
+        self.depth.write(&mut bytes[28..]);
+        self.normal.write(&mut bytes[32..]);
+        self.height.write(&mut bytes[44..]);
+        self.uv.write(&mut bytes[48..]);
+        self.t.write(&mut bytes[56..]);
+        self.hit.write(&mut bytes[60..]);
+        self.cell.write(&mut bytes[64..]);
+        self.reads.write(&mut bytes[72..]);
+        self.exhausted.write(&mut bytes[76..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            color: Shared::read(&bytes[0..]),
+            position: Shared::read(&bytes[16..]),
+            depth: Shared::read(&bytes[28..]),
+            normal: Shared::read(&bytes[32..]),
+            height: Shared::read(&bytes[44..]),
+            uv: Shared::read(&bytes[48..]),
+            t: Shared::read(&bytes[56..]),
+            hit: Shared::read(&bytes[60..]),
+            cell: Shared::read(&bytes[64..]),
+            reads: Shared::read(&bytes[72..]),
+            exhausted: Shared::read(&bytes[76..]),
+        }
+    }
+}
+
+impl Shared for Light {
+    const SIZE: usize = 32;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.place.write(&mut bytes[0..]);
+        self.color.write(&mut bytes[16..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            place: Shared::read(&bytes[0..]),
+            color: Shared::read(&bytes[16..]),
+        }
+    }
+}
+
+impl Shared for Settings {
+    const SIZE: usize = 496;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.search_params.write(&mut bytes[0..]);
+        self.refine_params.write(&mut bytes[16..]);
+        self.eye.write(&mut bytes[32..]);
+        self.forward.write(&mut bytes[48..]);
+        self.corner.write(&mut bytes[64..]);
+        self.right.write(&mut bytes[80..]);
+        self.down.write(&mut bytes[96..]);
+        self.ambient.write(&mut bytes[112..]);
+        self.diffuse.write(&mut bytes[128..]);
+        self.specular.write(&mut bytes[144..]);
+        self.lights.write(&mut bytes[160..]);
+        self.height_size.write(&mut bytes[416..]);
+        self.color_size.write(&mut bytes[424..]);
+        self.normal_size.write(&mut bytes[432..]);
+        self.wrap.write(&mut bytes[440..]);
+        self.surface.write(&mut bytes[444..]);
+        self.search.write(&mut bytes[448..]);
+        self.refine.write(&mut bytes[452..]);
+        self.shade.write(&mut bytes[456..]);
+        self.light_count.write(&mut bytes[460..]);
+        self.shininess.write(&mut bytes[464..]);
+        self.has_color.write(&mut bytes[468..]);
+        self.has_normal.write(&mut bytes[472..]);
+        self.scale_m.write(&mut bytes[476..]);
+        self.bias_m.write(&mut bytes[480..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            search_params: Shared::read(&bytes[0..]),
+            refine_params: Shared::read(&bytes[16..]),
+            eye: Shared::read(&bytes[32..]),
+            forward: Shared::read(&bytes[48..]),
+            corner: Shared::read(&bytes[64..]),
+            right: Shared::read(&bytes[80..]),
+            down: Shared::read(&bytes[96..]),
+            ambient: Shared::read(&bytes[112..]),
+            diffuse: Shared::read(&bytes[128..]),
+            specular: Shared::read(&bytes[144..]),
+            lights: Shared::read(&bytes[160..]),
+            height_size: Shared::read(&bytes[416..]),
+            color_size: Shared::read(&bytes[424..]),
+            normal_size: Shared::read(&bytes[432..]),
+            wrap: Shared::read(&bytes[440..]),
+            surface: Shared::read(&bytes[444..]),
+            search: Shared::read(&bytes[448..]),
+            refine: Shared::read(&bytes[452..]),
+            shade: Shared::read(&bytes[456..]),
+            light_count: Shared::read(&bytes[460..]),
+            shininess: Shared::read(&bytes[464..]),
+            has_color: Shared::read(&bytes[468..]),
+            has_normal: Shared::read(&bytes[472..]),
+            scale_m: Shared::read(&bytes[476..]),
+            bias_m: Shared::read(&bytes[480..]),
+        }
+    }
+}
+
+impl Shared for Corner {
+    const SIZE: usize = 80;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.position.write(&mut bytes[0..]);
+        self.normal.write(&mut bytes[16..]);
+        self.tangent.write(&mut bytes[32..]);
+        self.bitangent.write(&mut bytes[48..]);
+        self.uv.write(&mut bytes[64..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            position: Shared::read(&bytes[0..]),
+            normal: Shared::read(&bytes[16..]),
+            tangent: Shared::read(&bytes[32..]),
+            bitangent: Shared::read(&bytes[48..]),
+            uv: Shared::read(&bytes[64..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    pub a: Corner,
+    pub b: Corner,
+    pub c: Corner,
+}
+
+impl Shared for Triangle {
+    const SIZE: usize = 240;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.a.write(&mut bytes[0..]);
+        self.b.write(&mut bytes[80..]);
+        self.c.write(&mut bytes[160..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            a: Shared::read(&bytes[0..]),
+            b: Shared::read(&bytes[80..]),
+            c: Shared::read(&bytes[160..]),
+        }
+    }
+}
+
+impl Shared for PixelIn {
+    const SIZE: usize = 272;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.origin.write(&mut bytes[0..]);
+        self.direction.write(&mut bytes[16..]);
+        self.side.write(&mut bytes[28..]);
+        self.a.write(&mut bytes[32..]);
+        self.b.write(&mut bytes[112..]);
+        self.c.write(&mut bytes[192..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            origin: Shared::read(&bytes[0..]),
+            direction: Shared::read(&bytes[16..]),
+            side: Shared::read(&bytes[28..]),
+            a: Shared::read(&bytes[32..]),
+            b: Shared::read(&bytes[112..]),
+            c: Shared::read(&bytes[192..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    pub valid: u32,
+    pub entry: rt::Vec2<f32>,
+    pub duv: rt::Vec2<f32>,
+    pub exit: f32,
+    pub base: f32,
+    pub slope: f32,
+    pub status: u32,
+    pub near: f32,
+    pub far: f32,
+    pub found: u32,
+    pub exhausted: u32,
+    pub uv: rt::Vec2<f32>,
+    pub height: f32,
+    pub t: f32,
+    pub reads: u32,
+}
+
+impl Shared for Probe {
+    const SIZE: usize = 80;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.valid.write(&mut bytes[0..]);
+        self.entry.write(&mut bytes[8..]);
+        self.duv.write(&mut bytes[16..]);
+        self.exit.write(&mut bytes[24..]);
+        self.base.write(&mut bytes[28..]);
+        self.slope.write(&mut bytes[32..]);
+        self.status.write(&mut bytes[36..]);
+        self.near.write(&mut bytes[40..]);
+        self.far.write(&mut bytes[44..]);
+        self.found.write(&mut bytes[48..]);
+        self.exhausted.write(&mut bytes[52..]);
+        self.uv.write(&mut bytes[56..]);
+        self.height.write(&mut bytes[64..]);
+        self.t.write(&mut bytes[68..]);
+        self.reads.write(&mut bytes[72..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            valid: Shared::read(&bytes[0..]),
+            entry: Shared::read(&bytes[8..]),
+            duv: Shared::read(&bytes[16..]),
+            exit: Shared::read(&bytes[24..]),
+            base: Shared::read(&bytes[28..]),
+            slope: Shared::read(&bytes[32..]),
+            status: Shared::read(&bytes[36..]),
+            near: Shared::read(&bytes[40..]),
+            far: Shared::read(&bytes[44..]),
+            found: Shared::read(&bytes[48..]),
+            exhausted: Shared::read(&bytes[52..]),
+            uv: Shared::read(&bytes[56..]),
+            height: Shared::read(&bytes[64..]),
+            t: Shared::read(&bytes[68..]),
+            reads: Shared::read(&bytes[72..]),
+        }
+    }
+}

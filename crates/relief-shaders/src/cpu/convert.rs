@@ -1,0 +1,143 @@
+//! Between the shaders' structs and the core's.
+
+use relief::{FoundState, HeightMap, PathMetric};
+
+use super::runtime::Vec4;
+use super::{ColorTexture, Found, HeightTexture, Hit, Light, Path, Resources, Settings};
+use crate::{MAX_LIGHTS, Selection};
+
+impl From<&Path> for relief::Path {
+    /// The same path, in `f64`.
+    fn from(path: &Path) -> Self {
+        let [uu, uv, vv, scale_m] =
+            [path.metric.x, path.metric.y, path.metric.z, path.metric.w].map(f64::from);
+        Self {
+            uv: [path.uv.x.into(), path.uv.y.into()],
+            duv: [path.duv.x.into(), path.duv.y.into()],
+            h: [path.h.x.into(), path.h.y.into(), path.h.z.into()],
+            exit: path.exit.into(),
+            base: path.base.into(),
+            metric: PathMetric { uu, uv, vv, scale_m },
+        }
+    }
+}
+
+impl From<&relief::Path> for Path {
+    /// The path rounded to `f32`.
+    fn from(path: &relief::Path) -> Self {
+        let metric = &path.metric;
+        Self::new(
+            path.uv.map(|x| x as f32),
+            path.duv.map(|x| x as f32),
+            path.h.map(|x| x as f32),
+            path.exit as f32,
+            path.base as f32,
+            [metric.uu, metric.uv, metric.vv, metric.scale_m].map(|x| x as f32),
+        )
+    }
+}
+
+impl From<&Hit> for relief::Hit {
+    fn from(hit: &Hit) -> Self {
+        Self {
+            found: hit.found == 1,
+            exhausted: hit.exhausted == 1,
+            uv: [hit.uv.x.into(), hit.uv.y.into()],
+            height: hit.height.into(),
+            t: hit.t.into(),
+            reads: hit.reads,
+        }
+    }
+}
+
+impl From<&relief::Hit> for Hit {
+    fn from(hit: &relief::Hit) -> Self {
+        Self::new(
+            u32::from(hit.found),
+            u32::from(hit.exhausted),
+            hit.uv.map(|x| x as f32),
+            hit.height as f32,
+            hit.t as f32,
+            hit.reads,
+        )
+    }
+}
+
+impl From<&Found> for relief::Found {
+    /// An unknown state, which no search returns, reads as [`FoundState::Miss`].
+    fn from(found: &Found) -> Self {
+        let states = [
+            FoundState::Miss,
+            FoundState::Above,
+            FoundState::Below,
+            FoundState::Bracket,
+            FoundState::Exhausted,
+            FoundState::StartedBelow,
+            FoundState::Unbracketed,
+        ];
+        Self {
+            state: states.get(found.status as usize).copied().unwrap_or(FoundState::Miss),
+            near: found.near,
+            far: found.far,
+            near_gap: found.near_gap,
+            far_gap: found.far_gap,
+            reads: found.reads,
+        }
+    }
+}
+
+impl Settings {
+    /// Settings for tracing a map with the stages chosen: no camera, no light, no maps but heights.
+    pub fn tracing(map: &HeightMap, selection: &Selection) -> Self {
+        const NO_LIGHT: Light = Light {
+            place: Vec4 { x: 0.0, y: 0.0, z: 0.0, w: 0.0 },
+            color: Vec4 { x: 0.0, y: 0.0, z: 0.0, w: 0.0 },
+        };
+        let nowhere = [0.0; 4];
+        Self::new(
+            selection.search_params,
+            selection.refine_params,
+            nowhere,
+            nowhere,
+            nowhere,
+            nowhere,
+            nowhere,
+            nowhere,
+            nowhere,
+            nowhere,
+            [NO_LIGHT; MAX_LIGHTS],
+            [map.width(), map.height()],
+            [1u32, 1],
+            [1u32, 1],
+            map.wrap() as u32,
+            selection.surface.id,
+            selection.search.id,
+            selection.refine.id,
+            selection.shade.id,
+            0u32,
+            1u32,
+            0u32,
+            0u32,
+            map.scale_m() as f32,
+            map.bias_m() as f32,
+        )
+    }
+}
+
+impl<'a> Resources<'a> {
+    /// What the stages are called on to trace a map: see [`Settings::tracing`].
+    pub fn tracing(map: &'a HeightMap, selection: &Selection) -> Self {
+        const BLANK: &[[f32; 4]] = &[[0.0; 4]];
+        Self {
+            color_map: ColorTexture::new(1, BLANK),
+            height_map: HeightTexture::new(map.width(), map.texels()),
+            normal_map: ColorTexture::new(1, BLANK),
+            settings: Settings::tracing(map, selection),
+        }
+    }
+
+    /// Search and refinement of one path.
+    pub fn first_hit(&self, path: &relief::Path) -> relief::Hit {
+        relief::Hit::from(&self.trace(Path::from(path)))
+    }
+}

@@ -1,0 +1,78 @@
+//! Per-pixel displacement mapping as shaders: four stages, each written once in WESL, linked to plain WGSL for GPUs and
+//! translated to Rust for CPUs.
+//!
+//! * [`surface`], [`search`], [`refine`] and [`shade`] list the stages' variants, one file each beside its shader.
+//! * [`METHODS`] names pairs of search and refinement.
+//! * [`wgsl`] holds the linked shaders as text for any engine.
+//! * `cpu` (with the feature of that name) is the same shaders as Rust.
+
+#[cfg(feature = "cpu")]
+pub mod cpu;
+mod methods;
+pub mod refine;
+pub mod search;
+mod selection;
+pub mod shade;
+pub mod surface;
+pub mod wgsl;
+
+pub use methods::{METHODS, Method, method};
+pub use selection::{Selection, SelectionError};
+
+/// The most lights of a picture: the length of the shaders' array of lights.
+pub const MAX_LIGHTS: usize = 8;
+
+/// The survey that classifies every per-pixel method by its search and its refinement.
+const SURVEY: &str = "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU - State of the Art";
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    use relief::registry::{Entry, MAX_PARAMS};
+
+    use super::*;
+
+    const STAGES: [(&str, &[Entry]); 4] = [
+        ("surface", surface::ENTRIES),
+        ("search", search::ENTRIES),
+        ("refine", refine::ENTRIES),
+        ("shade", shade::ENTRIES),
+    ];
+
+    fn stems(stage: &str, extension: &str) -> BTreeSet<String> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(stage);
+        std::fs::read_dir(folder)
+            .expect("the stage's folder")
+            .map(|file| file.expect("a readable folder").path())
+            .filter(|path| path.extension().is_some_and(|found| found == extension))
+            .map(|path| path.file_stem().expect("a file has a name").to_string_lossy().into_owned())
+            .filter(|stem| stem != "mod")
+            .collect()
+    }
+
+    #[test]
+    fn every_file_is_listed_and_every_entry_has_its_files() {
+        for (stage, entries) in STAGES {
+            let listed: BTreeSet<String> = entries.iter().map(|entry| entry.name.replace('-', "_")).collect();
+            assert_eq!(listed.len(), entries.len(), "{stage}: a name stands twice");
+            assert_eq!(stems(stage, "rs"), listed, "{stage}: Rust files and list differ");
+            assert_eq!(stems(stage, "wesl"), listed, "{stage}: shader files and list differ");
+        }
+    }
+
+    #[test]
+    fn numbers_are_places_and_defaults_are_in_range() {
+        for (stage, entries) in STAGES {
+            for (place, entry) in entries.iter().enumerate() {
+                assert_eq!(entry.id as usize, place, "{stage} {}", entry.name);
+                assert!(entry.params.len() <= MAX_PARAMS, "{stage} {}", entry.name);
+                for param in entry.params {
+                    assert!(param.min <= param.default && param.default <= param.max, "{}", param.name);
+                    assert!(!param.integer || param.default.fract() == 0.0, "{}", param.name);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Methods by name: a search, a refinement and the settings under which they were published.
+
+use relief::registry::{Source, UnknownName};
+
+use crate::SURVEY;
+
+/// A published pair of search and refinement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Method {
+    /// The name on the command line and in scenes.
+    pub name: &'static str,
+    /// What the literature calls it.
+    pub summary: &'static str,
+    /// Name of the search.
+    pub search: &'static str,
+    /// Name of the refinement.
+    pub refine: &'static str,
+    /// Settings that differ from the entries' defaults, such as `("search.grazing", 4.0)`.
+    pub settings: &'static [(&'static str, f32)],
+    /// Where it was published.
+    pub source: Source,
+}
+
+/// The settings of a method that has none of its own.
+const DEFAULTS: &[(&str, f32)] = &[];
+
+const fn survey(
+    name: &'static str,
+    search: &'static str,
+    refine: &'static str,
+    settings: &'static [(&'static str, f32)],
+    section: &'static str,
+    summary: &'static str,
+) -> Method {
+    Method { name, summary, search, refine, settings, source: Source { paper: SURVEY, section } }
+}
+
+/// All methods.
+pub const METHODS: &[Method] = &[
+    survey("bump", "none", "none", DEFAULTS, "4.1.1", "bump mapping: normals alone"),
+    survey("parallax", "none", "offset", DEFAULTS, "4.1.2", "parallax mapping"),
+    survey(
+        "parallax-limited",
+        "none",
+        "offset-limited",
+        DEFAULTS,
+        "4.1.3",
+        "parallax mapping with offset limiting",
+    ),
+    survey(
+        "parallax-slope",
+        "none",
+        "slope",
+        DEFAULTS,
+        "4.1.4",
+        "parallax mapping taking into account the slope",
+    ),
+    survey("parallax-iterative", "none", "slope-iterative", DEFAULTS, "4.2.1", "iterative parallax mapping"),
+    survey("binary-search", "none", "binary", DEFAULTS, "4.2.2", "binary search over the whole path"),
+    survey(
+        "secant-search",
+        "none",
+        "secant",
+        &[("refine.steps", 8.0)],
+        "4.2.3",
+        "false position over the whole path",
+    ),
+    survey("steep", "linear", "none", DEFAULTS, "4.3.1", "steep parallax mapping: linear search alone"),
+    survey("relief", "linear", "binary", DEFAULTS, "4.4.1", "relief mapping: linear, then binary search"),
+    survey(
+        "occlusion",
+        "linear",
+        "secant",
+        DEFAULTS,
+        "4.4.2",
+        "parallax occlusion mapping: linear search, then secant",
+    ),
+    survey("exact", "cells", "patch", DEFAULTS, "4.3.1", "the first hit with the bilinear surface"),
+];
+
+/// The method of that name.
+///
+/// # Errors
+///
+/// When no method has that name; the error names the nearest.
+pub fn method(name: &str) -> Result<&'static Method, UnknownName> {
+    METHODS
+        .iter()
+        .find(|method| method.name == name)
+        .ok_or_else(|| UnknownName::new("method", name, METHODS.iter().map(|method| method.name)))
+}

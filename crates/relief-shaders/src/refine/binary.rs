@@ -1,0 +1,23 @@
+//! Registry entry of the refinement `binary`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+
+/// The interval is halved.
+pub const ENTRY: Entry = Entry {
+    id: 5,
+    name: "binary",
+    summary: "the interval is halved",
+    source: Source { paper: super::SURVEY, section: "4.2.2" },
+    maps: &[],
+    params: &[Param {
+        name: "steps",
+        summary: "halvings",
+        unit: "",
+        min: 1.0,
+        max: 64.0,
+        default: 8.0,
+        integer: true,
+    }],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    argument: "Converges to a crossing in the interval, which is the first when the interval holds one.",
+};

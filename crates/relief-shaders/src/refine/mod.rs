@@ -1,0 +1,28 @@
+//! Refinements: what converges inside a search's bracket. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
+
+use relief::registry::Entry;
+
+use crate::SURVEY;
+
+mod binary;
+mod none;
+mod offset;
+mod offset_limited;
+mod patch;
+mod secant;
+mod slope;
+mod slope_iterative;
+mod true_secant;
+
+/// All of them; the place of each is its number in the shaders.
+pub const ENTRIES: &[Entry] = &[
+    none::ENTRY,
+    offset::ENTRY,
+    offset_limited::ENTRY,
+    slope::ENTRY,
+    slope_iterative::ENTRY,
+    binary::ENTRY,
+    secant::ENTRY,
+    true_secant::ENTRY,
+    patch::ENTRY,
+];

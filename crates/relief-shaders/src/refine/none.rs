@@ -1,0 +1,15 @@
+//! Registry entry of the refinement `none`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Source};
+
+/// What the search found: the processed point, or the first sample below.
+pub const ENTRY: Entry = Entry {
+    id: 0,
+    name: "none",
+    summary: "what the search found: the processed point, or the first sample below",
+    source: Source { paper: super::SURVEY, section: "4.1.1" },
+    maps: &[],
+    params: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    argument: "It adds nothing to what the search knows.",
+};

@@ -1,0 +1,25 @@
+//! Registry entry of the refinement `patch`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+
+/// Ray against bilinear patch in closed form, cell by cell.
+pub const ENTRY: Entry = Entry {
+    id: 8,
+    name: "patch",
+    summary: "ray against bilinear patch in closed form, cell by cell",
+    source: Source { paper: super::SURVEY, section: "4.3.1" },
+    maps: &[],
+    params: &[Param {
+        name: "limit",
+        summary: "most cells visited before the refinement gives up",
+        unit: "cells",
+        min: 1.0,
+        max: 16_777_216.0,
+        default: 1_048_576.0,
+        integer: true,
+    }],
+    guarantee: Guarantees::all(Guarantee::Exact),
+    argument: "Each cell's gap is a quadratic solved in closed form with the stable formula; cells are visited \
+        in order, so the first root is the first crossing of the interval. In f32 a root is known to \
+        the gap's rounding over its slope.",
+};

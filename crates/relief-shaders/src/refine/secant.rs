@@ -1,0 +1,23 @@
+//! Registry entry of the refinement `secant`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+
+/// False position: the surface between the two ends is a plane.
+pub const ENTRY: Entry = Entry {
+    id: 6,
+    name: "secant",
+    summary: "false position: the surface between the two ends is a plane",
+    source: Source { paper: super::SURVEY, section: "4.2.3" },
+    maps: &[],
+    params: &[Param {
+        name: "steps",
+        summary: "steps; the last needs no read",
+        unit: "",
+        min: 1.0,
+        max: 64.0,
+        default: 2.0,
+        integer: true,
+    }],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    argument: "Keeps a crossing enclosed; exact after one step where the gap is linear.",
+};

@@ -1,0 +1,23 @@
+//! Registry entry of the refinement `slope`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+
+/// The tangent plane at the starting point.
+pub const ENTRY: Entry = Entry {
+    id: 3,
+    name: "slope",
+    summary: "the tangent plane at the starting point",
+    source: Source { paper: super::SURVEY, section: "4.1.4" },
+    maps: &[],
+    params: &[Param {
+        name: "divide",
+        summary: "1 divides by N·V (ray against plane), 0 is the safer form without",
+        unit: "",
+        min: 0.0,
+        max: 1.0,
+        default: 0.0,
+        integer: true,
+    }],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    argument: "Exact where the map is a plane and `divide` is 1.",
+};

@@ -1,0 +1,34 @@
+//! Registry entry of the refinement `slope-iterative`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+
+/// Iterative parallax mapping: the slope correction, repeated.
+pub const ENTRY: Entry = Entry {
+    id: 4,
+    name: "slope-iterative",
+    summary: "iterative parallax mapping: the slope correction, repeated",
+    source: Source { paper: super::SURVEY, section: "4.2.1" },
+    maps: &[],
+    params: &[
+        Param {
+            name: "steps",
+            summary: "corrections",
+            unit: "",
+            min: 1.0,
+            max: 64.0,
+            default: 4.0,
+            integer: true,
+        },
+        Param {
+            name: "divide",
+            summary: "1 divides by N·V (Newton's method), 0 is the safer form without",
+            unit: "",
+            min: 0.0,
+            max: 1.0,
+            default: 0.0,
+            integer: true,
+        },
+    ],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    argument: "Convergence is not guaranteed, nor is the first crossing.",
+};

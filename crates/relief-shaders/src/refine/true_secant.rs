@@ -1,0 +1,24 @@
+//! Registry entry of the refinement `true-secant`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+
+/// The secant method proper: the last two guesses.
+pub const ENTRY: Entry = Entry {
+    id: 7,
+    name: "true-secant",
+    summary: "the secant method proper: the last two guesses",
+    source: Source { paper: super::SURVEY, section: "4.2.3" },
+    maps: &[],
+    params: &[Param {
+        name: "steps",
+        summary: "steps; the last needs no read",
+        unit: "",
+        min: 1.0,
+        max: 64.0,
+        default: 3.0,
+        integer: true,
+    }],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    argument: "Converges faster than false position near a simple crossing and may leave the bracket; guesses \
+        are kept in the search's interval.",
+};

@@ -1,0 +1,25 @@
+//! Registry entry of the search `cells`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+
+/// Every dual cell along the path, in order.
+pub const ENTRY: Entry = Entry {
+    id: 2,
+    name: "cells",
+    summary: "every dual cell along the path, in order",
+    source: Source { paper: super::SURVEY, section: "4.3.1" },
+    maps: &[],
+    params: &[Param {
+        name: "limit",
+        summary: "most cells visited before the search gives up",
+        unit: "cells",
+        min: 1.0,
+        max: 16_777_216.0,
+        default: 1_048_576.0,
+        integer: true,
+    }],
+    guarantee: Guarantees::all(Guarantee::Exact),
+    argument: "Every cell on the path is visited and the gap, a quadratic there, is bounded below in closed \
+        form, so the first cell that holds a crossing ends the walk. In f32 the gap of a cell is known \
+        to 8 ulp of its terms: rays that clear the surface by less may be judged either way.",
+};

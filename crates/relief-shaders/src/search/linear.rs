@@ -1,0 +1,35 @@
+//! Registry entry of the search `linear`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+
+/// Equal steps until one is below the surface.
+pub const ENTRY: Entry = Entry {
+    id: 1,
+    name: "linear",
+    summary: "equal steps until one is below the surface",
+    source: Source { paper: super::SURVEY, section: "4.3.1" },
+    maps: &[],
+    params: &[
+        Param {
+            name: "steps",
+            summary: "steps for a ray along the normal",
+            unit: "",
+            min: 1.0,
+            max: 4096.0,
+            default: 32.0,
+            integer: true,
+        },
+        Param {
+            name: "grazing",
+            summary: "times as many steps for a grazing ray",
+            unit: "",
+            min: 1.0,
+            max: 64.0,
+            default: 1.0,
+            integer: false,
+        },
+    ],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    argument: "A bracket encloses a crossing, since the gap is read at both ends; a bump thinner than a step \
+        is passed over.",
+};

@@ -1,0 +1,15 @@
+//! Registry entry of the search `none`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Source};
+
+/// Nothing is searched: entry and exit.
+pub const ENTRY: Entry = Entry {
+    id: 0,
+    name: "none",
+    summary: "nothing is searched: entry and exit",
+    source: Source { paper: super::SURVEY, section: "4.1" },
+    maps: &[],
+    params: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    argument: "It claims nothing: both ends are returned unbracketed.",
+};

@@ -1,0 +1,10 @@
+//! Shadings: what light makes of a hit. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
+
+use relief::registry::Entry;
+
+use crate::SURVEY;
+
+mod blinn_phong;
+
+/// All of them; the place of each is its number in the shaders.
+pub const ENTRIES: &[Entry] = &[blinn_phong::ENTRY];

@@ -1,0 +1,10 @@
+//! Surfaces: what turns a fragment into path segments. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
+
+use relief::registry::Entry;
+
+use crate::SURVEY;
+
+mod plane;
+
+/// All of them; the place of each is its number in the shaders.
+pub const ENTRIES: &[Entry] = &[plane::ENTRY];

@@ -1,0 +1,17 @@
+//! Registry entry of the flat base surface.
+
+use relief::registry::{Entry, Guarantee, Guarantees, Source};
+
+/// The flat base surface.
+pub const ENTRY: Entry = Entry {
+    id: 0,
+    name: "plane",
+    summary: "the polygon itself, with its frame interpolated: one straight segment a ray",
+    source: Source { paper: super::SURVEY, section: "4" },
+    maps: &[],
+    params: &[],
+    guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Impossible, shadow: Guarantee::Exact },
+    argument: "A straight ray stays straight in texture space when the frame is constant along it, which holds on flat \
+        polygons and is the approximation made on curved meshes. The entry lies at height 1 to a rounding of f32, the \
+        exit a millionth of the relief below height 0, so that rounding cannot end a path above a floor.",
+};

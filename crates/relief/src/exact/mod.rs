@@ -1,0 +1,87 @@
+//! The exact first hit: the judge of every method.
+//!
+//! Along a [`Path`] the gap `g(t) = H(t) - f(u(t), v(t))` is the height of the path above the bilinear surface. All
+//! tracers here answer the same question: the least `t` in `[0, exit]` with `g(t) <= 0`. A path that begins on or below
+//! the surface therefore hits at `t = 0`.
+//!
+//! | tracer | how it finds the cells | how it solves a cell | meant for |
+//! | --- | --- | --- | --- |
+//! | [`cell_walk`] | visits every dual cell in order (2-D DDA) | closed form | the truth |
+//! | [`PyramidTracer`] | halves the path, bounded by a [`MaxPyramid`](crate::MaxPyramid) | Bernstein isolation, then bracketing | judging the truth |
+//! | [`FastTracer`] | 16-wide pyramid, conservative `f32` | closed form, `f64` | rendering |
+//!
+//! The first two share no code. All three accept every path:
+//!
+//! * `exit` may be infinite. A path that comes below the map ends there with a hit, one that rises above the map for
+//!   good ends there with a miss. One that does neither is given up, [`exhausted`](Hit::exhausted), once it has moved
+//!   [`MAX_TRAVEL`] cells.
+//! * A path with another number that is not finite, with an `exit` below 0, or that begins [`MAX_START`] or more cells
+//!   away from the origin of the texture, is a miss.
+//! * Under [`Wrap::Clamp`](crate::Wrap::Clamp) the surface goes on outside of the footprint, level along the axis on which
+//!   it is left; the tracers do not end a path there.
+
+mod cell_walk;
+mod fast;
+mod patch;
+mod pyramid_tracer;
+
+use crate::{HeightMap, Hit, Path};
+
+pub use cell_walk::{cell_walk, least_gap};
+pub use fast::FastTracer;
+pub use pyramid_tracer::PyramidTracer;
+
+/// How far, in cells along the longer axis, an endless path is followed before it is given up. Larger values only keep
+/// level paths over valleys that never end busy for longer.
+pub const MAX_TRAVEL: f64 = (1u32 << 24) as f64;
+
+/// How far from the origin of the texture, in cells, a path may begin. There `f64` still resolves 2⁻¹² of a cell.
+pub const MAX_START: f64 = (1u64 << 40) as f64;
+
+/// An exact tracer's answer, with what is needed to judge another's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExactHit {
+    /// The hit. Its height is the surface's; that is the path's too, except where the path begins below the surface.
+    pub hit: Hit,
+    /// The dual cell that was hit, unwrapped. A hit on an edge or a vertex names one of the cells there. 0 for a miss.
+    pub cell: [i64; 2],
+    /// `g'(t)` at the hit: how fast the gap closes, in heights per unit of `t`. An error `e` of a height moves the hit
+    /// by `e / |slope|`. 0 for a miss.
+    pub slope: f64,
+    /// For a hit the gap there: 0, or negative where the path begins below the surface. For a miss a lower bound of the
+    /// least gap along the path, never negative, in heights: how far the path is from touching. [`cell_walk`] knows it
+    /// exactly when it is below 1 and the path was not given up; [`FastTracer`] does not look and says 0.
+    pub clearance: f64,
+}
+
+impl ExactHit {
+    /// No hit, after that many reads, at least `clearance` above the surface.
+    pub const fn miss(reads: u32, clearance: f64) -> Self {
+        Self { hit: Hit::miss(reads), cell: [0; 2], slope: 0.0, clearance }
+    }
+
+    /// A hit at `t` in a cell: `gap` is the path's height above the surface there, `slope` its derivative.
+    fn at(path: &Path, t: f64, cell: [i64; 2], gap: f64, slope: f64, reads: u32) -> Self {
+        let [u, v, h] = path.at(t);
+        let height = (h - gap).clamp(0.0, 1.0);
+        let hit = Hit { found: true, exhausted: false, uv: [u, v], height, t, reads };
+        Self { hit, cell, slope, clearance: gap }
+    }
+
+    /// A path given up at `t`: the last point reached, which is above the surface.
+    fn given_up(map: &HeightMap, path: &Path, t: f64, reads: u32) -> Self {
+        let [u, v, h] = path.at(t);
+        let height = map.height_at(u, v);
+        let hit = Hit { found: true, exhausted: true, uv: [u, v], height, t, reads };
+        Self { hit, cell: [0; 2], slope: 0.0, clearance: h - height }
+    }
+}
+
+/// Whether a path can be traced through a map of that size: see the module's text.
+fn is_traceable(size: [u32; 2], path: &Path) -> bool {
+    let [w, h] = size.map(f64::from);
+    let near = (path.uv[0] * w).abs() < MAX_START && (path.uv[1] * h).abs() < MAX_START;
+    let finite =
+        [path.duv[0] * w, path.duv[1] * h, path.h[0], path.h[1], path.h[2]].iter().all(|x| x.is_finite());
+    near && finite && path.exit >= 0.0
+}

@@ -1,0 +1,325 @@
+//! The height map: the one input that everything else is derived from.
+
+use crate::Wrap;
+
+/// The longest side of a height map, in texels. Cell numbers up to here are exact in the shaders' `f32`.
+pub const MAX_SIDE: u32 = 1 << 20;
+
+/// The most texels of a height map (4 GiB of `f32`).
+pub const MAX_TEXELS: u64 = 1 << 30;
+
+/// A rectangular map of heights and the surface that it stands for.
+///
+/// * Texels are `f32` in `[0, 1]`, row 0 on top, 1 is highest. Texel `(i, j)` has its centre at texture coordinates
+///   `((i + ½) / W, (j + ½) / H)`; `(0, 0)` is the top-left corner, `u` grows to the right and `v` downward.
+/// * Between texel centres the surface is *bilinear*. That surface is the truth that all error is measured against. It
+///   consists of *dual cells*: cell `(i, j)` is the square between the centres of the texels `(i, j)` and
+///   `(i + 1, j + 1)`, so that a point lies in the cell `floor(u W - ½), floor(v H - ½)`.
+/// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres (Szirmay-Kalos and
+///   Umenhoffer 2008, eq. 8).
+/// * [`Wrap`] says how the map goes on beyond its edges.
+/// * `texel_size_m` and `physical_range` are metadata: slopes are set by the tangent frame alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeightMap {
+    width: u32,
+    height: u32,
+    texels: Vec<f32>,
+    wrap: Wrap,
+    scale_m: f64,
+    bias_m: f64,
+    texel_size_m: Option<[f64; 2]>,
+    physical_range: Option<[f64; 2]>,
+}
+
+/// Why texels are no height map.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum HeightMapError {
+    /// A side is zero.
+    #[error("a height map needs at least one texel, this one is {width}x{height}")]
+    Empty {
+        /// Width in texels.
+        width: u32,
+        /// Height in texels.
+        height: u32,
+    },
+    /// A side or the number of texels is above what the project works with.
+    #[error(
+        "a height map of {width}x{height} is too large: at most {MAX_SIDE} texels a side and {MAX_TEXELS} in all"
+    )]
+    TooLarge {
+        /// Width in texels.
+        width: u32,
+        /// Height in texels.
+        height: u32,
+    },
+    /// The number of texels given is not width times height.
+    #[error("a height map of {width}x{height} needs {} texels, {given} were given", u64::from(*width) * u64::from(*height))]
+    WrongLength {
+        /// Width in texels.
+        width: u32,
+        /// Height in texels.
+        height: u32,
+        /// How many texels were given.
+        given: usize,
+    },
+    /// A texel is NaN, infinite, or outside `[0, 1]`.
+    #[error("texel ({column}, {row}) is {value}: heights must be finite and between 0 and 1")]
+    OutOfRange {
+        /// Column of the first such texel.
+        column: u32,
+        /// Row of the first such texel.
+        row: u32,
+        /// Its value.
+        value: f32,
+    },
+    /// Scale, bias, texel size or range is NaN, infinite, or (texel size) not positive.
+    #[error("{what} is {value}: it must be {must}")]
+    BadNumber {
+        /// Which number.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        must: &'static str,
+    },
+}
+
+impl HeightMap {
+    /// A height map of texels in `[0, 1]`, row by row from the top, with scale 1 m and bias 0.
+    ///
+    /// # Errors
+    ///
+    /// When a side is 0 or too large, when `texels.len()` is not `width * height`, or when a texel is not in `[0, 1]`.
+    pub fn new(width: u32, height: u32, texels: Vec<f32>, wrap: Wrap) -> Result<Self, HeightMapError> {
+        Self::check_size(width, height)?;
+        if texels.len() as u64 != u64::from(width) * u64::from(height) {
+            return Err(HeightMapError::WrongLength { width, height, given: texels.len() });
+        }
+        if let Some(at) = texels.iter().position(|texel| !(0.0..=1.0).contains(texel)) {
+            let (column, row) = ((at % width as usize) as u32, (at / width as usize) as u32);
+            return Err(HeightMapError::OutOfRange { column, row, value: texels[at] });
+        }
+        Ok(Self {
+            width,
+            height,
+            texels,
+            wrap,
+            scale_m: 1.0,
+            bias_m: 0.0,
+            texel_size_m: None,
+            physical_range: None,
+        })
+    }
+
+    /// A height map whose texels are computed from column and row, clamped to `[0, 1]`; NaN becomes 0.
+    ///
+    /// # Errors
+    ///
+    /// When a side is 0 or too large.
+    pub fn from_fn(
+        width: u32,
+        height: u32,
+        wrap: Wrap,
+        mut texel: impl FnMut(u32, u32) -> f32,
+    ) -> Result<Self, HeightMapError> {
+        Self::check_size(width, height)?;
+        let mut texels = Vec::with_capacity(width as usize * height as usize);
+        for row in 0..height {
+            for column in 0..width {
+                let texel = texel(column, row);
+                texels.push(if texel.is_nan() { 0.0 } else { texel.clamp(0.0, 1.0) });
+            }
+        }
+        Self::new(width, height, texels, wrap)
+    }
+
+    /// Whether a map of that size is accepted; to be asked before memory is taken for it.
+    ///
+    /// # Errors
+    ///
+    /// When a side is 0 or too large.
+    pub fn check_size(width: u32, height: u32) -> Result<(), HeightMapError> {
+        if width == 0 || height == 0 {
+            return Err(HeightMapError::Empty { width, height });
+        }
+        let texels = u64::from(width) * u64::from(height);
+        if width > MAX_SIDE || height > MAX_SIDE || texels > MAX_TEXELS {
+            return Err(HeightMapError::TooLarge { width, height });
+        }
+        Ok(())
+    }
+
+    /// The same map with another wrap.
+    #[must_use]
+    pub fn with_wrap(mut self, wrap: Wrap) -> Self {
+        self.wrap = wrap;
+        self
+    }
+
+    /// The same map with displacements `bias_m + scale_m * texel`, in metres.
+    ///
+    /// # Errors
+    ///
+    /// When `scale_m` is negative or either is not finite.
+    pub fn with_displacement(mut self, scale_m: f64, bias_m: f64) -> Result<Self, HeightMapError> {
+        if !(scale_m >= 0.0 && scale_m.is_finite()) {
+            let must = "finite and not negative";
+            return Err(HeightMapError::BadNumber { what: "the scale", value: scale_m, must });
+        }
+        if !bias_m.is_finite() {
+            return Err(HeightMapError::BadNumber { what: "the bias", value: bias_m, must: "finite" });
+        }
+        self.scale_m = scale_m;
+        self.bias_m = bias_m;
+        Ok(self)
+    }
+
+    /// The same map with the size of a texel along `u` and `v`, in metres.
+    ///
+    /// # Errors
+    ///
+    /// When a size is not finite and positive.
+    pub fn with_texel_size_m(mut self, size_m: [f64; 2]) -> Result<Self, HeightMapError> {
+        if let Some(&value) = size_m.iter().find(|size| !(size.is_finite() && **size > 0.0)) {
+            let must = "finite and positive";
+            return Err(HeightMapError::BadNumber { what: "the texel size", value, must });
+        }
+        self.texel_size_m = Some(size_m);
+        Ok(self)
+    }
+
+    /// The same map with the physical values that texel 0 and texel 1 stand for (metres for elevation models).
+    ///
+    /// # Errors
+    ///
+    /// When a value is not finite.
+    pub fn with_physical_range(mut self, range: [f64; 2]) -> Result<Self, HeightMapError> {
+        if let Some(&value) = range.iter().find(|value| !value.is_finite()) {
+            return Err(HeightMapError::BadNumber { what: "the physical range", value, must: "finite" });
+        }
+        self.physical_range = Some(range);
+        Ok(self)
+    }
+
+    /// Width in texels.
+    #[inline]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height (number of rows) in texels.
+    #[inline]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// All texels, row by row from the top.
+    #[inline]
+    pub fn texels(&self) -> &[f32] {
+        &self.texels
+    }
+
+    /// How the map goes on beyond its edges.
+    #[inline]
+    pub fn wrap(&self) -> Wrap {
+        self.wrap
+    }
+
+    /// Displacement, in metres, of texel 1 above texel 0.
+    #[inline]
+    pub fn scale_m(&self) -> f64 {
+        self.scale_m
+    }
+
+    /// Displacement, in metres, of texel 0.
+    #[inline]
+    pub fn bias_m(&self) -> f64 {
+        self.bias_m
+    }
+
+    /// Size of a texel along `u` and `v` in metres, where the file said so.
+    #[inline]
+    pub fn texel_size_m(&self) -> Option<[f64; 2]> {
+        self.texel_size_m
+    }
+
+    /// The physical values of texel 0 and texel 1, where they are known.
+    #[inline]
+    pub fn physical_range(&self) -> Option<[f64; 2]> {
+        self.physical_range
+    }
+
+    /// The texel at any column and row, wrapped.
+    #[inline]
+    pub fn texel(&self, column: i64, row: i64) -> f32 {
+        let i = self.wrap.index(column, self.width) as usize;
+        let j = self.wrap.index(row, self.height) as usize;
+        self.texels[j * self.width as usize + i]
+    }
+
+    /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`, `(i + 1, j)`, `(i, j + 1)`
+    /// and `(i + 1, j + 1)`.
+    #[inline]
+    pub fn cell(&self, i: i64, j: i64) -> [f32; 4] {
+        let (i0, i1) = (self.wrap.index(i, self.width) as usize, self.wrap.index(i + 1, self.width) as usize);
+        let j0 = self.wrap.index(j, self.height) as usize * self.width as usize;
+        let j1 = self.wrap.index(j + 1, self.height) as usize * self.width as usize;
+        [self.texels[j0 + i0], self.texels[j0 + i1], self.texels[j1 + i0], self.texels[j1 + i1]]
+    }
+
+    /// The bilinear surface at texture coordinates `(u, v)`, in `[0, 1]`.
+    pub fn height_at(&self, u: f64, v: f64) -> f64 {
+        let x = u * f64::from(self.width) - 0.5;
+        let y = v * f64::from(self.height) - 0.5;
+        let (i, j) = (x.floor(), y.floor());
+        let [h00, h10, h01, h11] = self.cell(i as i64, j as i64).map(f64::from);
+        let (fx, fy) = (x - i, y - j);
+        let top = h00 + (h10 - h00) * fx;
+        let bottom = h01 + (h11 - h01) * fx;
+        top + (bottom - top) * fy
+    }
+
+    /// The displacement of a texel value, in metres (eq. 8).
+    #[inline]
+    pub fn displacement_m(&self, texel: f64) -> f64 {
+        self.bias_m + self.scale_m * texel
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ramp(wrap: Wrap) -> HeightMap {
+        HeightMap::from_fn(4, 2, wrap, |i, j| (i as f32 + 4.0 * j as f32) / 8.0).expect("a valid map")
+    }
+
+    #[test]
+    fn reconstruction_is_bilinear_between_texel_centres() {
+        let map = ramp(Wrap::Clamp);
+        assert_eq!(map.height_at(0.5 / 4.0, 0.5 / 2.0), 0.0);
+        assert_eq!(map.height_at(1.0 / 4.0, 0.5 / 2.0), 0.0625);
+        assert_eq!(map.height_at(0.5 / 4.0, 1.0 / 2.0), 0.25);
+        // Beyond the outermost centres a clamped map is constant.
+        assert_eq!(map.height_at(-3.0, 0.25), 0.0);
+        // A repeated map interpolates between the last and the first column there: (0.375 + 0) / 2.
+        assert_eq!(ramp(Wrap::Repeat).height_at(0.0, 0.25), 0.1875);
+        assert_eq!(ramp(Wrap::Mirror).height_at(0.0, 0.25), 0.0);
+    }
+
+    #[test]
+    fn wrong_texels_are_refused() {
+        assert!(matches!(HeightMap::new(0, 3, vec![], Wrap::Clamp), Err(HeightMapError::Empty { .. })));
+        assert!(matches!(
+            HeightMap::new(2, 2, vec![0.0; 3], Wrap::Clamp),
+            Err(HeightMapError::WrongLength { given: 3, .. })
+        ));
+        for bad in [f32::NAN, f32::INFINITY, -0.1, 1.1] {
+            let error = HeightMap::new(2, 1, vec![0.0, bad], Wrap::Clamp);
+            assert!(matches!(error, Err(HeightMapError::OutOfRange { column: 1, row: 0, .. })), "{bad}");
+        }
+        assert!(matches!(HeightMap::check_size(100_000, 100_000), Err(HeightMapError::TooLarge { .. })));
+        assert!(ramp(Wrap::Clamp).with_displacement(f64::NAN, 0.0).is_err());
+        assert!(ramp(Wrap::Clamp).with_texel_size_m([1.0, 0.0]).is_err());
+    }
+}

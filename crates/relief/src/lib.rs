@@ -1,0 +1,25 @@
+//! The core of Relief: a [`HeightMap`], the [`TangentFrame`] that lays it on a surface, the [`Path`] that a ray takes
+//! through it, the [`Hit`] where the path ends, and the exact answer that every faster method is judged by.
+//!
+//! No file access, no GPU and no shader compiler lives here. The conventions that the whole project follows are
+//! written at the types that carry them: texture axes and reconstruction at [`HeightMap`], handedness at
+//! [`TangentFrame`], the ray parameter at [`Path`].
+
+pub mod exact;
+mod found;
+mod height_map;
+mod hit;
+pub mod metrics;
+mod path;
+mod pyramid;
+pub mod registry;
+mod tangent_frame;
+mod wrap;
+
+pub use found::{Found, FoundState};
+pub use height_map::{HeightMap, HeightMapError, MAX_SIDE, MAX_TEXELS};
+pub use hit::Hit;
+pub use path::{Path, PathMetric};
+pub use pyramid::MaxPyramid;
+pub use tangent_frame::{TangentFrame, TangentFrameError};
+pub use wrap::Wrap;

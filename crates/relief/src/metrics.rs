@@ -1,0 +1,223 @@
+//! How far a set of hits is from the truth.
+
+use crate::exact::ExactHit;
+use crate::{HeightMap, Hit};
+
+/// A hit this many texels behind the true one counts as late, before it as early.
+pub const LATE_TEXELS: f64 = 0.5;
+
+/// What [`compare`] finds. Shares are of all rays, from 0 to 1; a statistic over no hits is 0.
+///
+/// Hits that ran out of steps are counted in `exhausted` alone: they are neither hits nor misses for the other figures.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ErrorReport {
+    /// How many rays were compared.
+    pub rays: usize,
+    /// How many of them are hits both in truth and in the set: those that the distances are of.
+    pub both_hit: usize,
+    /// Share of rays that truly hit and were given as misses.
+    pub missed: f64,
+    /// Share of rays that truly miss and were given as hits.
+    pub false_hits: f64,
+    /// Share of rays that were given a hit more than [`LATE_TEXELS`] behind the true one.
+    pub late: f64,
+    /// Share of rays that were given a hit more than [`LATE_TEXELS`] before the true one.
+    pub early: f64,
+    /// Share of rays that ran out of steps.
+    pub exhausted: f64,
+    /// Distance between the given and the true place, in texels.
+    pub distance_texels: Spread,
+    /// Difference of the heights, in heights (texel values), without sign.
+    pub height: Spread,
+    /// Difference of the path parameters, without sign: the depth error in the path's unit, metres as a rule.
+    pub depth: Spread,
+    /// Mean number of height reads over all rays.
+    pub mean_reads: f64,
+}
+
+/// The spread of an error that has no sign.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spread {
+    /// The mean.
+    pub mean: f64,
+    /// Half of the rays are at most this wrong.
+    pub median: f64,
+    /// 99 of 100 rays are at most this wrong.
+    pub p99: f64,
+    /// The worst ray.
+    pub max: f64,
+}
+
+/// The truth and the set are not about the same rays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there are {truth} true hits and {hits} hits to compare with them")]
+pub struct LengthMismatch {
+    /// Number of true hits.
+    pub truth: usize,
+    /// Number of hits to be judged.
+    pub hits: usize,
+}
+
+/// Compares hits with the true hits of the same rays, in the same order, on that map.
+///
+/// Distances are along the texture, in texels of the map: `√((Δu W)² + (Δv H)²)`. Whether a hit is late or early is
+/// told by that distance and by its `t`; a hit at the same `t` that lies beside the ray is neither.
+///
+/// # Errors
+///
+/// When the numbers of hits differ.
+pub fn compare(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> Result<ErrorReport, LengthMismatch> {
+    if truth.len() != hits.len() {
+        return Err(LengthMismatch { truth: truth.len(), hits: hits.len() });
+    }
+    let size = [f64::from(map.width()), f64::from(map.height())];
+    let mut count = Counts::default();
+    let (mut distances, mut heights, mut depths) = (Vec::new(), Vec::new(), Vec::new());
+    let mut reads = 0u64;
+    for (truth, hit) in truth.iter().map(|truth| &truth.hit).zip(hits) {
+        reads += u64::from(hit.reads);
+        if truth.exhausted || hit.exhausted {
+            count.exhausted += usize::from(hit.exhausted);
+            continue;
+        }
+        match (truth.found, hit.found) {
+            (false, false) => {}
+            (true, false) => count.missed += 1,
+            (false, true) => count.false_hits += 1,
+            (true, true) => {
+                let [du, dv] = [0, 1].map(|k| (hit.uv[k] - truth.uv[k]) * size[k]);
+                let distance = du.hypot(dv);
+                count.late += usize::from(distance > LATE_TEXELS && hit.t > truth.t);
+                count.early += usize::from(distance > LATE_TEXELS && hit.t < truth.t);
+                distances.push(distance);
+                heights.push((hit.height - truth.height).abs());
+                depths.push((hit.t - truth.t).abs());
+            }
+        }
+    }
+    let rays = truth.len();
+    let share = |count: usize| {
+        if rays == 0 { 0.0 } else { count as f64 / rays as f64 }
+    };
+    Ok(ErrorReport {
+        rays,
+        both_hit: distances.len(),
+        missed: share(count.missed),
+        false_hits: share(count.false_hits),
+        late: share(count.late),
+        early: share(count.early),
+        exhausted: share(count.exhausted),
+        distance_texels: Spread::of(distances),
+        height: Spread::of(heights),
+        depth: Spread::of(depths),
+        mean_reads: if rays == 0 { 0.0 } else { reads as f64 / rays as f64 },
+    })
+}
+
+#[derive(Default)]
+struct Counts {
+    missed: usize,
+    false_hits: usize,
+    late: usize,
+    early: usize,
+    exhausted: usize,
+}
+
+impl Spread {
+    /// The spread of some errors; the rank of a share `p` of `n` values is `⌈p n⌉`. NaN counts as the worst.
+    fn of(mut errors: Vec<f64>) -> Self {
+        errors.sort_unstable_by(f64::total_cmp);
+        let rank = |per_cent: usize| errors.get((errors.len() * per_cent).div_ceil(100).saturating_sub(1));
+        let [median, p99, max] = [50, 99, 100].map(|per_cent| rank(per_cent).copied().unwrap_or(0.0));
+        // Summed in order of size, so that the mean does not depend on the order of the hits.
+        let mean = if errors.is_empty() { 0.0 } else { errors.iter().sum::<f64>() / errors.len() as f64 };
+        Self { mean, median, p99, max }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::cell_walk;
+    use crate::{Path, Wrap};
+
+    /// 200 rays at 45 degrees down onto a level map at half height, and their true hits.
+    fn rays_on_a_plain() -> (HeightMap, Vec<ExactHit>) {
+        let map = HeightMap::from_fn(16, 8, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
+        let truth = (0..200).map(|k| {
+            let u = f64::from(k) / 200.0;
+            cell_walk(&map, &Path::between([u, 0.3, 1.0], [u + 1.0, 0.3, 0.0]))
+        });
+        let truth = truth.collect();
+        (map, truth)
+    }
+
+    fn hits(truth: &[ExactHit]) -> Vec<Hit> {
+        truth.iter().map(|truth| truth.hit).collect()
+    }
+
+    #[test]
+    fn the_truth_has_no_error() {
+        let (map, truth) = rays_on_a_plain();
+        let report = compare(&truth, &hits(&truth), &map).expect("as many");
+        assert_eq!((report.rays, report.both_hit), (200, 200));
+        assert_eq!((report.missed, report.false_hits, report.late, report.early), (0.0, 0.0, 0.0, 0.0));
+        assert_eq!((report.distance_texels, report.depth), (Spread::default(), Spread::default()));
+        assert!(report.mean_reads >= 1.0);
+    }
+
+    #[test]
+    fn shifted_hits_are_late_or_early() {
+        let (map, truth) = rays_on_a_plain();
+        let mut shifted = hits(&truth);
+        // A tenth each: 2 texels behind, 1 texel before, and a quarter of a texel behind, which is tolerated.
+        for (hits, texels) in shifted.chunks_mut(20).zip([2.0, -1.0, 0.25]) {
+            for hit in hits {
+                hit.t += texels / 16.0;
+                hit.uv[0] += texels / 16.0;
+                hit.height -= texels / 16.0;
+            }
+        }
+        let report = compare(&truth, &shifted, &map).expect("as many");
+        assert_eq!((report.late, report.early, report.missed, report.false_hits), (0.1, 0.1, 0.0, 0.0));
+        assert_eq!(report.distance_texels.median, 0.0);
+        assert!((report.distance_texels.p99 - 2.0).abs() < 1e-12);
+        assert!((report.distance_texels.max - 2.0).abs() < 1e-12);
+        assert!((report.height.max - 0.125).abs() < 1e-12 && (report.depth.max - 0.125).abs() < 1e-12);
+    }
+
+    #[test]
+    fn dropped_and_invented_hits_and_exhaustion_are_counted() {
+        let (map, truth) = rays_on_a_plain();
+        let mut dropped = hits(&truth);
+        for hit in &mut dropped[..30] {
+            *hit = Hit::miss(7);
+        }
+        for hit in &mut dropped[30..40] {
+            hit.exhausted = true;
+        }
+        let report = compare(&truth, &dropped, &map).expect("as many");
+        assert_eq!((report.missed, report.exhausted, report.both_hit), (0.15, 0.05, 160));
+
+        let mut missing = truth.clone();
+        for truth in &mut missing[..50] {
+            *truth = ExactHit::miss(1, 0.1);
+        }
+        let report = compare(&missing, &hits(&truth), &map).expect("as many");
+        assert_eq!((report.false_hits, report.both_hit), (0.25, 150));
+    }
+
+    #[test]
+    fn no_rays_and_unequal_numbers() {
+        let (map, truth) = rays_on_a_plain();
+        assert_eq!(compare(&[], &[], &map), Ok(ErrorReport::default()));
+        assert_eq!(compare(&truth, &[], &map), Err(LengthMismatch { truth: 200, hits: 0 }));
+    }
+
+    #[test]
+    fn ranks_are_those_of_the_nearest_rank_method() {
+        let spread = Spread::of((1..=200).rev().map(f64::from).collect());
+        assert_eq!(spread, Spread { mean: 100.5, median: 100.0, p99: 198.0, max: 200.0 });
+        assert_eq!(Spread::of(vec![3.0]), Spread { mean: 3.0, median: 3.0, p99: 3.0, max: 3.0 });
+    }
+}

@@ -1,0 +1,252 @@
+//! The maximum pyramid over the dual cells of a height map.
+//!
+//! Tevs, Ihrke and Seidel 2008 ("Maximum mipmaps") and the pyramids of quadtree displacement mapping take maxima over
+//! texels, which does not bound the bilinear surface between them. Here level 0 holds the maxima over dual cells.
+
+use rayon::prelude::*;
+
+use crate::{HeightMap, Wrap};
+
+/// Upper bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells.
+///
+/// * Level 0 has the size `W x H` of the map; node `(i, j)` is the highest of the four texels around dual cell
+///   `(i, j)`, wrapped as the map is. A bilinear patch never rises above its corners, so that is a bound, and a tight one.
+/// * Level `k + 1` has half the size of level `k`, rounded *up*: node `(i, j)` is the highest of the nodes `(2i, 2j)` to
+///   `(2i + 1, 2j + 1)` of level `k` that exist. So node `(i, j)` of level `k` covers the cells `i 2^k .. (i + 1) 2^k`
+///   as far as they are below `W`, and rows likewise. Nothing is padded. (Texture mipmaps round down instead.)
+/// * The last level is one node.
+/// * Cells outside of `0..W` are found through [`Self::column`]. The half cells before texel 0 of a clamped or mirrored
+///   map (cell -1) are bounded by cell 0.
+///
+/// Takes 4/3 of the map's texels, as `f32`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MaxPyramid {
+    wrap: Wrap,
+    levels: Vec<Level>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Level {
+    width: u32,
+    height: u32,
+    nodes: Vec<f32>,
+}
+
+impl MaxPyramid {
+    /// The pyramid of a map. Rows are built in parallel; the result does not depend on the number of threads.
+    pub fn new(map: &HeightMap) -> Self {
+        let (width, height) = (map.width(), map.height());
+        let mut nodes = vec![0.0; width as usize * height as usize];
+        nodes.par_chunks_mut(width as usize).enumerate().for_each(|(row, nodes)| {
+            for (column, node) in nodes.iter_mut().enumerate() {
+                *node = map.cell(column as i64, row as i64).into_iter().fold(0.0, f32::max);
+            }
+        });
+        let mut level = Level { width, height, nodes };
+        let mut levels = Vec::new();
+        while level.nodes.len() > 1 {
+            let above = level.halved();
+            levels.push(level);
+            level = above;
+        }
+        levels.push(level);
+        Self { wrap: map.wrap(), levels }
+    }
+
+    /// The number of levels, at least 1.
+    pub fn levels(&self) -> usize {
+        self.levels.len()
+    }
+
+    /// Width and height of a level in nodes; `None` for a level that does not exist.
+    pub fn size(&self, level: usize) -> Option<[u32; 2]> {
+        self.levels.get(level).map(|level| [level.width, level.height])
+    }
+
+    /// The nodes of a level, row by row; empty for a level that does not exist.
+    pub fn nodes(&self, level: usize) -> &[f32] {
+        self.levels.get(level).map_or(&[], |level| &level.nodes)
+    }
+
+    /// The highest point of the surface.
+    pub fn highest(&self) -> f32 {
+        self.levels.last().map_or(0.0, |top| top.nodes[0])
+    }
+
+    /// The column of level 0 whose nodes bound column `cell` of dual cells, which may lie outside of the map.
+    pub fn column(&self, cell: i64) -> u32 {
+        fold(self.wrap, cell, self.levels[0].width)
+    }
+
+    /// The row of level 0 whose nodes bound row `cell` of dual cells, which may lie outside of the map.
+    pub fn row(&self, cell: i64) -> u32 {
+        fold(self.wrap, cell, self.levels[0].height)
+    }
+
+    /// An upper bound of the surface over the dual cells from `first` to `last`, both included and not wrapped, and the
+    /// number of nodes that were read for it. `first` must not exceed `last` on either axis.
+    ///
+    /// Reads the nodes of the finest level at which few suffice: at most 3 by 3 (6 by 6 across the edges of a repeated
+    /// map). The cells that these cover besides are why the bound need not be tight; over a single cell of the map it is.
+    pub fn bound(&self, first: [i64; 2], last: [i64; 2]) -> (f32, u32) {
+        let columns = folded_ranges(self.wrap, first[0], last[0], self.levels[0].width);
+        let rows = folded_ranges(self.wrap, first[1], last[1], self.levels[0].height);
+        let longest = columns.iter().chain(&rows).flatten().map(|[a, b]| b - a).max().unwrap_or(0);
+        let index = (u32::BITS - longest.leading_zeros()).saturating_sub(1).min(self.levels.len() as u32 - 1);
+        let level = &self.levels[index as usize];
+        let (mut bound, mut reads) = (0.0f32, 0);
+        for [top, bottom] in rows.into_iter().flatten() {
+            for [left, right] in columns.into_iter().flatten() {
+                for row in top >> index..=bottom >> index {
+                    let start = row as usize * level.width as usize;
+                    let nodes =
+                        &level.nodes[start + (left >> index) as usize..=start + (right >> index) as usize];
+                    bound = nodes.iter().copied().fold(bound, f32::max);
+                    reads += nodes.len() as u32;
+                }
+            }
+        }
+        (bound, reads)
+    }
+}
+
+impl Level {
+    fn halved(&self) -> Self {
+        let (width, height) = (self.width.div_ceil(2), self.height.div_ceil(2));
+        let mut nodes = vec![0.0; width as usize * height as usize];
+        let below = self.width as usize;
+        nodes.par_chunks_mut(width as usize).enumerate().for_each(|(row, nodes)| {
+            let rows = &self.nodes[2 * row * below..(2 * row + 2).min(self.height as usize) * below];
+            for pair in rows.chunks(below) {
+                for (node, children) in nodes.iter_mut().zip(pair.chunks(2)) {
+                    *node = children.iter().copied().fold(*node, f32::max);
+                }
+            }
+        });
+        Self { width, height, nodes }
+    }
+}
+
+/// The dual cell in `0..size` whose corners include those of `cell`, along one axis.
+fn fold(wrap: Wrap, cell: i64, size: u32) -> u32 {
+    let size = i64::from(size);
+    let folded = match wrap {
+        Wrap::Repeat => cell.rem_euclid(size),
+        Wrap::Clamp => cell.clamp(0, size - 1),
+        Wrap::Mirror => {
+            let cell = cell.rem_euclid(2 * size);
+            // Cell `size + k` lies between the texels `size - 1 - k` and `size - 2 - k`.
+            if cell < size { cell } else { (2 * size - 2 - cell).max(0) }
+        }
+    };
+    folded as u32
+}
+
+/// The ranges, both ends included, of the cells that `fold` makes of `first..=last`.
+fn folded_ranges(wrap: Wrap, first: i64, last: i64, size: u32) -> [Option<[u32; 2]>; 2] {
+    let all = [Some([0, size - 1]), None];
+    let (a, b) = (fold(wrap, first, size), fold(wrap, last, size));
+    let span = last.saturating_sub(first);
+    let signed = i64::from(size);
+    match wrap {
+        Wrap::Clamp => [Some([a, b]), None],
+        Wrap::Repeat if span >= signed => all,
+        Wrap::Repeat if a <= b => [Some([a, b]), None],
+        Wrap::Repeat => [Some([a, size - 1]), Some([0, b])],
+        Wrap::Mirror if span >= 2 * signed => all,
+        Wrap::Mirror => {
+            // Folding turns round at the cells `size - 1` and `2 size - 1` of every period.
+            let start = first.rem_euclid(2 * signed);
+            let turns = |at: i64| (at - start).rem_euclid(2 * signed) <= span;
+            let low = if turns(2 * signed - 1) { 0 } else { a.min(b) };
+            let high = if turns(signed - 1) { size - 1 } else { a.max(b) };
+            [Some([low, high]), None]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Uneven heights without a pattern that wrapping could hide.
+    fn rough(width: u32, height: u32, wrap: Wrap) -> HeightMap {
+        HeightMap::from_fn(width, height, wrap, |i, j| {
+            let bits = (i.wrapping_mul(0x9e37_79b9) ^ j.wrapping_mul(0x85eb_ca6b)).wrapping_mul(0xc2b2_ae35);
+            (bits >> 8) as f32 / (1u32 << 24) as f32
+        })
+        .expect("a valid map")
+    }
+
+    const SIZES: [(u32, u32); 9] =
+        [(1, 1), (1, 7), (7, 1), (2, 2), (3, 5), (8, 8), (13, 9), (16, 5), (17, 33)];
+
+    /// The first dual cell, as far out as three tiles, that is above the node meant to bound it.
+    fn first_escape(map: &HeightMap, pyramid: &MaxPyramid) -> Option<[i64; 2]> {
+        let (w, h) = (i64::from(map.width()), i64::from(map.height()));
+        for j in -3 * h - 1..=4 * h {
+            for i in -3 * w - 1..=4 * w {
+                let highest = map.cell(i, j).into_iter().fold(0.0, f32::max);
+                for level in 0..pyramid.levels() {
+                    let [width, _] = pyramid.size(level)?;
+                    let (column, row) = (pyramid.column(i) >> level, pyramid.row(j) >> level);
+                    if pyramid.nodes(level)[(row * width + column) as usize] < highest {
+                        return Some([i, j]);
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    #[test]
+    fn every_node_bounds_the_surface_under_it() {
+        for wrap in Wrap::ALL {
+            for (width, height) in SIZES {
+                let map = rough(width, height, wrap);
+                let pyramid = MaxPyramid::new(&map);
+                assert_eq!(first_escape(&map, &pyramid), None, "{wrap} {width}x{height}");
+                let highest = map.texels().iter().copied().fold(0.0, f32::max);
+                assert_eq!(pyramid.highest(), highest, "the top node is the maximum");
+            }
+        }
+    }
+
+    #[test]
+    fn a_lowered_node_is_noticed() {
+        for wrap in Wrap::ALL {
+            let map = rough(13, 9, wrap);
+            for level in 0..MaxPyramid::new(&map).levels() {
+                let mut pyramid = MaxPyramid::new(&map);
+                let node = &mut pyramid.levels[level].nodes[0];
+                *node *= 0.5;
+                assert!(first_escape(&map, &pyramid).is_some(), "{wrap}, level {level}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_bound_of_a_range_is_that_of_its_cells_or_above() {
+        for wrap in Wrap::ALL {
+            for (width, height) in SIZES {
+                let map = rough(width, height, wrap);
+                let pyramid = MaxPyramid::new(&map);
+                let (w, h) = (i64::from(width), i64::from(height));
+                for first in -2 * w - 1..=2 * w + 1 {
+                    for length in [0, 1, 2, w - 1, w, 2 * w - 1, 2 * w, 5 * w] {
+                        let row = first.rem_euclid(2 * h + 3) - h;
+                        let last_row = row + length % 3;
+                        let (bound, reads) = pyramid.bound([first, row], [first + length, last_row]);
+                        let highest = (row..=last_row)
+                            .flat_map(|j| (first..=first + length).map(move |i| (i, j)))
+                            .flat_map(|(i, j)| map.cell(i, j))
+                            .fold(0.0, f32::max);
+                        assert!(bound >= highest, "{wrap} {width}x{height}: {first}+{length}, row {row}");
+                        assert!((1..=36).contains(&reads));
+                    }
+                }
+                assert_eq!(pyramid.bound([0, 0], [0, 0]).0, map.cell(0, 0).into_iter().fold(0.0, f32::max));
+            }
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! What a registry entry says of itself.
+//!
+//! Each surface, search, refinement and map kind has one [`Entry`] beside its source. The command's help, the tables in
+//! the documentation, the tests' matrix and the benchmarks all read the lists of these.
+
+/// One stage's variant: what it is called, where it comes from, what it needs and what it promises.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// The number that the shaders' dispatch uses; its place in its list.
+    pub id: u32,
+    /// The name on the command line and in scenes.
+    pub name: &'static str,
+    /// One line on what it does.
+    pub summary: &'static str,
+    /// Where it was published.
+    pub source: Source,
+    /// The maps it needs besides the height map.
+    pub maps: &'static [&'static str],
+    /// Its parameters, at most [`MAX_PARAMS`], in the order of the shader's parameter vector.
+    pub params: &'static [Param],
+    /// What it promises for each kind of ray.
+    pub guarantee: Guarantees,
+    /// Why the guarantee holds: the claim, the rays, the rounding slack in `f32`.
+    pub argument: &'static str,
+}
+
+/// The most parameters of an entry: they travel to the shader in one vector of four.
+pub const MAX_PARAMS: usize = 4;
+
+/// Paper and section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// Authors, year and short title, or "Relief" for what was published first here.
+    pub paper: &'static str,
+    /// The section that defines it; empty when the whole text does.
+    pub section: &'static str,
+}
+
+/// A number that the user may set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Param {
+    /// Its name, as in `--set search.NAME=VALUE`.
+    pub name: &'static str,
+    /// What it does, in one line.
+    pub summary: &'static str,
+    /// Its unit; empty for plain numbers.
+    pub unit: &'static str,
+    /// The least accepted value.
+    pub min: f32,
+    /// The greatest accepted value.
+    pub max: f32,
+    /// The value used when nobody sets it.
+    pub default: f32,
+    /// Whether only whole numbers are accepted.
+    pub integer: bool,
+}
+
+/// How strong an answer is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Guarantee {
+    /// It cannot be used for such rays; asking for it is an error.
+    Impossible,
+    /// It may miss a hit or find a later one.
+    Approximate,
+    /// It never passes a hit; it may stop before one.
+    Conservative,
+    /// It ends at the first hit, to rounding.
+    Exact,
+}
+
+impl Guarantee {
+    /// The word used in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Guarantee::Impossible => "impossible",
+            Guarantee::Approximate => "approximate",
+            Guarantee::Conservative => "conservative",
+            Guarantee::Exact => "exact",
+        }
+    }
+}
+
+/// The guarantee for each kind of ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Guarantees {
+    /// Rays from above that descend.
+    pub view: Guarantee,
+    /// Rays whose height has a quadratic term (curved surfaces).
+    pub bent: Guarantee,
+    /// Rays that start on the surface and ascend.
+    pub shadow: Guarantee,
+}
+
+impl Guarantees {
+    /// The same guarantee for every kind of ray.
+    pub const fn all(guarantee: Guarantee) -> Self {
+        Self { view: guarantee, bent: guarantee, shadow: guarantee }
+    }
+}
+
+impl Entry {
+    /// The parameter of that name and its place in the parameter vector.
+    pub fn param(&self, name: &str) -> Option<(usize, &'static Param)> {
+        self.params.iter().enumerate().find(|(_, param)| param.name == name)
+    }
+
+    /// The default of every parameter, as the vector that the shader takes.
+    pub fn defaults(&self) -> [f32; MAX_PARAMS] {
+        let mut values = [0.0; MAX_PARAMS];
+        for (value, param) in values.iter_mut().zip(self.params) {
+            *value = param.default;
+        }
+        values
+    }
+}
+
+/// The entry of that name.
+///
+/// # Errors
+///
+/// When no entry has that name; the error names the nearest.
+pub fn find<'a>(kind: &'static str, entries: &'a [Entry], name: &str) -> Result<&'a Entry, UnknownName> {
+    let known = || entries.iter().map(|entry| entry.name);
+    entries.iter().find(|entry| entry.name == name).ok_or_else(|| UnknownName::new(kind, name, known()))
+}
+
+/// A name that nothing has, with the nearest name that something has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("unknown {kind} '{name}'{}; known: {}", nearest.as_ref().map(|n| format!(": did you mean '{n}'?")).unwrap_or_default(), known.join(", "))]
+pub struct UnknownName {
+    /// What was asked for: "search", "method" and so on.
+    pub kind: &'static str,
+    /// The unknown name.
+    pub name: String,
+    /// The known name nearest to it, if any is near.
+    pub nearest: Option<String>,
+    /// All known names.
+    pub known: Vec<String>,
+}
+
+impl UnknownName {
+    /// An error that suggests the nearest of the known names.
+    pub fn new<'a>(kind: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        let known: Vec<String> = known.into_iter().map(str::to_owned).collect();
+        let nearest = known
+            .iter()
+            .map(|candidate| (edit_distance(name, candidate), candidate))
+            .filter(|(distance, candidate)| *distance <= 2.max(candidate.len() / 3))
+            .min_by_key(|(distance, _)| *distance)
+            .map(|(_, candidate)| candidate.clone());
+        Self { kind, name: name.to_owned(), nearest, known }
+    }
+}
+
+/// Levenshtein distance in characters; a name longer than any of ours is cut first, so that hostile input stays cheap.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let a: Vec<char> = a.chars().take(64).collect();
+    let mut row: Vec<usize> = (0..=a.len()).collect();
+    for (j, cb) in b.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = j + 1;
+        for (i, ca) in a.iter().enumerate() {
+            let substituted = diagonal + usize::from(*ca != cb);
+            diagonal = row[i + 1];
+            row[i + 1] = substituted.min(row[i] + 1).min(diagonal + 1);
+        }
+    }
+    row[a.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_name_is_suggested_only_when_it_is_near() {
+        let known = ["parallax", "relief", "occlusion"];
+        let nearest = |name: &str| UnknownName::new("method", name, known).nearest;
+        assert_eq!(nearest("paralax").as_deref(), Some("parallax"));
+        assert_eq!(nearest("relif").as_deref(), Some("relief"));
+        assert_eq!(nearest("zzzzzzzzz"), None);
+    }
+}

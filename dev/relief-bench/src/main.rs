@@ -1,0 +1,36 @@
+//! Measurements of Relief: `cargo relief-bench accuracy` and `cargo relief-bench trace`.
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+mod accuracy;
+
+#[derive(Parser)]
+#[command(
+    name = "relief-bench",
+    about = "Measures Relief's methods against the truth and against other programs"
+)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// How near every method comes to the truth, and whether the survey's order holds
+    Accuracy(accuracy::Arguments),
+}
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Accuracy(arguments) => accuracy::run(&arguments),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}

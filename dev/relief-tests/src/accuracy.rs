@@ -1,0 +1,141 @@
+//! How near every method comes to the truth: maps, view rays at given angles, and the survey's claims about the order.
+
+use std::path::{Path as FilePath, PathBuf};
+
+use rayon::prelude::*;
+use relief::exact::{ExactHit, cell_walk};
+use relief::metrics::{ErrorReport, compare};
+use relief::{HeightMap, Hit, Path, PathMetric, Wrap};
+use relief_io::{HeightOptions, read_height};
+use relief_shaders::Selection;
+use relief_shaders::cpu::Resources;
+
+use crate::maps::fractal;
+use crate::rng::Rng;
+
+/// Depth of the relief, in tiles: a tenth, which is deep.
+pub const SCALE_M: f64 = 0.1;
+
+/// Angles between ray and normal, in degrees.
+pub const ANGLES: [f64; 4] = [10.0, 30.0, 60.0, 85.0];
+
+/// A map by name.
+pub struct Named {
+    /// Its name in tables.
+    pub name: &'static str,
+    /// The map, with [`SCALE_M`].
+    pub map: HeightMap,
+}
+
+/// The five maps of the accuracy tables: bricks and cobbles, a real elevation model, spikes, and fractal ground.
+///
+/// # Panics
+///
+/// When a sample map is missing or broken.
+pub fn maps() -> Vec<Named> {
+    let folder = sample_maps();
+    let read = |file: &str, wrap: Wrap| {
+        let options = HeightOptions { wrap, ..HeightOptions::default() };
+        read_height(&folder.join(file), &options).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let ground = HeightMap::new(256, 256, fractal(7, 256, 256, 0.5), Wrap::Repeat);
+    let named = [
+        ("bricks", read("bricks.png", Wrap::Repeat)),
+        ("cobbles", read("cobbles.png", Wrap::Repeat)),
+        ("jacksboro", read("jacksboro.png", Wrap::Mirror)),
+        ("spikes", read("spikes.png", Wrap::Repeat)),
+        ("ground", ground.unwrap_or_else(|error| panic!("{error}"))),
+    ];
+    named
+        .into_iter()
+        .map(|(name, map)| Named {
+            name,
+            map: map.with_displacement(SCALE_M, -SCALE_M).unwrap_or_else(|error| panic!("{error}")),
+        })
+        .collect()
+}
+
+/// The folder of the sample maps that the project ships.
+pub fn sample_maps() -> PathBuf {
+    FilePath::new(env!("CARGO_MANIFEST_DIR")).join("../../data")
+}
+
+/// View rays through a map at one angle, from height 1 down to 0, everywhere and in all directions.
+pub fn view_paths(map: &HeightMap, degrees: f64, count: usize, seed: u64) -> Vec<Path> {
+    let mut rng = Rng::new(seed);
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    let scale_m = map.scale_m();
+    (0..count)
+        .map(|_| {
+            let (sin, cos) = rng.between(0.0, std::f64::consts::TAU).sin_cos();
+            let path = Path {
+                uv: [rng.unit(), rng.unit()],
+                duv: [sine * cos, sine * sin],
+                h: [1.0, -cosine / scale_m, 0.0],
+                // A little below the floor, as the surface stage makes them.
+                exit: scale_m / cosine * 1.000_001,
+                base: 0.0,
+                metric: PathMetric::unit(scale_m),
+            };
+            // What a shader is given is the ray to judge.
+            Path::from(&relief_shaders::cpu::Path::from(&path))
+        })
+        .collect()
+}
+
+/// The true hits.
+pub fn truth(map: &HeightMap, paths: &[Path]) -> Vec<ExactHit> {
+    paths.par_iter().map(|path| cell_walk(map, path)).collect()
+}
+
+/// The hits of a pair of stages, by the translated shaders.
+pub fn hits(map: &HeightMap, selection: &Selection, paths: &[Path]) -> Vec<Hit> {
+    let resources = Resources::tracing(map, selection);
+    paths.par_iter().map(|path| resources.first_hit(path)).collect()
+}
+
+/// Rays with their true hits.
+pub struct Case<'a> {
+    /// The map.
+    pub map: &'a HeightMap,
+    /// The rays.
+    pub paths: Vec<Path>,
+    /// Where they truly hit.
+    pub truth: Vec<ExactHit>,
+}
+
+impl<'a> Case<'a> {
+    /// View rays at an angle.
+    pub fn new(map: &'a HeightMap, degrees: f64, count: usize) -> Self {
+        let paths = view_paths(map, degrees, count, degrees.to_bits());
+        let truth = truth(map, &paths);
+        Self { map, paths, truth }
+    }
+
+    /// How wrong a pair of stages is.
+    pub fn report(&self, selection: &Selection) -> ErrorReport {
+        let hits = hits(self.map, selection, &self.paths);
+        compare(&self.truth, &hits, self.map).unwrap_or_default()
+    }
+}
+
+/// Mean distance to the truth in texels over all maps and angles, and the share of rays that passed the first hit, of a
+/// method with that many linear steps.
+///
+/// # Errors
+///
+/// When the method has no such setting.
+pub fn mean_error(maps: &[Named], method: &str, steps: u32, rays: usize) -> Result<(f64, f64), String> {
+    let mut selection = Selection::method(method).map_err(|error| error.to_string())?;
+    selection.set("search.steps", f64::from(steps)).map_err(|error| error.to_string())?;
+    let (mut error, mut passed, mut count) = (0.0, 0.0, 0.0);
+    for named in maps {
+        for degrees in ANGLES {
+            let report = Case::new(&named.map, degrees, rays).report(&selection);
+            error += report.distance_texels.mean;
+            passed += report.missed + report.late;
+            count += 1.0;
+        }
+    }
+    Ok((error / count, passed / count))
+}

@@ -1,0 +1,46 @@
+//! The sample maps in `data/`.
+//!
+//! All but the elevation model are computed, from `+ - * /`, `sqrt` and integers alone, so that every machine gets the
+//! same texels.
+
+use crate::output::Generated;
+use std::path::Path;
+
+mod bricks;
+mod cobbles;
+mod jacksboro;
+mod lattice;
+mod logo;
+mod noise;
+mod picture;
+mod spikes;
+
+/// Every file that is generated.
+///
+/// # Errors
+///
+/// When the elevation model, from which its colours are made, cannot be read, or a picture cannot be encoded.
+pub fn files(root: &Path) -> Result<Vec<Generated>, String> {
+    let (bricks, bricks_color) = bricks::maps();
+    let (cobbles, cobbles_color) = cobbles::maps();
+    let elevation = picture::read_grey(&root.join("data/jacksboro.png"))?;
+    [
+        ("data/bricks.png", bricks.heights()),
+        ("data/bricks_color.png", bricks_color.colours()),
+        ("data/cobbles.png", cobbles.heights()),
+        ("data/cobbles_color.png", cobbles_color.colours()),
+        ("data/spikes.png", spikes::map().heights()),
+        ("data/logo.png", logo::map().heights()),
+        ("data/noise.png", noise::map().heights()),
+        ("data/jacksboro_color.png", jacksboro::colours(&elevation).colours()),
+    ]
+    .into_iter()
+    .map(|(path, image)| {
+        let bytes = picture::encoded(&root.join(path), &image).map_err(|error| format!("{path}: {error}"))?;
+        Ok(Generated { path: path.into(), bytes })
+    })
+    .collect()
+}
+
+#[cfg(test)]
+mod tests;

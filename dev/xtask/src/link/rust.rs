@@ -1,0 +1,46 @@
+//! A validated module to Rust.
+
+use naga::valid::ModuleInfo;
+use naga::{AddressSpace, Module, TypeInner};
+use naga_rust_back::{Config, Writer};
+
+/// Where the generated code finds the run-time library; shortened to `rt` afterwards.
+const RUNTIME: &str = "crate::cpu::runtime";
+
+/// How the translator declares a texture: any reader, behind a pointer that is called for each texel.
+const ANY_TEXTURE: &str =
+    "rt::texture::Texture2d<&'g dyn rt::texture::Read<Coordinates = rt::Vec2<i32>, Component = f32>>";
+
+/// The translation, as the text of a Rust module.
+pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
+    let config = Config::new().resource_struct("Resources").public_items(true).runtime_path(RUNTIME);
+    let mut text = String::new();
+    Writer::new(config)
+        .write(&mut text, module, info)
+        .map_err(|error| format!("translating to Rust: {error}"))?;
+    let text = concrete_textures(module, &text.replace(&format!("{RUNTIME}::"), "rt::"))?;
+    Ok(format!(
+        "// The stages' translation. Written by `cargo xtask link`; do not edit.\n\n\
+         use {RUNTIME} as rt;\nuse {RUNTIME}::SquareRoot as _;\n\n{text}"
+    ))
+}
+
+/// Gives each texture its concrete type, which lets reads be inlined and the resources be shared between threads: one
+/// number a texel where only heights are read, four otherwise.
+fn concrete_textures(module: &Module, text: &str) -> Result<String, String> {
+    let mut text = text.to_owned();
+    for (_, global) in module.global_variables.iter() {
+        let is_texture = matches!(module.types[global.ty].inner, TypeInner::Image { .. });
+        if global.space != AddressSpace::Handle || !is_texture {
+            continue;
+        }
+        let name = global.name.as_deref().unwrap_or_default();
+        let declared = format!("pub {name}: {ANY_TEXTURE}");
+        if !text.contains(&declared) {
+            return Err(format!("the translation declares the texture {name} in another way than expected"));
+        }
+        let concrete = if name == "height_map" { "HeightTexture" } else { "ColorTexture" };
+        text = text.replace(&declared, &format!("pub {name}: rt::{concrete}<'g>"));
+    }
+    Ok(text)
+}

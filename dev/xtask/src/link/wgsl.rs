@@ -1,0 +1,96 @@
+//! Modules to one plain WGSL text.
+
+use std::fmt::Write as _;
+
+use relief::registry::Entry;
+use relief_shaders::{refine, search, shade, surface};
+use wgsl_parse::syntax::{GlobalDeclaration, TranslationUnit};
+
+use super::Program;
+use super::modules::{Modules, module_path};
+
+/// Links a program. Names are kept as written; twice the same name is an error. Comments do not survive.
+pub fn link(modules: &Modules, program: &Program, gpu: bool, fast: bool) -> Result<String, String> {
+    let mut linker = wesl::Wesl::new_barebones().set_custom_resolver(modules.resolver());
+    linker
+        .set_mangler(wesl::ManglerKind::None)
+        .use_imports(true)
+        .use_condcomp(true)
+        .use_stripping(true)
+        .set_feature("gpu", gpu)
+        .set_feature("fast", fast);
+    if !program.keep.is_empty() {
+        linker.keep_declarations(program.keep.iter().map(|&name| name.to_owned()).collect());
+    }
+    let linked = linker
+        .compile(&module_path(program.root))
+        .map_err(|error| format!("linking {} failed:\n{error}", program.root))?;
+    ordered(linked.syntax)
+}
+
+/// The linker's order of declarations changes from run to run: sort them into what a reader expects.
+fn ordered(unit: TranslationUnit) -> Result<String, String> {
+    let mut declarations: Vec<(u8, String, String)> = Vec::new();
+    for declaration in &unit.global_declarations {
+        let text = declaration.to_string();
+        let (rank, name) = match &**declaration {
+            GlobalDeclaration::Void => continue,
+            GlobalDeclaration::Declaration(declaration) => {
+                let rank = if text.contains("@group") { 2 } else { 0 };
+                (rank, declaration.ident.to_string())
+            }
+            GlobalDeclaration::TypeAlias(alias) => (1, alias.ident.to_string()),
+            GlobalDeclaration::Struct(structure) => (1, structure.ident.to_string()),
+            GlobalDeclaration::Function(function) => (3, function.ident.to_string()),
+            GlobalDeclaration::ConstAssert(_) => (4, text.clone()),
+        };
+        declarations.push((rank, name, text.trim().to_owned()));
+    }
+    declarations.sort();
+    if let Some(twice) = declarations.windows(2).find(|pair| pair[0].1 == pair[1].1) {
+        return Err(format!("the name '{}' is declared twice", twice[0].1));
+    }
+    let mut text = String::new();
+    let mut before = None;
+    for (rank, _, declaration) in &declarations {
+        if before.is_some_and(|before| before != *rank || *rank == 1 || *rank == 3) {
+            text.push('\n');
+        }
+        before = Some(*rank);
+        text.push_str(declaration);
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+/// The comment at the head of a linked file: what it is, and what each number of its switches stands for.
+pub fn header(program: &str, sampling: &str) -> String {
+    let mut text = format!(
+        "// Relief, linked shader: {program}, {sampling} sampling. Written by `cargo xtask link`; do not edit.\n\
+         // SPDX-License-Identifier: MIT OR Apache-2.0\n//\n\
+         // The constants SURFACE, SEARCH, REFINE and SHADE choose a variant of each stage:\n"
+    );
+    let stages: [(&str, &[Entry]); 4] = [
+        ("SURFACE", surface::ENTRIES),
+        ("SEARCH", search::ENTRIES),
+        ("REFINE", refine::ENTRIES),
+        ("SHADE", shade::ENTRIES),
+    ];
+    for (constant, entries) in stages {
+        for entry in entries {
+            let _ = writeln!(
+                text,
+                "//   {constant} = {}: {}, {} (section {})",
+                entry.id, entry.name, entry.summary, entry.source.section
+            );
+            for (param, component) in entry.params.iter().zip(["x", "y", "z", "w"]) {
+                let _ = writeln!(
+                    text,
+                    "//     params.{component}: {}, {} ({} to {}, {})",
+                    param.name, param.summary, param.min, param.max, param.default
+                );
+            }
+        }
+    }
+    text
+}
