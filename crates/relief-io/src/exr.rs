@@ -3,7 +3,9 @@
 //! The header is parsed here ([`header`]): the `exr` crate takes memory by what an unchecked header claims. Chunks are
 //! found and checked here too; the crate only decompresses them.
 
+mod dwa;
 mod header;
+mod part;
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
@@ -16,7 +18,8 @@ use exr::meta::header::Header;
 use exr::meta::{MetaData, Requirements};
 use exr::prelude::{SampleType as ExrSample, Text, Vec2, f16};
 
-use self::header::{FileHeader, Part};
+use self::header::FileHeader;
+use self::part::{ExrChannel, Part};
 use crate::ReadProblem;
 use crate::source::{Channel, Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
 
@@ -39,7 +42,7 @@ impl ExrSource {
                 });
             }
             // A chunk has an entry of 8 bytes in the offset table, and begins with its place and its length.
-            let least = (part.chunks() * 16).max(part.least_bytes());
+            let least = (part.chunks() * 16).max(part.least_bytes(part.bytes()));
             let decoder_bytes = 3 * part.block_bytes() + 8 * part.chunks();
             input.check_size(Format::Exr, part.size, decoder_bytes, least)?;
             channels.extend(part.channels.iter().map(|channel| Channel {
@@ -53,7 +56,11 @@ impl ExrSource {
         }
         let mut layout = Layout::new(Format::Exr, [width, height], &[], SampleType::float(32));
         layout.channels = channels;
-        Ok(Self { file: input.file, header, layout })
+        Ok(Self {
+            file: input.file,
+            header,
+            layout,
+        })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -70,26 +77,44 @@ impl ExrSource {
         for (block, offset) in offsets.into_iter().enumerate() {
             let place = [block as u64 % blocks_x, block as u64 / blocks_x];
             let compressed = read_chunk(&mut self.file, &self.header, index, offset, place)?;
-            let chunk = Chunk { layer_index: 0, compressed_block: block_of(part, place, compressed) };
+            dwa::check(part, part.block_rectangle(place)[1], &compressed)?;
+            let chunk = Chunk {
+                layer_index: 0,
+                compressed_block: block_of(part, place, compressed),
+            };
             let block = UncompressedBlock::decompress_chunk(chunk, &meta, false)
                 .map_err(|error| ReadProblem::damaged("EXR", error))?;
             let [[left, top], [columns, rows]] = part.block_rectangle(place);
-            let bytes_per_texel = part.channels.iter().map(|c| c.sample.bytes_per_sample()).sum::<usize>();
+            let bytes_per_texel = part
+                .channels
+                .iter()
+                .map(|c| c.sample.bytes_per_sample())
+                .sum::<usize>();
             let line_bytes = columns as usize * bytes_per_texel;
             if block.data.len() != line_bytes * rows as usize {
-                return Err(ReadProblem::damaged("EXR", "a block has another length than its header says"));
+                return Err(ReadProblem::damaged(
+                    "EXR",
+                    "a block has another length than its header says",
+                ));
             }
             for (row, line) in (top..).zip(block.data.chunks_exact(line_bytes)) {
                 samples.clear();
                 samples.resize(columns as usize * chosen.len(), 0.0);
                 for (slot, &channel) in chosen.iter().enumerate() {
-                    let before = part.channels[..channel].iter().map(|c| c.sample.bytes_per_sample());
+                    let before = part.channels[..channel]
+                        .iter()
+                        .map(|c| c.sample.bytes_per_sample());
                     let start = columns as usize * before.sum::<usize>();
                     let kind = part.channels[channel].sample;
                     let bytes = &line[start..start + columns as usize * kind.bytes_per_sample()];
                     spread(kind, bytes, samples[slot..].iter_mut().step_by(chosen.len()));
                 }
-                sink(Span { row, column: left, step: 1, samples: &samples })?;
+                sink(Span {
+                    row,
+                    column: left,
+                    step: 1,
+                    samples: &samples,
+                })?;
             }
         }
         Ok(())
@@ -141,7 +166,10 @@ fn read_chunk(
     }
     for value in expected {
         if number()? != value {
-            return Err(ReadProblem::damaged("EXR", "a block is not where its offset table says"));
+            return Err(ReadProblem::damaged(
+                "EXR",
+                "a block is not where its offset table says",
+            ));
         }
     }
     let length = number()?;
@@ -149,7 +177,7 @@ fn read_chunk(
     let most = u64::from(columns) * u64::from(rows) * part.bytes_per_texel();
     // Writers store a block as it is where compressing would make it longer, so that no chunk is longer than its texels.
     match u64::try_from(length) {
-        Ok(length) if length <= most && length <= header.file_len => {
+        Ok(length) if length <= most && length >= part.least_bytes(most) && length <= header.file_len => {
             let mut bytes = zeros(length as usize)?;
             file.read_exact(&mut bytes).map_err(problem)?;
             Ok(bytes)
@@ -160,7 +188,7 @@ fn read_chunk(
 
 /// The crate's description of a part, moved to the origin and without resolution levels below the first.
 fn metadata(part: &Part) -> MetaData {
-    let descriptions = part.channels.iter().map(header::ExrChannel::description).collect();
+    let descriptions = part.channels.iter().map(ExrChannel::description).collect();
     let size = (part.size[0] as usize, part.size[1] as usize);
     let header = Header::new(Text::from(""), size, descriptions).with_encoding(
         part.compression,
@@ -174,17 +202,29 @@ fn metadata(part: &Part) -> MetaData {
         has_deep_data: false,
         has_multiple_layers: false,
     };
-    MetaData { requirements, headers: [header].into_iter().collect() }
+    MetaData {
+        requirements,
+        headers: [header].into_iter().collect(),
+    }
 }
 
 fn block_of(part: &Part, [x, y]: [u64; 2], compressed_pixels_le: Vec<u8>) -> CompressedBlock {
     if part.tiles.is_some() {
         let tile_index = Vec2(x as usize, y as usize);
-        let coordinates = TileCoordinates { tile_index, level_index: Vec2(0, 0) };
-        CompressedBlock::Tile(CompressedTileBlock { coordinates, compressed_pixels_le })
+        let coordinates = TileCoordinates {
+            tile_index,
+            level_index: Vec2(0, 0),
+        };
+        CompressedBlock::Tile(CompressedTileBlock {
+            coordinates,
+            compressed_pixels_le,
+        })
     } else {
         let y_coordinate = (y * part.rows_per_block()) as i32;
-        CompressedBlock::ScanLine(CompressedScanLineBlock { y_coordinate, compressed_pixels_le })
+        CompressedBlock::ScanLine(CompressedScanLineBlock {
+            y_coordinate,
+            compressed_pixels_le,
+        })
     }
 }
 

@@ -52,19 +52,21 @@ pub struct Values {
 
 /// Whether a map goes on smoothly across its edges.
 ///
-/// The seam between the last and the first column is compared with the seams inside: `seam` is the mean absolute
-/// difference across it, divided by the mean absolute difference of all neighbouring columns (rows for `v`). A map made to
-/// tile has about 1 there; one that is cut out of something larger has far more. A side of one texel tiles.
+/// The step between the last and the first column is compared with the steps inside the map: `seam` is its mean absolute
+/// difference over all rows, divided by the greatest such mean of two neighbouring columns (of rows, for `v`). A map made
+/// to tile has a step there as any other; one that is cut out of something larger has a multiple. A side of one texel
+/// tiles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
-    /// The ratio along `u` and `v`; 1 for constant maps.
+    /// The ratio along `u` and `v`; 0 for constant maps.
     pub seam: [f64; 2],
     /// Whether the ratio is at most [`SEAM_LIMIT`], along `u` and `v`.
     pub tiles: [bool; 2],
 }
 
-/// The largest seam of a map that tiles: above it the edge stands out from the steepness that the map has everywhere.
-pub const SEAM_LIMIT: f64 = 2.0;
+/// The largest seam of a map that tiles. Real tiling maps have at most 0.9, since the seam is one of many steps, cut-outs
+/// 1.8 and far more.
+pub const SEAM_LIMIT: f64 = 1.25;
 
 /// Reads a file and says what it holds. Options are used as in [`crate::read_height`]: `channel`, `raw` and `max_bytes`.
 ///
@@ -112,7 +114,11 @@ fn values(mut samples: Samples, channel: &str, full_scale: Option<f64>) -> Value
     let mut histogram = [0; HISTOGRAM_BINS];
     let span = greatest - least;
     for &value in samples.values.iter().filter(|value| !value.is_nan()) {
-        let fraction = if span > 0.0 { (f64::from(value) + samples.offset - least) / span } else { 0.0 };
+        let fraction = if span > 0.0 {
+            (f64::from(value) + samples.offset - least) / span
+        } else {
+            0.0
+        };
         histogram[((fraction * HISTOGRAM_BINS as f64) as usize).min(HISTOGRAM_BINS - 1)] += 1;
     }
     let tiling = (samples.holes() == 0).then(|| tiling(&samples));
@@ -135,25 +141,23 @@ fn values(mut samples: Samples, channel: &str, full_scale: Option<f64>) -> Value
 fn tiling(samples: &Samples) -> Tiling {
     let (width, height) = (samples.width as usize, samples.height as usize);
     let value = |column: usize, row: usize| f64::from(samples.values[row * width + column]);
-    let (mut inside, mut seam) = ([0.0; 2], [0.0; 2]);
-    for row in 0..height {
-        for column in 0..width {
+    // Sums of the steps from each column to the next, and from each row; the last of each is the seam.
+    let mut across = vec![0.0f64; width];
+    let mut down = vec![0.0f64; height];
+    for (row, down) in down.iter_mut().enumerate() {
+        for (column, across) in across.iter_mut().enumerate() {
             let here = value(column, row);
-            let u = (value((column + 1) % width, row) - here).abs();
-            let v = (value(column, (row + 1) % height) - here).abs();
-            *(if column + 1 == width { &mut seam[0] } else { &mut inside[0] }) += u;
-            *(if row + 1 == height { &mut seam[1] } else { &mut inside[1] }) += v;
+            *across += (value((column + 1) % width, row) - here).abs();
+            *down += (value(column, (row + 1) % height) - here).abs();
         }
     }
-    let ratio = |axis: usize, side: usize| {
-        // Both are sums over all lines along the axis; inside there are `side - 1` seams a line.
-        let mean = inside[axis] / (side.max(2) - 1) as f64;
-        match (seam[axis] > 0.0, mean > 0.0) {
-            (_, true) => seam[axis] / mean,
-            (true, false) => f64::INFINITY,
-            (false, false) => 1.0,
-        }
-    };
-    let seam = [ratio(0, width), ratio(1, height)];
-    Tiling { seam, tiles: seam.map(|seam| seam <= SEAM_LIMIT) }
+    let seam = [across, down].map(|mut steps| {
+        let seam = steps.pop().unwrap_or(0.0);
+        let steepest = steps.into_iter().fold(0.0, f64::max);
+        if seam > 0.0 { seam / steepest } else { 0.0 }
+    });
+    Tiling {
+        seam,
+        tiles: seam.map(|seam| seam <= SEAM_LIMIT),
+    }
 }

@@ -14,8 +14,11 @@ use crate::source::{Channel, Format, Input, Layout, SampleKind, SampleType, Sink
 /// What the file's tags may take; the tables of the largest height map, a strip a row, need 16 MiB.
 const MAX_TAG_BYTES: usize = 20 << 20;
 
-/// A block larger than this is handed on in several pieces.
-const WINDOW_BYTES: usize = 1 << 20;
+/// A block of more texels is handed on in several pieces, each out of the cache.
+const WINDOW_TEXELS: u32 = 1 << 16;
+
+/// Pictures are made of at most that many channels, whose blocks are used side by side.
+const MAX_CHANNELS: u64 = 4;
 
 const TAG_NEW_SUBFILE_TYPE: u16 = 254;
 const WHITE_IS_ZERO: u16 = 0;
@@ -52,7 +55,10 @@ impl TiffSource {
         let sample = sample_type(raster.sample_format, raster.bits_per_sample)?;
         let photometric = header.photometric_interpretation().unwrap_or(BLACK_IS_ZERO);
         let (columns, rows) = if header.is_tiled() {
-            (header.tile_width().unwrap_or(0), header.tile_height().unwrap_or(0))
+            (
+                header.tile_width().unwrap_or(0),
+                header.tile_height().unwrap_or(0),
+            )
         } else {
             (size[0], header.rows_per_strip().min(size[1]))
         };
@@ -60,28 +66,52 @@ impl TiffSource {
             return Err(ReadProblem::damaged("TIFF", "its blocks have no size"));
         }
         let planar = raster.planar_configuration == 2;
-        let in_block = if planar { 1 } else { raster.samples_per_pixel as u64 };
+        let bands = raster.samples_per_pixel as u64;
+        let (in_block, at_once) = if planar {
+            (1, bands.min(MAX_CHANNELS))
+        } else {
+            (bands, 1)
+        };
         let block_bytes =
             (u64::from(columns) * u64::from(rows)).saturating_mul(in_block * raster.bytes_per_sample as u64);
         let count = u64::from(size[0].div_ceil(columns)) * u64::from(size[1].div_ceil(rows));
-        // A block, compressed and not; and each has an entry of at least two bytes in two tables, one block apart.
+        let cache_bytes = block_bytes.saturating_mul(at_once);
+        // Besides the cache one block is held compressed; and each has an entry of at least two bytes in two tables.
         let least = if count > 1 { 4 * count } else { 0 };
-        input.check_size(Format::Tiff, size, block_bytes.saturating_mul(2), least)?;
+        input.check_size(Format::Tiff, size, cache_bytes.saturating_add(block_bytes), least)?;
 
         let channels = channel_names(header, photometric, raster.samples_per_pixel)?;
         let mut layout = Layout::new(Format::Tiff, size, &[], sample);
-        layout.channels = channels.into_iter().map(|name| Channel { name, sample }).collect();
+        layout.channels = channels
+            .into_iter()
+            .map(|name| Channel { name, sample })
+            .collect();
         layout.nodata = geo::nodata(header, sample);
         layout.texel_size_m = geo::texel_size_m(header);
         layout.full_scale = match sample.kind {
             SampleKind::Unsigned if sample.bits <= 16 => Some(f64::from((1u32 << sample.bits) - 1)),
             _ => None,
         };
-        let offsets = if header.is_tiled() { header.tile_offsets() } else { header.strip_offsets() };
+        let offsets = if header.is_tiled() {
+            header.tile_offsets()
+        } else {
+            header.strip_offsets()
+        };
         let offsets = offsets.ok_or_else(|| ReadProblem::damaged("TIFF", "it has no blocks"))?;
-        let file = open(&input, usize::try_from(block_bytes).unwrap_or(usize::MAX))?;
-        let blocks = Blocks { columns, rows, offsets, planar };
-        Ok(Self { file, ifd, layout, inverted: photometric == WHITE_IS_ZERO, blocks })
+        let file = open(&input, usize::try_from(cache_bytes).unwrap_or(usize::MAX))?;
+        let blocks = Blocks {
+            columns,
+            rows,
+            offsets,
+            planar,
+        };
+        Ok(Self {
+            file,
+            ifd,
+            layout,
+            inverted: photometric == WHITE_IS_ZERO,
+            blocks,
+        })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -91,9 +121,7 @@ impl TiffSource {
     pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let [width, height] = [self.layout.width, self.layout.height];
         let (columns, rows) = (self.blocks.columns, self.blocks.rows);
-        let sample_bytes = usize::from(self.layout.channels[0].sample.bits).div_ceil(8);
-        let row_bytes = (columns.min(width) as usize * sample_bytes).max(1);
-        let rows_at_once = (WINDOW_BYTES / row_bytes).clamp(1, rows as usize) as u32;
+        let rows_at_once = (WINDOW_TEXELS / columns.min(width)).clamp(1, rows);
         for top in (0..height).step_by(rows as usize) {
             for left in (0..width).step_by(columns as usize) {
                 let block_columns = columns.min(width - left);
@@ -130,12 +158,20 @@ impl TiffSource {
             spread(self.layout.channels[channel].sample, &bytes, slots)?;
         }
         if let (true, Some(white)) = (self.inverted, self.layout.full_scale) {
-            for sample in samples.iter_mut().filter(|sample| Some(**sample) != self.layout.nodata) {
+            for sample in samples
+                .iter_mut()
+                .filter(|sample| Some(**sample) != self.layout.nodata)
+            {
                 *sample = white - *sample;
             }
         }
         for (row, samples) in (top..).zip(samples.chunks_exact(columns_len * channels.len())) {
-            sink(Span { row, column: left, step: 1, samples })?;
+            sink(Span {
+                row,
+                column: left,
+                step: 1,
+                samples,
+            })?;
         }
         Ok(())
     }
@@ -144,13 +180,17 @@ impl TiffSource {
     fn left_out(&self, left: u32, top: u32, channel: usize) -> bool {
         let across = self.layout.width.div_ceil(self.blocks.columns) as usize;
         let down = self.layout.height.div_ceil(self.blocks.rows) as usize;
-        let plane = if self.blocks.planar { channel * across * down } else { 0 };
+        let plane = if self.blocks.planar {
+            channel * across * down
+        } else {
+            0
+        };
         let block = (top / self.blocks.rows) as usize * across + (left / self.blocks.columns) as usize;
         self.blocks.offsets.get(plane + block) == Some(&0)
     }
 }
 
-fn open(input: &Input, block_bytes: usize) -> Result<TiffFile, ReadProblem> {
+fn open(input: &Input, cache_bytes: usize) -> Result<TiffFile, ReadProblem> {
     let parse_budgets = ParseBudgets {
         max_ifds: 256,
         max_ifd_entries: 1024,
@@ -158,10 +198,10 @@ fn open(input: &Input, block_bytes: usize) -> Result<TiffFile, ReadProblem> {
         max_metadata_value_bytes: MAX_TAG_BYTES,
     };
     let options = OpenOptions {
-        block_cache_bytes: block_bytes,
+        block_cache_bytes: cache_bytes,
         block_cache_slots: 16,
         parse_budgets,
-        decode_output_bytes: block_bytes.max(WINDOW_BYTES),
+        decode_output_bytes: cache_bytes.max(16 * WINDOW_TEXELS as usize),
     };
     TiffFile::open_with_options(&input.path, options).map_err(problem)
 }
@@ -169,7 +209,10 @@ fn open(input: &Input, block_bytes: usize) -> Result<TiffFile, ReadProblem> {
 /// The first picture that is neither a reduced copy nor a mask (TIFF 6.0, NewSubfileType).
 fn full_resolution(file: &TiffFile) -> Result<usize, ReadProblem> {
     let reduced_or_mask = |ifd: &Ifd| {
-        let kind = ifd.tag(TAG_NEW_SUBFILE_TYPE).and_then(|tag| tag.value.as_u32()).unwrap_or(0);
+        let kind = ifd
+            .tag(TAG_NEW_SUBFILE_TYPE)
+            .and_then(|tag| tag.value.as_u32())
+            .unwrap_or(0);
         kind & 0b101 != 0
     };
     file.ifds()
@@ -187,7 +230,10 @@ fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
     match (kind, bits) {
         (SampleKind::Unsigned, 1..=16 | 32 | 64)
         | (SampleKind::Signed, 8 | 16 | 32 | 64)
-        | (SampleKind::Float, 32 | 64) => Ok(SampleType { kind, bits: bits as u8 }),
+        | (SampleKind::Float, 32 | 64) => Ok(SampleType {
+            kind,
+            bits: bits as u8,
+        }),
         _ => Err(unsupported(format!("{bits}-bit samples of format {format}"))),
     }
 }
@@ -195,7 +241,9 @@ fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
 fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<String>, ReadProblem> {
     let extra = header.extra_samples().map_err(problem)?;
     // Extra sample 0 is unspecified, 1 and 2 are opacity.
-    let opacity = extra.first().is_some_and(|extra| matches!(extra.to_code(), 1 | 2));
+    let opacity = extra
+        .first()
+        .is_some_and(|extra| matches!(extra.to_code(), 1 | 2));
     let names: &[&str] = match (photometric, count) {
         (WHITE_IS_ZERO | BLACK_IS_ZERO, 1) => &["y"],
         (WHITE_IS_ZERO | BLACK_IS_ZERO, 2) if opacity => &["y", "a"],
@@ -205,7 +253,9 @@ fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<Str
             return Ok((1..=count).map(|band| format!("band{band}")).collect());
         }
         (other, _) => {
-            return Err(unsupported(format!("the colour space number {other} (palette, YCbCr, CMYK ...)")));
+            return Err(unsupported(format!(
+                "the colour space number {other} (palette, YCbCr, CMYK ...)"
+            )));
         }
     };
     Ok(names.iter().map(ToString::to_string).collect())
@@ -223,7 +273,9 @@ fn spread<'a>(
         value: impl Fn([u8; N]) -> f64,
     ) -> bool {
         let fits = bytes.len() == slots.len() * N;
-        slots.zip(bytes.as_chunks::<N>().0).for_each(|(slot, &bytes)| *slot = value(bytes));
+        slots
+            .zip(bytes.as_chunks::<N>().0)
+            .for_each(|(slot, &bytes)| *slot = value(bytes));
         fits
     }
     let fits = match (sample.kind, sample.bits) {
@@ -241,7 +293,10 @@ fn spread<'a>(
     if fits {
         Ok(())
     } else {
-        Err(ReadProblem::damaged("TIFF", "a block has another length than its size says"))
+        Err(ReadProblem::damaged(
+            "TIFF",
+            "a block has another length than its size says",
+        ))
     }
 }
 

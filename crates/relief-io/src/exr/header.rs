@@ -7,11 +7,10 @@
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
 
-use exr::meta::BlockDescription;
-use exr::meta::attribute::{LevelMode, TileDescription};
-use exr::prelude::{ChannelDescription, Compression, SampleType as ExrSample, Text, Vec2};
+use exr::prelude::{Compression, SampleType as ExrSample};
 use relief::{HeightMap, MAX_SIDE};
 
+use super::part::{ExrChannel, Part};
 use crate::ReadProblem;
 use crate::source::{Format, io_problem, zeros};
 
@@ -43,109 +42,13 @@ pub(super) struct FileHeader {
     pub file_len: u64,
 }
 
-/// One flat part of a file.
-pub(super) struct Part {
-    name: Option<String>,
-    pub channels: Vec<ExrChannel>,
-    pub compression: Compression,
-    pub size: [u32; 2],
-    /// The data window's top row.
-    pub origin_y: i64,
-    /// Width and height of a tile, cut to the size of the picture.
-    pub tiles: Option<[u32; 2]>,
-    /// Entries of the offset table, resolution levels included.
-    table_len: u64,
-}
-
-/// One channel of a part.
-pub(super) struct ExrChannel {
-    pub name: String,
-    pub sample: ExrSample,
-    quantize_linearly: bool,
-}
-
-impl ExrChannel {
-    pub(super) fn description(&self) -> ChannelDescription {
-        // A name read byte by byte always has a text; only DWA looks at it, to tell colours from the rest.
-        let name = Text::new_or_none(&self.name).unwrap_or_else(|| Text::from("?"));
-        ChannelDescription::new(name, self.sample, self.quantize_linearly)
-    }
-}
-
-impl Part {
-    /// The channel's name in the whole file: with the part's name before it where there is one.
-    pub(super) fn full_name(&self, channel: &str) -> String {
-        match &self.name {
-            Some(part) => format!("{part}.{channel}"),
-            None => channel.to_owned(),
-        }
-    }
-
-    pub(super) fn bytes_per_texel(&self) -> u64 {
-        self.channels.iter().map(|channel| channel.sample.bytes_per_sample() as u64).sum()
-    }
-
-    pub(super) fn rows_per_block(&self) -> u64 {
-        match self.tiles {
-            Some([_, rows]) => u64::from(rows),
-            None => self.compression.scan_lines_per_block() as u64,
-        }
-    }
-
-    /// Bytes of the largest block.
-    pub(super) fn block_bytes(&self) -> u64 {
-        let columns = self.tiles.map_or(self.size[0], |[columns, _]| columns);
-        self.rows_per_block().min(u64::from(self.size[1])) * u64::from(columns) * self.bytes_per_texel()
-    }
-
-    /// Number of blocks along x and y.
-    pub(super) fn blocks(&self) -> (u64, u64) {
-        let columns = u64::from(self.tiles.map_or(self.size[0], |[columns, _]| columns));
-        (u64::from(self.size[0]).div_ceil(columns), u64::from(self.size[1]).div_ceil(self.rows_per_block()))
-    }
-
-    /// Number of blocks of the first resolution level.
-    pub(super) fn chunks(&self) -> u64 {
-        self.blocks().0 * self.blocks().1
-    }
-
-    /// The fewest bytes that texels of this size can be stored in.
-    pub(super) fn least_bytes(&self) -> u64 {
-        let bytes = u64::from(self.size[0]) * u64::from(self.size[1]) * self.bytes_per_texel();
-        match self.compression {
-            Compression::Uncompressed => bytes,
-            // Two bytes stand for at most 128.
-            Compression::RLE => bytes / 64,
-            // Deflate turns one byte into at most 1032.
-            Compression::ZIP1 | Compression::ZIP16 => bytes / 1032,
-            _ => 0,
-        }
-    }
-
-    /// Left and top, width and height of a block.
-    pub(super) fn block_rectangle(&self, [x, y]: [u64; 2]) -> [[u32; 2]; 2] {
-        let columns = u64::from(self.tiles.map_or(self.size[0], |[columns, _]| columns));
-        let (left, top) = (x * columns, y * self.rows_per_block());
-        let width = columns.min(u64::from(self.size[0]) - left);
-        let height = self.rows_per_block().min(u64::from(self.size[1]) - top);
-        [[left as u32, top as u32], [width as u32, height as u32]]
-    }
-
-    pub(super) fn block_description(&self) -> BlockDescription {
-        match self.tiles {
-            Some([columns, rows]) => BlockDescription::Tiles(TileDescription {
-                tile_size: Vec2(columns as usize, rows as usize),
-                level_mode: LevelMode::Singular,
-                rounding_mode: exr::math::RoundingMode::Down,
-            }),
-            None => BlockDescription::ScanLines,
-        }
-    }
-}
-
 impl FileHeader {
     pub(super) fn read(file: &mut BufReader<File>, file_len: u64) -> Result<Self, ReadProblem> {
-        let mut reader = AttributeReader { file, file_len, position: 0 };
+        let mut reader = AttributeReader {
+            file,
+            file_len,
+            position: 0,
+        };
         reader.bytes::<4>()?;
         let version = u32::from_le_bytes(reader.bytes()?);
         if version & 0xff != 2 {
@@ -171,11 +74,17 @@ impl FileHeader {
         }
         let tables_start = reader.position;
         let entries = parts.iter().map(|part| part.table_len).sum::<u64>();
-        let chunks_start = entries.checked_mul(8).and_then(|bytes| bytes.checked_add(tables_start));
+        let chunks_start = entries
+            .checked_mul(8)
+            .and_then(|bytes| bytes.checked_add(tables_start));
         match chunks_start {
-            Some(chunks_start) if chunks_start <= file_len => {
-                Ok(Self { multipart, parts, tables_start, chunks_start, file_len })
-            }
+            Some(chunks_start) if chunks_start <= file_len => Ok(Self {
+                multipart,
+                parts,
+                tables_start,
+                chunks_start,
+                file_len,
+            }),
             _ => Err(damaged("it is shorter than its table of blocks")),
         }
     }
@@ -188,7 +97,8 @@ impl FileHeader {
     ) -> Result<Vec<u64>, ReadProblem> {
         let before = self.parts[..index].iter().map(|part| part.table_len).sum::<u64>();
         let problem = |error| io_problem(Format::Exr, error);
-        file.seek(SeekFrom::Start(self.tables_start + 8 * before)).map_err(problem)?;
+        file.seek(SeekFrom::Start(self.tables_start + 8 * before))
+            .map_err(problem)?;
         let mut offsets = zeros::<u64>(self.parts[index].chunks() as usize)?;
         for offset in &mut offsets {
             let mut bytes = [0; 8];
@@ -220,7 +130,9 @@ struct AttributeReader<'a> {
 impl AttributeReader<'_> {
     fn bytes<const N: usize>(&mut self) -> Result<[u8; N], ReadProblem> {
         let mut bytes = [0; N];
-        self.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Exr, error))?;
+        self.file
+            .read_exact(&mut bytes)
+            .map_err(|error| io_problem(Format::Exr, error))?;
         self.position += N as u64;
         Ok(bytes)
     }
@@ -243,7 +155,9 @@ impl AttributeReader<'_> {
             return Err(damaged("an attribute is too long"));
         }
         let mut bytes = zeros(length as usize)?;
-        self.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Exr, error))?;
+        self.file
+            .read_exact(&mut bytes)
+            .map_err(|error| io_problem(Format::Exr, error))?;
         self.position += length;
         Ok(bytes)
     }
@@ -291,20 +205,27 @@ impl AttributeReader<'_> {
             }
             "tiles" => {
                 let [a, b, c, d, e, f, g, h, mode] = self.fixed(length)?;
-                part.tiles =
-                    Some(([u32::from_le_bytes([a, b, c, d]), u32::from_le_bytes([e, f, g, h])], mode));
+                part.tiles = Some((
+                    [u32::from_le_bytes([a, b, c, d]), u32::from_le_bytes([e, f, g, h])],
+                    mode,
+                ));
             }
             "chunkCount" => {
                 part.chunk_count = u64::try_from(i32::from_le_bytes(self.fixed(length)?)).ok();
             }
             "name" | "type" => {
                 let bytes = self.value(length, MAX_NAME as u64)?;
-                *(if name == "name" { &mut part.name } else { &mut part.kind }) =
-                    Some(bytes.into_iter().map(char::from).collect());
+                *(if name == "name" {
+                    &mut part.name
+                } else {
+                    &mut part.kind
+                }) = Some(bytes.into_iter().map(char::from).collect());
             }
             _ => {
                 let skip = i64::try_from(length).map_err(|_| damaged("an attribute is too long"))?;
-                self.file.seek_relative(skip).map_err(|error| io_problem(Format::Exr, error))?;
+                self.file
+                    .seek_relative(skip)
+                    .map_err(|error| io_problem(Format::Exr, error))?;
                 self.position += length;
             }
         }
@@ -318,7 +239,10 @@ impl PartAttributes {
         let channels = self.channels.ok_or_else(|| missing("channels"))?;
         let compression = self.compression.ok_or_else(|| missing("compression"))?;
         let [left, top, right, bottom] = self.window.ok_or_else(|| missing("dataWindow"))?;
-        if [left, top, right, bottom].iter().any(|coordinate| coordinate.abs() > MAX_COORDINATE) {
+        if [left, top, right, bottom]
+            .iter()
+            .any(|coordinate| coordinate.abs() > MAX_COORDINATE)
+        {
             return Err(damaged("its data window lies too far out"));
         }
         let side = |first: i64, last: i64| u32::try_from(last - first + 1).unwrap_or(0);
@@ -367,7 +291,12 @@ impl PartAttributes {
 fn channel_list(bytes: &[u8]) -> Result<Vec<ExrChannel>, ReadProblem> {
     let mut channels = Vec::new();
     let mut rest = bytes;
-    while let Some(end) = rest.iter().take(MAX_NAME + 1).position(|&byte| byte == 0).filter(|&end| end > 0) {
+    while let Some(end) = rest
+        .iter()
+        .take(MAX_NAME + 1)
+        .position(|&byte| byte == 0)
+        .filter(|&end| end > 0)
+    {
         let (name, after) = rest.split_at(end);
         let Some((&[_, kind, _, _, _, linear, _, _, _, x0, x1, x2, x3, y0, y1, y2, y3], after)) =
             after.split_first_chunk()
@@ -380,15 +309,24 @@ fn channel_list(bytes: &[u8]) -> Result<Vec<ExrChannel>, ReadProblem> {
             1 => ExrSample::F16,
             2 => ExrSample::F32,
             other => {
-                return Err(damaged(&format!("the channel '{name}' has the unknown type {other}")));
+                return Err(damaged(&format!(
+                    "the channel '{name}' has the unknown type {other}"
+                )));
             }
         };
-        let sampling = [i32::from_le_bytes([x0, x1, x2, x3]), i32::from_le_bytes([y0, y1, y2, y3])];
+        let sampling = [
+            i32::from_le_bytes([x0, x1, x2, x3]),
+            i32::from_le_bytes([y0, y1, y2, y3]),
+        ];
         if sampling != [1, 1] {
             let what = format!("the channel '{name}' at a lower resolution than the picture");
             return Err(unsupported(what));
         }
-        channels.push(ExrChannel { name, sample, quantize_linearly: linear != 0 });
+        channels.push(ExrChannel {
+            name,
+            sample,
+            quantize_linearly: linear != 0,
+        });
         rest = after;
     }
     match (channels.is_empty(), rest) {

@@ -1,0 +1,120 @@
+//! One part of an EXR file, as its header describes it: where its blocks lie and how large they are.
+
+use exr::meta::BlockDescription;
+use exr::meta::attribute::{LevelMode, TileDescription};
+use exr::prelude::{ChannelDescription, Compression, SampleType as ExrSample, Text, Vec2};
+
+/// One flat part of a file.
+pub(super) struct Part {
+    pub name: Option<String>,
+    pub channels: Vec<ExrChannel>,
+    pub compression: Compression,
+    pub size: [u32; 2],
+    /// The data window's top row.
+    pub origin_y: i64,
+    /// Width and height of a tile, cut to the size of the picture.
+    pub tiles: Option<[u32; 2]>,
+    /// Entries of the offset table, resolution levels included.
+    pub table_len: u64,
+}
+
+/// One channel of a part.
+pub(super) struct ExrChannel {
+    pub name: String,
+    pub sample: ExrSample,
+    pub quantize_linearly: bool,
+}
+
+impl ExrChannel {
+    pub(super) fn description(&self) -> ChannelDescription {
+        // A name read byte by byte always has a text; only DWA looks at it, to tell colours from the rest.
+        let name = Text::new_or_none(&self.name).unwrap_or_else(|| Text::from("?"));
+        ChannelDescription::new(name, self.sample, self.quantize_linearly)
+    }
+}
+
+impl Part {
+    /// The channel's name in the whole file: with the part's name before it where there is one.
+    pub(super) fn full_name(&self, channel: &str) -> String {
+        match &self.name {
+            Some(part) => format!("{part}.{channel}"),
+            None => channel.to_owned(),
+        }
+    }
+
+    pub(super) fn bytes_per_texel(&self) -> u64 {
+        self.channels
+            .iter()
+            .map(|channel| channel.sample.bytes_per_sample() as u64)
+            .sum()
+    }
+
+    pub(super) fn rows_per_block(&self) -> u64 {
+        match self.tiles {
+            Some([_, rows]) => u64::from(rows),
+            None => self.compression.scan_lines_per_block() as u64,
+        }
+    }
+
+    /// Bytes of the largest block.
+    pub(super) fn block_bytes(&self) -> u64 {
+        let columns = self.tiles.map_or(self.size[0], |[columns, _]| columns);
+        self.rows_per_block().min(u64::from(self.size[1])) * u64::from(columns) * self.bytes_per_texel()
+    }
+
+    /// Number of blocks along x and y.
+    pub(super) fn blocks(&self) -> (u64, u64) {
+        let columns = u64::from(self.tiles.map_or(self.size[0], |[columns, _]| columns));
+        (
+            u64::from(self.size[0]).div_ceil(columns),
+            u64::from(self.size[1]).div_ceil(self.rows_per_block()),
+        )
+    }
+
+    /// Number of blocks of the first resolution level.
+    pub(super) fn chunks(&self) -> u64 {
+        self.blocks().0 * self.blocks().1
+    }
+
+    /// The fewest bytes that this many bytes of texels can be stored in.
+    pub(super) fn least_bytes(&self, bytes: u64) -> u64 {
+        match self.compression {
+            Compression::Uncompressed => bytes,
+            // Two bytes stand for at most 128.
+            Compression::RLE => bytes / 64,
+            // Deflate turns one byte into at most 1032.
+            Compression::ZIP1 | Compression::ZIP16 => bytes / 1032,
+            // Deflate, after a quarter of each float was dropped.
+            Compression::PXR24 => bytes / 1376,
+            // Three bytes stand for 32.
+            Compression::B44 | Compression::B44A => bytes / 11,
+            // Constant blocks of the others come down to next to nothing.
+            _ => 0,
+        }
+    }
+
+    /// Bytes of all texels.
+    pub(super) fn bytes(&self) -> u64 {
+        u64::from(self.size[0]) * u64::from(self.size[1]) * self.bytes_per_texel()
+    }
+
+    /// Left and top, width and height of a block.
+    pub(super) fn block_rectangle(&self, [x, y]: [u64; 2]) -> [[u32; 2]; 2] {
+        let columns = u64::from(self.tiles.map_or(self.size[0], |[columns, _]| columns));
+        let (left, top) = (x * columns, y * self.rows_per_block());
+        let width = columns.min(u64::from(self.size[0]) - left);
+        let height = self.rows_per_block().min(u64::from(self.size[1]) - top);
+        [[left as u32, top as u32], [width as u32, height as u32]]
+    }
+
+    pub(super) fn block_description(&self) -> BlockDescription {
+        match self.tiles {
+            Some([columns, rows]) => BlockDescription::Tiles(TileDescription {
+                tile_size: Vec2(columns as usize, rows as usize),
+                level_mode: LevelMode::Singular,
+                rounding_mode: exr::math::RoundingMode::Down,
+            }),
+            None => BlockDescription::ScanLines,
+        }
+    }
+}

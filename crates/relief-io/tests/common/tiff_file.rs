@@ -1,0 +1,199 @@
+//! TIFF files put together by hand: any tags, strips or tiles, either byte order.
+
+use super::files::zlib;
+
+/// The value of a tag.
+#[derive(Clone, Debug)]
+pub enum Value {
+    Short(Vec<u16>),
+    Long(Vec<u32>),
+    Double(Vec<f64>),
+    Text(String),
+}
+
+/// A TIFF to be written.
+#[derive(Clone, Debug)]
+pub struct Tiff {
+    pub width: u32,
+    pub height: u32,
+    pub bands: u16,
+    pub bits: u16,
+    /// 1 unsigned, 2 signed, 3 float.
+    pub format: u16,
+    pub photometric: u16,
+    pub planar: u16,
+    pub deflate: bool,
+    pub big_endian: bool,
+    /// Rows a strip; or, with `tile_width`, rows a tile.
+    pub block_rows: u32,
+    pub tile_width: Option<u32>,
+    /// Blocks that are left out, as in sparse files.
+    pub sparse: Vec<usize>,
+    pub extra: Vec<(u16, Value)>,
+}
+
+impl Tiff {
+    /// One band in strips of 16 rows.
+    pub fn grey(width: u32, height: u32, bits: u16, format: u16) -> Self {
+        Self {
+            width,
+            height,
+            bands: 1,
+            bits,
+            format,
+            photometric: 1,
+            planar: 1,
+            deflate: false,
+            big_endian: false,
+            block_rows: 16,
+            tile_width: None,
+            sparse: Vec::new(),
+            extra: Vec::new(),
+        }
+    }
+
+    /// The file for samples, the bands of a texel side by side.
+    pub fn bytes(&self, samples: &[f64]) -> Vec<u8> {
+        let blocks = self.blocks(samples);
+        let mut file = if self.big_endian {
+            b"MM\0*".to_vec()
+        } else {
+            b"II*\0".to_vec()
+        };
+        file.extend(self.long(0));
+        let (mut offsets, mut counts) = (Vec::new(), Vec::new());
+        for (index, block) in blocks.iter().enumerate() {
+            if self.sparse.contains(&index) {
+                offsets.push(0);
+                counts.push(0);
+            } else {
+                offsets.push(file.len() as u32);
+                counts.push(block.len() as u32);
+                file.extend(block);
+            }
+        }
+        let mut tags = vec![
+            (256, Value::Long(vec![self.width])),
+            (257, Value::Long(vec![self.height])),
+            (258, Value::Short(vec![self.bits; usize::from(self.bands)])),
+            (259, Value::Short(vec![if self.deflate { 8 } else { 1 }])),
+            (262, Value::Short(vec![self.photometric])),
+            (277, Value::Short(vec![self.bands])),
+            (284, Value::Short(vec![self.planar])),
+            (339, Value::Short(vec![self.format; usize::from(self.bands)])),
+        ];
+        match self.tile_width {
+            Some(tile_width) => tags.extend([
+                (322, Value::Long(vec![tile_width])),
+                (323, Value::Long(vec![self.block_rows])),
+                (324, Value::Long(offsets)),
+                (325, Value::Long(counts)),
+            ]),
+            None => tags.extend([
+                (273, Value::Long(offsets)),
+                (278, Value::Long(vec![self.block_rows])),
+                (279, Value::Long(counts)),
+            ]),
+        }
+        tags.extend(self.extra.iter().cloned());
+        tags.sort_by_key(|(tag, _)| *tag);
+        self.directory(&mut file, &tags);
+        file
+    }
+
+    fn directory(&self, file: &mut Vec<u8>, tags: &[(u16, Value)]) {
+        let mut entries = Vec::new();
+        for (tag, value) in tags {
+            let (kind, count, bytes) = match value {
+                Value::Short(v) => (
+                    3,
+                    v.len(),
+                    v.iter().flat_map(|&v| self.short(v)).collect::<Vec<u8>>(),
+                ),
+                Value::Long(v) => (4, v.len(), v.iter().flat_map(|&v| self.long(v)).collect()),
+                Value::Double(v) => (
+                    12,
+                    v.len(),
+                    v.iter().flat_map(|&v| self.number(v, 64, 3)).collect(),
+                ),
+                Value::Text(text) => (2, text.len() + 1, [text.as_bytes(), b"\0"].concat()),
+            };
+            entries.extend(self.short(*tag));
+            entries.extend(self.short(kind));
+            entries.extend(self.long(count as u32));
+            if bytes.len() <= 4 {
+                entries.extend(bytes.iter().copied().chain([0; 4]).take(4));
+            } else {
+                entries.extend(self.long(file.len() as u32));
+                file.extend(bytes);
+            }
+        }
+        let start = self.long(file.len() as u32);
+        file[4..8].copy_from_slice(&start);
+        file.extend(self.short(tags.len() as u16));
+        file.extend(entries);
+        file.extend(self.long(0));
+    }
+
+    fn blocks(&self, samples: &[f64]) -> Vec<Vec<u8>> {
+        let bands = usize::from(self.bands);
+        let planes: Vec<Vec<usize>> = if self.planar == 2 {
+            (0..bands).map(|band| vec![band]).collect()
+        } else {
+            vec![(0..bands).collect()]
+        };
+        let columns = self.tile_width.unwrap_or(self.width);
+        let mut blocks = Vec::new();
+        for plane in &planes {
+            for top in (0..self.height).step_by(self.block_rows as usize) {
+                for left in (0..self.width).step_by(columns as usize) {
+                    // Tiles are whole, strips end with the picture.
+                    let rows = if self.tile_width.is_some() {
+                        self.block_rows
+                    } else {
+                        self.block_rows.min(self.height - top)
+                    };
+                    let mut bytes = Vec::new();
+                    for j in top..top + rows {
+                        for i in left..left + columns {
+                            let at = (j.min(self.height - 1) * self.width + i.min(self.width - 1)) as usize;
+                            for band in plane {
+                                bytes.extend(self.number(samples[at * bands + band], self.bits, self.format));
+                            }
+                        }
+                    }
+                    blocks.push(if self.deflate { zlib(&bytes) } else { bytes });
+                }
+            }
+        }
+        blocks
+    }
+
+    fn short(&self, value: u16) -> Vec<u8> {
+        self.number(f64::from(value), 16, 1)
+    }
+
+    fn long(&self, value: u32) -> Vec<u8> {
+        self.number(f64::from(value), 32, 1)
+    }
+
+    fn number(&self, value: f64, bits: u16, format: u16) -> Vec<u8> {
+        let mut bytes = match (format, bits) {
+            (1, 8) => vec![value as u8],
+            (1, 16) => (value as u16).to_le_bytes().to_vec(),
+            (1, 32) => (value as u32).to_le_bytes().to_vec(),
+            (1, 64) => (value as u64).to_le_bytes().to_vec(),
+            (2, 8) => (value as i8).to_le_bytes().to_vec(),
+            (2, 16) => (value as i16).to_le_bytes().to_vec(),
+            (2, 32) => (value as i32).to_le_bytes().to_vec(),
+            (2, 64) => (value as i64).to_le_bytes().to_vec(),
+            (3, 32) => (value as f32).to_le_bytes().to_vec(),
+            (3, 64) => value.to_le_bytes().to_vec(),
+            other => panic!("no samples of format and bits {other:?}"),
+        };
+        if self.big_endian {
+            bytes.reverse();
+        }
+        bytes
+    }
+}

@@ -1,0 +1,230 @@
+//! Reading peaks at 8 bytes a texel and 32 MiB; a refused header at 32 MiB. Measured as the peak of the resident memory of
+//! a process that reads one file and nothing else, on systems that report it.
+#![cfg(target_os = "linux")]
+
+mod common;
+
+use std::path::Path;
+use std::process::Command;
+
+use ::exr::prelude::{Compression, SampleType as ExrSample};
+use common::files::{Scan, hdr, jpeg, png};
+use common::tiff_file::Tiff;
+use common::{Folder, exr_file, landscape};
+use png::{BitDepth, ColorType};
+use relief_io::{HeightOptions, read_height};
+
+const SIDE: u32 = 2600;
+const TEXELS: u64 = SIDE as u64 * SIDE as u64;
+const MIB: u64 = 1 << 20;
+const BUDGET: u64 = 32 * MIB + 8 * TEXELS;
+
+/// The file that the child process reads, and the channel.
+const FILE: &str = "RELIEF_IO_MEMORY_FILE";
+const CHANNEL: &str = "RELIEF_IO_MEMORY_CHANNEL";
+
+fn peak() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").expect("Linux has it");
+    let line = status
+        .lines()
+        .find(|line| line.starts_with("VmHWM:"))
+        .expect("the peak is reported");
+    let kib: u64 = line
+        .split_ascii_whitespace()
+        .nth(1)
+        .and_then(|kib| kib.parse().ok())
+        .expect("a number");
+    kib * 1024
+}
+
+/// Not a test of its own: what [`measure`] runs in another process. Without its file it has nothing to do.
+#[test]
+fn child() {
+    let Some(file) = std::env::var_os(FILE) else {
+        return;
+    };
+    let channel = std::env::var(CHANNEL).ok().filter(|name| !name.is_empty());
+    let raw = channel.as_deref().and_then(|name| name.parse().ok());
+    let channel = if raw.is_some() { None } else { channel };
+    let options = HeightOptions {
+        channel,
+        raw,
+        fill: true,
+        ..HeightOptions::default()
+    };
+    let idle = peak();
+    let read = read_height(Path::new(&file), &options);
+    println!("peak {} read {}", peak() - idle, read.is_ok());
+}
+
+/// The peak above the idle process while reading, and whether a map came back.
+fn measure(path: &Path, channel: &str) -> (u64, bool) {
+    let program = std::env::current_exe().expect("the test knows its program");
+    let output = Command::new(program)
+        .args(["--exact", "child", "--nocapture", "--test-threads=1"])
+        .env(FILE, path)
+        .env(CHANNEL, channel)
+        .output()
+        .expect("the test can run itself");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let line = text
+        .lines()
+        .find_map(|line| line.split_once("peak "))
+        .map(|(_, rest)| rest);
+    let words: Vec<&str> = line
+        .expect("the child reports")
+        .split_ascii_whitespace()
+        .collect();
+    (words[0].parse().expect("a number of bytes"), words[2] == "true")
+}
+
+fn assert_within(name: &str, bytes: &[u8], channel: &str, budget: u64) {
+    let folder = Folder::new();
+    let (peak, read) = measure(&folder.file(name, bytes), channel);
+    println!(
+        "{name}: {:.1} MiB, {:.2} bytes a texel",
+        peak as f64 / MIB as f64,
+        peak as f64 / TEXELS as f64
+    );
+    assert!(read, "{name} is not read");
+    assert!(
+        peak >= 4 * TEXELS,
+        "{name}: {peak} bytes are less than the map itself: the measurement is wrong"
+    );
+    assert!(peak <= budget, "{name}: {peak} bytes, the budget is {budget}");
+}
+
+/// A landscape as bytes; cheap to make, not too cheap to compress.
+fn heights() -> Vec<u8> {
+    let height = landscape(SIDE / 8, SIDE / 8);
+    let texels = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j)));
+    texels
+        .map(|(i, j)| (height(i / 8, j / 8) * 250.0) as u8 + ((i ^ j) & 1) as u8)
+        .collect()
+}
+
+#[test]
+fn png_and_jpeg() {
+    let grey = heights();
+    let rgba: Vec<u8> = grey.iter().flat_map(|&h| [h, h / 2, h / 3, h]).collect();
+    let wide: Vec<u8> = rgba.iter().flat_map(|&h| [h, h]).collect();
+    let file = |colour, depth, data: &[u8]| png(SIDE, SIDE, colour, depth, data);
+    assert_within(
+        "grey8.png",
+        &file(ColorType::Grayscale, BitDepth::Eight, &grey),
+        "",
+        BUDGET,
+    );
+    assert_within(
+        "rgba8.png",
+        &file(ColorType::Rgba, BitDepth::Eight, &rgba),
+        "a",
+        BUDGET,
+    );
+    assert_within(
+        "rgba16.png",
+        &file(ColorType::Rgba, BitDepth::Sixteen, &wide),
+        "a",
+        BUDGET,
+    );
+    let three: Vec<u8> = grey.iter().flat_map(|&h| [h; 3]).collect();
+    assert_within("colour.jpg", &jpeg(SIDE, SIDE, 3, &three), "", BUDGET);
+}
+
+#[test]
+fn exr_of_several_channels() {
+    let mut values: Vec<f64> = heights().iter().map(|&h| f64::from(h) / 251.0).collect();
+    let half: Vec<f64> = values.iter().map(|h| 1.0 - h).collect();
+    let channels = |kind| -> [exr_file::Samples<'_>; 4] {
+        [
+            ("R", kind, &half),
+            ("G", kind, &half),
+            ("B", kind, &half),
+            ("A", kind, &half),
+        ]
+    };
+    for (name, compression) in [("zip", Compression::ZIP16), ("piz", Compression::PIZ)] {
+        let bytes = exr_file::exr([SIDE; 2], None, compression, &channels(ExrSample::F32));
+        assert_within(&format!("{name}.exr"), &bytes, "A", BUDGET);
+    }
+    let bytes = exr_file::exr(
+        [SIDE; 2],
+        Some([256, 256]),
+        Compression::DWAA(None),
+        &channels(ExrSample::F16),
+    );
+    assert_within("dwa tiles.exr", &bytes, "G", BUDGET);
+    // Filling needs a pyramid besides.
+    values
+        .chunks_mut(100)
+        .step_by(3)
+        .for_each(|run| run.fill(f64::NAN));
+    let bytes = exr_file::exr(
+        [SIDE; 2],
+        None,
+        Compression::RLE,
+        &[("Y", ExrSample::F32, &values)],
+    );
+    assert_within("holes.exr", &bytes, "", BUDGET);
+}
+
+#[test]
+fn tiff_in_small_and_in_large_blocks() {
+    let values: Vec<f64> = heights().iter().map(|&h| f64::from(h)).collect();
+    let float = Tiff {
+        deflate: true,
+        ..Tiff::grey(SIDE, SIDE, 32, 3)
+    };
+    assert_within("strips.tif", &float.bytes(&values), "", BUDGET);
+    assert_within(
+        "doubles.tif",
+        &Tiff {
+            bits: 64,
+            ..float.clone()
+        }
+        .bytes(&values),
+        "",
+        BUDGET,
+    );
+    let tiles = Tiff {
+        tile_width: Some(256),
+        block_rows: 256,
+        ..float.clone()
+    };
+    assert_within("tiles.tif", &tiles.bytes(&values), "", BUDGET);
+    // A single strip is held whole, compressed and not: the documented exception.
+    let whole = Tiff {
+        block_rows: SIDE,
+        ..float
+    };
+    assert_within("one strip.tif", &whole.bytes(&values), "", 32 * MIB + 16 * TEXELS);
+}
+
+#[test]
+fn hdr_pgm_and_raw() {
+    let grey = heights();
+    let texels: Vec<[u8; 4]> = grey.iter().map(|&h| [h, h, h, 130]).collect();
+    assert_within("map.hdr", &hdr(SIDE, SIDE, Scan::Components, &texels), "", BUDGET);
+    let mut pgm = format!("P5 {SIDE} {SIDE} 255\n").into_bytes();
+    pgm.extend(&grey);
+    assert_within("map.pgm", &pgm, "", BUDGET);
+    let wide: Vec<u8> = grey.iter().flat_map(|&h| [h, h]).collect();
+    assert_within("map.r16", &wide, &format!("{SIDE}x{SIDE},le"), BUDGET);
+}
+
+#[test]
+fn refused_headers_take_next_to_nothing() {
+    let folder = Folder::new();
+    let files = common::broken::broken_files();
+    let huge = files
+        .iter()
+        .filter(|file| file.name.ends_with("of 100000x100000") || file.name.ends_with("of 20000x20000"));
+    let mut count = 0;
+    for file in huge {
+        let (peak, read) = measure(&folder.file(&format!("file.{}", file.extension), &file.bytes), "");
+        assert!(!read, "{} is read", file.name);
+        assert!(peak <= 32 * MIB, "{}: {peak} bytes", file.name);
+        count += 1;
+    }
+    assert_eq!(count, 16);
+}

@@ -1,0 +1,149 @@
+//! The two backends give the same picture: every method on three scenes.
+//!
+//! Both run the same shaders on the same rays, but for `exact`, which the CPU answers with the core's fast tracer. What
+//! may differ is which of two neighbouring triangles a pixel on their edge belongs to, and hits that graze.
+
+use std::path::Path;
+
+use relief_render::gpu::{AdapterChoice, Gpu};
+use relief_render::scene::{BackendChoice, MethodNames, Scene, SceneSpec, read_scene};
+use relief_render::{Rendered, render};
+use relief_shaders::METHODS;
+use relief_shaders::cpu::PixelOut;
+
+const SIZE: [u32; 2] = [160, 120];
+
+/// Hits whose parameters differ by less, in metres, are the same hit: a thousandth of a texel of these maps.
+const SAME_T_M: f32 = 4e-6;
+
+/// Share of the covered pixels that must agree for a method that runs the same code on both backends.
+const SAME_CODE: f64 = 0.999;
+
+/// The same for `exact`.
+const OTHER_CODE: f64 = 0.995;
+
+fn has_adapter() -> bool {
+    match Gpu::new(AdapterChoice::Any) {
+        Ok(_) => true,
+        Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
+            panic!("{error}")
+        }
+        Err(error) => {
+            println!("skipped: {error}");
+            false
+        }
+    }
+}
+
+fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(file);
+    let over = SceneSpec {
+        method: Some(method.to_owned()),
+        backend: Some(backend),
+        size: Some(SIZE),
+        ..SceneSpec::default()
+    };
+    let scene =
+        read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
+    assert_eq!(scene.method().names, MethodNames::Method(method.to_owned()));
+    scene
+}
+
+fn picture(file: &str, method: &str, backend: BackendChoice) -> Rendered {
+    render(&scene(file, method, backend), &|_| {}).expect("a picture")
+}
+
+/// How two renderings of the same scene differ.
+#[derive(Debug)]
+struct Comparison {
+    covered: usize,
+    agreeing: usize,
+    uv_p99_texels: f64,
+}
+
+impl Comparison {
+    fn new(one: &[PixelOut], other: &[PixelOut], map: [u32; 2]) -> Self {
+        let mut distances = Vec::new();
+        let (mut covered, mut agreeing) = (0, 0);
+        for (a, b) in one.iter().zip(other) {
+            if a.hit == 0 && b.hit == 0 {
+                continue;
+            }
+            covered += 1;
+            if a.hit != b.hit {
+                continue;
+            }
+            let aside = [(a.uv.x - b.uv.x) * map[0] as f32, (a.uv.y - b.uv.y) * map[1] as f32];
+            distances.push(f64::from(aside[0].hypot(aside[1])));
+            agreeing += usize::from((a.t - b.t).abs() <= SAME_T_M && a.cell == b.cell);
+        }
+        distances.sort_unstable_by(f64::total_cmp);
+        let uv_p99_texels = distances.get(distances.len() * 99 / 100).copied().unwrap_or(0.0);
+        Self { covered, agreeing, uv_p99_texels }
+    }
+
+    fn share(&self) -> f64 {
+        self.agreeing as f64 / self.covered.max(1) as f64
+    }
+}
+
+#[test]
+fn every_method_gives_the_same_picture_on_both_backends() {
+    if !has_adapter() {
+        return;
+    }
+    for file in ["jacksboro.toml", "bricks.toml", "cobbles.toml"] {
+        for method in METHODS {
+            let cpu = picture(file, method.name, BackendChoice::Cpu);
+            let gpu = picture(file, method.name, BackendChoice::Gpu);
+            assert_eq!((cpu.backend, gpu.backend), ("cpu", "gpu"));
+            let map = scene(file, method.name, BackendChoice::Cpu);
+            let size = [map.height_map().width(), map.height_map().height()];
+            let comparison = Comparison::new(&cpu.rendering.pixels, &gpu.rendering.pixels, size);
+            let wanted = if method.name == "exact" { OTHER_CODE } else { SAME_CODE };
+            println!("{file} {}: {comparison:?} {:.5}", method.name, comparison.share());
+            assert!(comparison.covered > 2000, "{file} {}: hardly anything is seen", method.name);
+            assert!(comparison.share() >= wanted, "{file} {}: {comparison:?}", method.name);
+            assert!(comparison.uv_p99_texels <= 0.01, "{file} {}: {comparison:?}", method.name);
+        }
+    }
+}
+
+#[test]
+fn shading_agrees() {
+    if !has_adapter() {
+        return;
+    }
+    for file in ["jacksboro.toml", "cobbles.toml"] {
+        let cpu = picture(file, "occlusion", BackendChoice::Cpu);
+        let gpu = picture(file, "occlusion", BackendChoice::Gpu);
+        let worst = cpu
+            .rendering
+            .pixels
+            .iter()
+            .zip(&gpu.rendering.pixels)
+            // Where the hits have the same bits, so must the light that shading makes of them, to rounding.
+            .filter(|(a, b)| a.hit == 1 && a.t == b.t && a.uv == b.uv && a.position == b.position)
+            .map(|(a, b)| {
+                let apart = [a.color.x - b.color.x, a.color.y - b.color.y, a.color.z - b.color.z];
+                apart.into_iter().fold(0.0, |worst: f32, part| worst.max(part.abs()))
+            })
+            .fold(0.0, f32::max);
+        assert!(worst <= 1e-5, "{file}: colours differ by {worst}");
+    }
+}
+
+#[test]
+fn the_comparison_sees_a_picture_of_another_method() {
+    let pixels = picture("bricks.toml", "occlusion", BackendChoice::Cpu).rendering.pixels;
+    let size = [256, 256];
+    assert_eq!(Comparison::new(&pixels, &pixels, size).share(), 1.0);
+    // Moved by a hundredth of a texel, one pixel in five hundred.
+    let mut moved = pixels.clone();
+    for pixel in moved.iter_mut().step_by(500) {
+        pixel.t += 4e-5;
+    }
+    assert!(Comparison::new(&pixels, &moved, size).share() < SAME_CODE);
+    let other = picture("bricks.toml", "relief", BackendChoice::Cpu).rendering.pixels;
+    assert!(Comparison::new(&pixels, &other, size).share() < SAME_CODE);
+}

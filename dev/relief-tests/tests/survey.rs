@@ -1,0 +1,56 @@
+//! What the survey claims about the methods' order, and that more steps come nearer the truth.
+
+use relief_shaders::Selection;
+use relief_tests::RAYS_PER_MAP;
+use relief_tests::accuracy::{Case, maps, mean_error};
+use relief_tests::claims::verdicts;
+
+/// Rays a map and angle: every claim traces four times the five maps.
+const RAYS: usize = RAYS_PER_MAP / 10;
+
+#[test]
+fn every_claim_is_borne_out_or_recorded_as_refuted() {
+    for verdict in verdicts(&maps(), RAYS) {
+        let claim = verdict.claim;
+        assert_eq!(
+            verdict.holds(),
+            claim.holds,
+            "section {}: {}: {} has {}, {} has {}",
+            claim.section,
+            claim.text,
+            claim.better,
+            verdict.better,
+            claim.worse,
+            verdict.worse
+        );
+    }
+}
+
+#[test]
+fn relief_and_occlusion_come_nearer_with_every_doubling_of_their_steps() {
+    let maps = maps();
+    for method in ["relief", "occlusion"] {
+        let errors: Vec<(f64, f64)> = [8, 16, 32, 64, 128, 256]
+            .into_iter()
+            .map(|steps| mean_error(&maps, method, steps, RAYS).expect("the method has steps"))
+            .collect();
+        for pair in errors.windows(2) {
+            assert!(pair[1].0 < pair[0].0, "{method}: mean errors in texels {errors:?}");
+            assert!(pair[1].1 < pair[0].1, "{method}: shares that pass the first hit {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn the_exact_pair_of_stages_finds_every_first_hit() {
+    let exact = Selection::method("exact").expect("a method");
+    for named in &maps() {
+        for degrees in [10.0, 60.0, 85.0] {
+            let report = Case::new(&named.map, degrees, RAYS).report(&exact);
+            // Rays that graze within the rounding of f32 may be judged either way.
+            let wrong = report.missed + report.false_hits + report.late + report.early + report.exhausted;
+            assert!(wrong <= 1e-3, "{} at {degrees} degrees: {report:?}", named.name);
+            assert!(report.distance_texels.median < 1e-3, "{} at {degrees} degrees: {report:?}", named.name);
+        }
+    }
+}
