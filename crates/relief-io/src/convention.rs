@@ -32,29 +32,15 @@ pub fn detect(height: &HeightMap, normals: &NormalMap) -> Detection {
         let v = (row as f64 + 0.5) * dv;
         for (column, &[x, y, _]) in normals.iter().enumerate() {
             let u = (column as f64 + 0.5) * du;
-            along_u.add(
-                -f64::from(x),
-                height.height_at(u + du, v) - height.height_at(u - du, v),
-            );
-            along_v.add(
-                f64::from(y),
-                height.height_at(u, v + dv) - height.height_at(u, v - dv),
-            );
+            along_u.add(-f64::from(x), height.height_at(u + du, v) - height.height_at(u - du, v));
+            along_v.add(f64::from(y), height.height_at(u, v + dv) - height.height_at(u, v - dv));
         }
     }
     let (u, v) = (along_u.value(), along_v.value());
     Detection {
-        convention: if u < 0.0 {
-            Convention::Depth
-        } else {
-            Convention::Height
-        },
+        convention: if u < 0.0 { Convention::Depth } else { Convention::Height },
         convention_confidence: u.abs(),
-        green: if u * v < 0.0 {
-            GreenSign::MinusY
-        } else {
-            GreenSign::PlusY
-        },
+        green: if u * v < 0.0 { GreenSign::MinusY } else { GreenSign::PlusY },
         green_confidence: u.abs().min(v.abs()),
     }
 }

@@ -167,17 +167,11 @@ pub enum ReadProblem {
 
 impl ReadProblem {
     pub(crate) fn at(self, path: &Path) -> ReadError {
-        ReadError {
-            path: path.to_owned(),
-            problem: self,
-        }
+        ReadError { path: path.to_owned(), problem: self }
     }
 
     pub(crate) fn damaged(format: &'static str, what: impl ToString) -> Self {
-        Self::Damaged {
-            format,
-            what: what.to_string(),
-        }
+        Self::Damaged { format, what: what.to_string() }
     }
 }
 
@@ -227,9 +221,6 @@ pub enum WriteProblem {
 
 impl WriteProblem {
     pub(crate) fn at(self, path: &Path) -> WriteError {
-        WriteError {
-            path: path.to_owned(),
-            problem: self,
-        }
+        WriteError { path: path.to_owned(), problem: self }
     }
 }

@@ -56,11 +56,7 @@ impl ExrSource {
         }
         let mut layout = Layout::new(Format::Exr, [width, height], &[], SampleType::float(32));
         layout.channels = channels;
-        Ok(Self {
-            file: input.file,
-            header,
-            layout,
-        })
+        Ok(Self { file: input.file, header, layout })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -78,43 +74,26 @@ impl ExrSource {
             let place = [block as u64 % blocks_x, block as u64 / blocks_x];
             let compressed = read_chunk(&mut self.file, &self.header, index, offset, place)?;
             dwa::check(part, part.block_rectangle(place)[1], &compressed)?;
-            let chunk = Chunk {
-                layer_index: 0,
-                compressed_block: block_of(part, place, compressed),
-            };
+            let chunk = Chunk { layer_index: 0, compressed_block: block_of(part, place, compressed) };
             let block = UncompressedBlock::decompress_chunk(chunk, &meta, false)
                 .map_err(|error| ReadProblem::damaged("EXR", error))?;
             let [[left, top], [columns, rows]] = part.block_rectangle(place);
-            let bytes_per_texel = part
-                .channels
-                .iter()
-                .map(|c| c.sample.bytes_per_sample())
-                .sum::<usize>();
+            let bytes_per_texel = part.channels.iter().map(|c| c.sample.bytes_per_sample()).sum::<usize>();
             let line_bytes = columns as usize * bytes_per_texel;
             if block.data.len() != line_bytes * rows as usize {
-                return Err(ReadProblem::damaged(
-                    "EXR",
-                    "a block has another length than its header says",
-                ));
+                return Err(ReadProblem::damaged("EXR", "a block has another length than its header says"));
             }
             for (row, line) in (top..).zip(block.data.chunks_exact(line_bytes)) {
                 samples.clear();
                 samples.resize(columns as usize * chosen.len(), 0.0);
                 for (slot, &channel) in chosen.iter().enumerate() {
-                    let before = part.channels[..channel]
-                        .iter()
-                        .map(|c| c.sample.bytes_per_sample());
+                    let before = part.channels[..channel].iter().map(|c| c.sample.bytes_per_sample());
                     let start = columns as usize * before.sum::<usize>();
                     let kind = part.channels[channel].sample;
                     let bytes = &line[start..start + columns as usize * kind.bytes_per_sample()];
                     spread(kind, bytes, samples[slot..].iter_mut().step_by(chosen.len()));
                 }
-                sink(Span {
-                    row,
-                    column: left,
-                    step: 1,
-                    samples: &samples,
-                })?;
+                sink(Span { row, column: left, step: 1, samples: &samples })?;
             }
         }
         Ok(())
@@ -166,10 +145,7 @@ fn read_chunk(
     }
     for value in expected {
         if number()? != value {
-            return Err(ReadProblem::damaged(
-                "EXR",
-                "a block is not where its offset table says",
-            ));
+            return Err(ReadProblem::damaged("EXR", "a block is not where its offset table says"));
         }
     }
     let length = number()?;
@@ -202,29 +178,17 @@ fn metadata(part: &Part) -> MetaData {
         has_deep_data: false,
         has_multiple_layers: false,
     };
-    MetaData {
-        requirements,
-        headers: [header].into_iter().collect(),
-    }
+    MetaData { requirements, headers: [header].into_iter().collect() }
 }
 
 fn block_of(part: &Part, [x, y]: [u64; 2], compressed_pixels_le: Vec<u8>) -> CompressedBlock {
     if part.tiles.is_some() {
         let tile_index = Vec2(x as usize, y as usize);
-        let coordinates = TileCoordinates {
-            tile_index,
-            level_index: Vec2(0, 0),
-        };
-        CompressedBlock::Tile(CompressedTileBlock {
-            coordinates,
-            compressed_pixels_le,
-        })
+        let coordinates = TileCoordinates { tile_index, level_index: Vec2(0, 0) };
+        CompressedBlock::Tile(CompressedTileBlock { coordinates, compressed_pixels_le })
     } else {
         let y_coordinate = (y * part.rows_per_block()) as i32;
-        CompressedBlock::ScanLine(CompressedScanLineBlock {
-            y_coordinate,
-            compressed_pixels_le,
-        })
+        CompressedBlock::ScanLine(CompressedScanLineBlock { y_coordinate, compressed_pixels_le })
     }
 }
 

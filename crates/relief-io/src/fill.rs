@@ -47,11 +47,7 @@ impl Level {
                 values.push((sum / count) as f32);
             }
         }
-        Level {
-            width,
-            height,
-            values,
-        }
+        Level { width, height, values }
     }
 
     fn holes(&self) -> bool {
@@ -73,11 +69,7 @@ impl Level {
         for sweep in 0..sweeps {
             for step in 0..self.height {
                 // Every second sweep goes from bottom to top, so that values travel both ways.
-                let row = if sweep % 2 == 0 {
-                    step
-                } else {
-                    self.height - 1 - step
-                };
+                let row = if sweep % 2 == 0 { step } else { self.height - 1 - step };
                 let start = row_start(row, self.width);
                 if !is_hole[start..start + self.width as usize].contains(&true) {
                     continue;
@@ -100,10 +92,7 @@ impl Level {
 fn interpolate(coarser: &Level, column: u32, row: u32, wrap: Wrap) -> f32 {
     // The finer texel's centre lies a quarter of a coarse texel before or behind the centre of the coarse texel over it.
     let near = [i64::from(column / 2), i64::from(row / 2)];
-    let far = [
-        near[0] + 2 * i64::from(column % 2) - 1,
-        near[1] + 2 * i64::from(row % 2) - 1,
-    ];
+    let far = [near[0] + 2 * i64::from(column % 2) - 1, near[1] + 2 * i64::from(row % 2) - 1];
     0.5625 * coarser.at(near[0], near[1], wrap)
         + 0.1875 * coarser.at(far[0], near[1], wrap)
         + 0.1875 * coarser.at(near[0], far[1], wrap)
@@ -112,11 +101,7 @@ fn interpolate(coarser: &Level, column: u32, row: u32, wrap: Wrap) -> f32 {
 
 /// Fills the NaN of a map that has at least one other value. Neighbours across the edges are those of the wrap.
 pub(crate) fn fill_holes(width: u32, height: u32, values: &mut Vec<f32>, wrap: Wrap) {
-    let mut levels = vec![Level {
-        width,
-        height,
-        values: std::mem::take(values),
-    }];
+    let mut levels = vec![Level { width, height, values: std::mem::take(values) }];
     while let Some(last) = levels.last()
         && last.holes()
         && last.values.len() > 1
@@ -142,10 +127,8 @@ mod tests {
     use super::*;
 
     fn filled(width: u32, height: u32, wrap: Wrap, value: impl Fn(u32, u32) -> f32) -> Vec<f32> {
-        let mut values = (0..height)
-            .flat_map(|j| (0..width).map(move |i| (i, j)))
-            .map(|(i, j)| value(i, j))
-            .collect();
+        let mut values =
+            (0..height).flat_map(|j| (0..width).map(move |i| (i, j))).map(|(i, j)| value(i, j)).collect();
         fill_holes(width, height, &mut values, wrap);
         values
     }
@@ -154,16 +137,11 @@ mod tests {
     fn a_hole_in_a_plane_is_filled_with_the_plane() {
         let plane = |i: u32, j: u32| 0.25 * i as f32 + 0.5 * j as f32;
         let hole = |i: u32, j: u32| (20..41).contains(&i) && (11..37).contains(&j);
-        let values = filled(61, 50, Wrap::Clamp, |i, j| {
-            if hole(i, j) { f32::NAN } else { plane(i, j) }
-        });
+        let values = filled(61, 50, Wrap::Clamp, |i, j| if hole(i, j) { f32::NAN } else { plane(i, j) });
         for j in 0..50 {
             for i in 0..61 {
                 let error = (values[(j * 61 + i) as usize] - plane(i, j)).abs();
-                assert!(
-                    if hole(i, j) { error < 0.3 } else { error == 0.0 },
-                    "({i}, {j}): {error}"
-                );
+                assert!(if hole(i, j) { error < 0.3 } else { error == 0.0 }, "({i}, {j}): {error}");
             }
         }
     }
@@ -176,10 +154,7 @@ mod tests {
         };
         for wrap in Wrap::ALL {
             let values = filled(33, 17, wrap, value);
-            assert!(
-                values.iter().all(|value| (200.0..=255.0).contains(value)),
-                "{wrap}"
-            );
+            assert!(values.iter().all(|value| (200.0..=255.0).contains(value)), "{wrap}");
             assert_eq!(values, filled(33, 17, wrap, value));
         }
     }
@@ -187,13 +162,9 @@ mod tests {
     #[test]
     fn a_single_value_fills_everything() {
         for (width, height) in [(1, 1), (1, 9), (16, 1), (7, 5)] {
-            let values = filled(width, height, Wrap::Repeat, |i, j| {
-                if (i, j) == (0, 0) { 3.5 } else { f32::NAN }
-            });
-            assert!(
-                values.iter().all(|&value| value == 3.5),
-                "{width}x{height}: {values:?}"
-            );
+            let values =
+                filled(width, height, Wrap::Repeat, |i, j| if (i, j) == (0, 0) { 3.5 } else { f32::NAN });
+            assert!(values.iter().all(|&value| value == 3.5), "{width}x{height}: {values:?}");
         }
     }
 

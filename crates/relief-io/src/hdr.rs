@@ -59,12 +59,7 @@ impl HdrSource {
         let least = u64::from(size[0]) * u64::from(size[1]) / 32;
         input.check_size(Format::Hdr, size, 8 * u64::from(size[0]), least)?;
         let layout = Layout::new(Format::Hdr, size, &["r", "g", "b"], SampleType::float(32));
-        Ok(Self {
-            file: input.file,
-            layout,
-            bottom_up: y_axis == "+Y",
-            right_to_left: x_axis == "-X",
-        })
+        Ok(Self { file: input.file, layout, bottom_up: y_axis == "+Y", right_to_left: x_axis == "-X" })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -82,24 +77,11 @@ impl HdrSource {
             }
             samples.clear();
             for &[r, g, b, exponent] in &texels {
-                let scale = if exponent == 0 {
-                    0.0
-                } else {
-                    2f64.powi(i32::from(exponent) - 136)
-                };
-                samples.extend(
-                    channels
-                        .iter()
-                        .map(|&channel| f64::from([r, g, b][channel]) * scale),
-                );
+                let scale = if exponent == 0 { 0.0 } else { 2f64.powi(i32::from(exponent) - 136) };
+                samples.extend(channels.iter().map(|&channel| f64::from([r, g, b][channel]) * scale));
             }
             let row = if self.bottom_up { height - 1 - line } else { line };
-            sink(Span {
-                row,
-                column: 0,
-                step: 1,
-                samples: &samples,
-            })?;
+            sink(Span { row, column: 0, step: 1, samples: &samples })?;
         }
         Ok(())
     }
@@ -107,9 +89,7 @@ impl HdrSource {
 
 fn read_line(file: &mut BufReader<File>) -> Result<String, ReadProblem> {
     let mut line = Vec::new();
-    file.take(MAX_LINE)
-        .read_until(b'\n', &mut line)
-        .map_err(problem)?;
+    file.take(MAX_LINE).read_until(b'\n', &mut line).map_err(problem)?;
     match line.pop() {
         Some(b'\n') => Ok(String::from_utf8_lossy(&line).trim_end().to_owned()),
         _ => Err(damaged("its header is cut off")),
@@ -169,10 +149,7 @@ fn read_repeats(
         if let [1, 1, 1, count] = texel {
             let length = usize::from(count).checked_shl(shift).unwrap_or(usize::MAX);
             let last = at.checked_sub(1).map(|last| texels[last]);
-            match (
-                last,
-                at.checked_add(length).and_then(|end| texels.get_mut(at..end)),
-            ) {
+            match (last, at.checked_add(length).and_then(|end| texels.get_mut(at..end))) {
                 (Some(last), Some(run)) if shift <= 24 => run.fill(last),
                 _ => return Err(damaged("a run goes beyond its line")),
             }

@@ -146,12 +146,7 @@ fn height_map(
         if !options.fill {
             let (column, row) = ((hole % width as usize) as u32, (hole / width as usize) as u32);
             let (not_finite, nodata) = (samples.not_finite, samples.nodata);
-            return Err(ReadProblem::Holes {
-                not_finite,
-                nodata,
-                column,
-                row,
-            });
+            return Err(ReadProblem::Holes { not_finite, nodata, column, row });
         }
         fill_holes(width, height, &mut samples.values, options.wrap);
     }
@@ -170,11 +165,7 @@ fn height_map(
         Convention::Depth => (-1.0, 1.0),
     };
     for value in &mut samples.values {
-        let fraction = if span > 0.0 {
-            (f64::from(*value) + start) / span
-        } else {
-            0.0
-        };
+        let fraction = if span > 0.0 { (f64::from(*value) + start) / span } else { 0.0 };
         *value = (zero + sign * fraction).clamp(0.0, 1.0) as f32;
     }
     let physical_range = match options.convention {
@@ -199,18 +190,12 @@ const ALIASES: [(&str, &str); 8] = [
 /// The channel asked for, or the one that stands out.
 pub(crate) fn select(layout: &Layout, asked: Option<&str>) -> Result<Selection, ReadProblem> {
     if let Some(name) = asked {
-        let alias = || {
-            ALIASES
-                .iter()
-                .find(|(alias, _)| alias.eq_ignore_ascii_case(name))
-                .map(|(_, name)| *name)
-        };
+        let alias =
+            || ALIASES.iter().find(|(alias, _)| alias.eq_ignore_ascii_case(name)).map(|(_, name)| *name);
         let channel = layout.channel(name).or_else(|| layout.channel(alias()?));
         let known = layout.channel_names();
         let unknown = || UnknownName::new("channel", name, known.iter().map(String::as_str));
-        return channel
-            .map(Selection::Channel)
-            .ok_or_else(|| ReadProblem::UnknownChannel(unknown()));
+        return channel.map(Selection::Channel).ok_or_else(|| ReadProblem::UnknownChannel(unknown()));
     }
     if layout.channels.len() == 1 {
         return Ok(Selection::Channel(0));
@@ -220,8 +205,6 @@ pub(crate) fn select(layout: &Layout, asked: Option<&str>) -> Result<Selection, 
     match (y, r, g, b) {
         (Some(y), ..) if count == 1 => Ok(Selection::Channel(y)),
         (_, Some(r), Some(g), Some(b)) if count == 3 => Ok(Selection::Grey([r, g, b])),
-        _ => Err(ReadProblem::ChooseChannel {
-            channels: layout.channel_names(),
-        }),
+        _ => Err(ReadProblem::ChooseChannel { channels: layout.channel_names() }),
     }
 }

@@ -114,11 +114,7 @@ fn values(mut samples: Samples, channel: &str, full_scale: Option<f64>) -> Value
     let mut histogram = [0; HISTOGRAM_BINS];
     let span = greatest - least;
     for &value in samples.values.iter().filter(|value| !value.is_nan()) {
-        let fraction = if span > 0.0 {
-            (f64::from(value) + samples.offset - least) / span
-        } else {
-            0.0
-        };
+        let fraction = if span > 0.0 { (f64::from(value) + samples.offset - least) / span } else { 0.0 };
         histogram[((fraction * HISTOGRAM_BINS as f64) as usize).min(HISTOGRAM_BINS - 1)] += 1;
     }
     let tiling = (samples.holes() == 0).then(|| tiling(&samples));
@@ -156,8 +152,5 @@ fn tiling(samples: &Samples) -> Tiling {
         let steepest = steps.into_iter().fold(0.0, f64::max);
         if seam > 0.0 { seam / steepest } else { 0.0 }
     });
-    Tiling {
-        seam,
-        tiles: seam.map(|seam| seam <= SEAM_LIMIT),
-    }
+    Tiling { seam, tiles: seam.map(|seam| seam <= SEAM_LIMIT) }
 }

@@ -28,17 +28,10 @@ impl JpegSource {
         let least = texels / 512;
         input.check_size(Format::Jpeg, [frame.width, frame.height], decoder_bytes, least)?;
         input.file.rewind()?;
-        let channels: &[&str] = if frame.components == 1 {
-            &["y"]
-        } else {
-            &["r", "g", "b"]
-        };
+        let channels: &[&str] = if frame.components == 1 { &["y"] } else { &["r", "g", "b"] };
         let size = [frame.width, frame.height];
         let layout = Layout::new(Format::Jpeg, size, channels, SampleType::unsigned(8));
-        Ok(Self {
-            file: input.file,
-            layout,
-        })
+        Ok(Self { file: input.file, layout })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -61,12 +54,7 @@ impl JpegSource {
             for texel in texels.chunks_exact(per_texel) {
                 samples.extend(channels.iter().map(|&channel| f64::from(texel[channel])));
             }
-            sink(Span {
-                row,
-                column: 0,
-                step: 1,
-                samples: &samples,
-            })?;
+            sink(Span { row, column: 0, step: 1, samples: &samples })?;
         }
         Ok(())
     }
@@ -92,15 +80,11 @@ impl Frame {
                 0x01 | 0xd0..=0xd8 => {}
                 marker => {
                     let length = u16::from_be_bytes(bytes(file)?);
-                    let mut rest = length
-                        .checked_sub(2)
-                        .ok_or_else(|| damaged("a segment is too short"))?;
+                    let mut rest = length.checked_sub(2).ok_or_else(|| damaged("a segment is too short"))?;
                     // All frame headers but DHT (c4), JPG (c8) and DAC (cc), which share their range.
                     if matches!(marker, 0xc0..=0xcf) && !matches!(marker, 0xc4 | 0xc8 | 0xcc) {
                         let [precision, h1, h0, w1, w0, components] = bytes(file)?;
-                        rest = rest
-                            .checked_sub(6)
-                            .ok_or_else(|| damaged("its frame header is too short"))?;
+                        rest = rest.checked_sub(6).ok_or_else(|| damaged("its frame header is too short"))?;
                         frame = Some(Self::check(marker, precision, [w1, w0], [h1, h0], components)?);
                     }
                     file.seek_relative(i64::from(rest)).map_err(io)?;

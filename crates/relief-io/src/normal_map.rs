@@ -82,17 +82,12 @@ fn read(path: &Path, green: GreenSign, max_bytes: u64) -> Result<NormalMap, Read
     let layout = source.layout().clone();
     let channels = normal_channels(&layout)?;
     let scale = layout.full_scale.unwrap_or(1.0);
-    let mut normals = collect(source, &channels, [0.0f32; 3], |s| {
-        [0, 1, 2].map(|axis| (s[axis] / scale) as f32)
-    })?;
+    let mut normals =
+        collect(source, &channels, [0.0f32; 3], |s| [0, 1, 2].map(|axis| (s[axis] / scale) as f32))?;
     let signed = layout.full_scale.is_none() && normals.iter().flatten().any(|&value| value < 0.0);
     let mut degenerate = 0;
     for normal in &mut normals {
-        let [x, y, z] = if signed {
-            *normal
-        } else {
-            normal.map(|value| 2.0 * value - 1.0)
-        };
+        let [x, y, z] = if signed { *normal } else { normal.map(|value| 2.0 * value - 1.0) };
         let length = (x * x + y * y + z * z).sqrt();
         *normal = if length.is_finite() && length >= SHORTEST {
             let y = if green == GreenSign::PlusY { y } else { -y };
@@ -102,20 +97,12 @@ fn read(path: &Path, green: GreenSign, max_bytes: u64) -> Result<NormalMap, Read
             [0.0, 0.0, 1.0]
         };
     }
-    Ok(NormalMap {
-        width: layout.width,
-        height: layout.height,
-        normals,
-        degenerate,
-    })
+    Ok(NormalMap { width: layout.width, height: layout.height, normals, degenerate })
 }
 
 fn normal_channels(layout: &Layout) -> Result<[usize; 3], ReadProblem> {
     let [Some(r), Some(g), Some(b)] = ["r", "g", "b"].map(|name| layout.channel(name)) else {
-        return Err(ReadProblem::NoColour {
-            what: "normal map",
-            channels: layout.channel_names(),
-        });
+        return Err(ReadProblem::NoColour { what: "normal map", channels: layout.channel_names() });
     };
     let sample = layout.channels[r].sample;
     if layout.full_scale.is_none() && sample.kind != SampleKind::Float {

@@ -18,11 +18,7 @@ impl PgmSource {
         let mut magic = [0; 2];
         input.file.read_exact(&mut magic).map_err(problem)?;
         let plain = matches!(magic[1], b'2' | b'3');
-        let channels: &[&str] = if matches!(magic[1], b'2' | b'5') {
-            &["y"]
-        } else {
-            &["r", "g", "b"]
-        };
+        let channels: &[&str] = if matches!(magic[1], b'2' | b'5') { &["y"] } else { &["r", "g", "b"] };
         let width = number(&mut input.file)?;
         let height = number(&mut input.file)?;
         let maxval = number(&mut input.file)?;
@@ -34,18 +30,12 @@ impl PgmSource {
         // A plain sample is a digit and a separator, which the last one may lack.
         let bytes_per_sample = if plain { 2 } else { u64::from(bits) / 8 };
         let samples = u64::from(width) * u64::from(height);
-        let least = samples
-            .saturating_mul(bytes_per_sample * channels.len() as u64)
-            .saturating_sub(u64::from(plain));
+        let least =
+            samples.saturating_mul(bytes_per_sample * channels.len() as u64).saturating_sub(u64::from(plain));
         input.check_size(Format::Pgm, [width, height], 0, least)?;
         let mut layout = Layout::new(Format::Pgm, [width, height], channels, SampleType::unsigned(bits));
         layout.full_scale = Some(f64::from(maxval));
-        Ok(Self {
-            file: input.file,
-            layout,
-            plain,
-            maxval,
-        })
+        Ok(Self { file: input.file, layout, plain, maxval })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -55,11 +45,7 @@ impl PgmSource {
     pub(crate) fn decode(mut self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let per_row = self.layout.width as usize * self.layout.channels.len();
         let wide = self.maxval > 255;
-        let mut bytes = zeros::<u8>(if self.plain {
-            0
-        } else {
-            per_row * if wide { 2 } else { 1 }
-        })?;
+        let mut bytes = zeros::<u8>(if self.plain { 0 } else { per_row * if wide { 2 } else { 1 } })?;
         let mut stored = Vec::with_capacity(per_row);
         let mut samples = Vec::with_capacity(self.layout.width as usize * channels.len());
         for row in 0..self.layout.height {
@@ -71,13 +57,7 @@ impl PgmSource {
             } else {
                 self.file.read_exact(&mut bytes).map_err(problem)?;
                 if wide {
-                    stored.extend(
-                        bytes
-                            .as_chunks::<2>()
-                            .0
-                            .iter()
-                            .map(|&s| u32::from(u16::from_be_bytes(s))),
-                    );
+                    stored.extend(bytes.as_chunks::<2>().0.iter().map(|&s| u32::from(u16::from_be_bytes(s))));
                 } else {
                     stored.extend(bytes.iter().map(|&sample| u32::from(sample)));
                 }
@@ -90,12 +70,7 @@ impl PgmSource {
             for texel in stored.chunks_exact(self.layout.channels.len()) {
                 samples.extend(channels.iter().map(|&channel| f64::from(texel[channel])));
             }
-            sink(Span {
-                row,
-                column: 0,
-                step: 1,
-                samples: &samples,
-            })?;
+            sink(Span { row, column: 0, step: 1, samples: &samples })?;
         }
         Ok(())
     }
@@ -118,10 +93,7 @@ fn number(file: &mut BufReader<File>) -> Result<u32, ReadProblem> {
             _ if comment => {}
             b'0'..=b'9' => {
                 let digit = u32::from(byte - b'0');
-                let next = value
-                    .unwrap_or(0)
-                    .checked_mul(10)
-                    .and_then(|tens| tens.checked_add(digit));
+                let next = value.unwrap_or(0).checked_mul(10).and_then(|tens| tens.checked_add(digit));
                 value = Some(next.ok_or_else(|| ReadProblem::damaged("PGM", "a number is too large"))?);
             }
             _ if byte.is_ascii_whitespace() => {

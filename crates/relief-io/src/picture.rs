@@ -39,9 +39,7 @@ fn read(path: &Path, max_bytes: u64) -> Result<Picture, ReadProblem> {
     let colours = if channels.len() >= 3 { 3 } else { 1 };
     let texels = collect(source, &channels, [0.0; 4], |samples| {
         let colour = |channel: usize| transfer.linear(samples[channel.min(colours - 1)]);
-        let opacity = samples
-            .get(colours)
-            .map_or(1.0, |&sample| transfer.fraction(sample));
+        let opacity = samples.get(colours).map_or(1.0, |&sample| transfer.fraction(sample));
         [colour(0), colour(1), colour(2), opacity]
     })?;
     let width = layout.width as usize;
@@ -49,17 +47,9 @@ fn read(path: &Path, max_bytes: u64) -> Result<Picture, ReadProblem> {
     if let Some(at) = texels.iter().position(bad) {
         let not_finite = texels.iter().filter(|texel| bad(texel)).count() as u64;
         let (column, row) = ((at % width) as u32, (at / width) as u32);
-        return Err(ReadProblem::NotFinite {
-            not_finite,
-            column,
-            row,
-        });
+        return Err(ReadProblem::NotFinite { not_finite, column, row });
     }
-    Ok(Picture {
-        width: layout.width,
-        height: layout.height,
-        texels,
-    })
+    Ok(Picture { width: layout.width, height: layout.height, texels })
 }
 
 /// Reads every texel's chosen channels and keeps what `texel` makes of them.
@@ -73,9 +63,7 @@ pub(crate) fn collect<T: Copy>(
     let count = width * source.layout().height as usize;
     let mut texels = Vec::new();
     let needed = (count * size_of::<T>()) as u64;
-    texels
-        .try_reserve_exact(count)
-        .map_err(|_| ReadProblem::OutOfMemory { needed })?;
+    texels.try_reserve_exact(count).map_err(|_| ReadProblem::OutOfMemory { needed })?;
     source.decode(channels, &mut |span: Span<'_>| {
         let first = span.row as usize * width + span.column as usize;
         for (index, samples) in span.samples.chunks_exact(channels.len()).enumerate() {
@@ -98,10 +86,7 @@ fn colour_channels(layout: &Layout) -> Result<Vec<usize>, ReadProblem> {
         (_, _, _, Some(y)) => vec![y],
         _ if layout.channels.len() == 1 => vec![0],
         _ => {
-            return Err(ReadProblem::NoColour {
-                what: "picture",
-                channels: layout.channel_names(),
-            });
+            return Err(ReadProblem::NoColour { what: "picture", channels: layout.channel_names() });
         }
     };
     channels.extend(a.filter(|a| !channels.contains(a)));
@@ -149,9 +134,5 @@ impl Transfer {
 
 /// The sRGB curve (IEC 61966-2-1), from encoded to linear, both in `[0, 1]`.
 fn srgb_to_linear(encoded: f64) -> f64 {
-    if encoded <= 0.04045 {
-        encoded / 12.92
-    } else {
-        ((encoded + 0.055) / 1.055).powf(2.4)
-    }
+    if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }

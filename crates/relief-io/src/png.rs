@@ -17,15 +17,8 @@ const DECODER_BYTES: usize = 16 << 20;
 const DEFLATE_RATIO: u64 = 1032;
 
 /// Left-most column, top row, column step and row step of each of the seven passes of Adam7 (PNG specification, 8.2).
-const ADAM7: [[u32; 4]; 7] = [
-    [0, 0, 8, 8],
-    [4, 0, 8, 8],
-    [0, 4, 4, 8],
-    [2, 0, 4, 4],
-    [0, 2, 2, 4],
-    [1, 0, 2, 2],
-    [0, 1, 1, 2],
-];
+const ADAM7: [[u32; 4]; 7] =
+    [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]];
 
 pub(crate) struct PngSource {
     reader: Reader<BufReader<File>>,
@@ -41,12 +34,7 @@ impl PngSource {
         let (input, header) = Header::read(input)?;
         let row_bytes = (u64::from(header.width) * u64::from(header.bits_per_texel)).div_ceil(8) + 1;
         let least = row_bytes.saturating_mul(u64::from(header.height)) / DEFLATE_RATIO;
-        input.check_size(
-            Format::Png,
-            [header.width, header.height],
-            DECODER_BYTES as u64,
-            least,
-        )?;
+        input.check_size(Format::Png, [header.width, header.height], DECODER_BYTES as u64, least)?;
 
         let mut decoder = Decoder::new_with_limits(input.file, Limits { bytes: DECODER_BYTES });
         decoder.set_transformations(Transformations::EXPAND);
@@ -72,11 +60,7 @@ impl PngSource {
         };
         let size = [info.width, info.height];
         let layout = Layout::new(Format::Png, size, channels, SampleType::unsigned(stored_bits));
-        Ok(Self {
-            reader,
-            layout,
-            expansion,
-        })
+        Ok(Self { reader, layout, expansion })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -85,11 +69,7 @@ impl PngSource {
 
     pub(crate) fn decode(mut self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
         let (width, height) = (self.layout.width, self.layout.height);
-        let passes: &[[u32; 4]] = if self.reader.info().interlaced {
-            &ADAM7
-        } else {
-            &[[0, 0, 1, 1]]
-        };
+        let passes: &[[u32; 4]] = if self.reader.info().interlaced { &ADAM7 } else { &[[0, 0, 1, 1]] };
         let mut samples = Vec::with_capacity(width as usize * channels.len());
         for &[left, top, column_step, row_step] in passes {
             let columns = width.saturating_sub(left).div_ceil(column_step);
@@ -98,12 +78,7 @@ impl PngSource {
             }
             for row in (top..height).step_by(row_step as usize) {
                 self.read_row(columns as usize, channels, &mut samples)?;
-                sink(Span {
-                    row,
-                    column: left,
-                    step: column_step,
-                    samples: &samples,
-                })?;
+                sink(Span { row, column: left, step: column_step, samples: &samples })?;
             }
         }
         self.reader.finish().map_err(problem)
@@ -121,10 +96,7 @@ impl PngSource {
         let data = row.as_ref().map_or(&[][..], |row| row.data());
         let sample_bytes = if depth == BitDepth::Sixteen { 2 } else { 1 };
         if data.len() != columns * per_texel * sample_bytes {
-            return Err(ReadProblem::damaged(
-                "PNG",
-                "a row is missing or has another length",
-            ));
+            return Err(ReadProblem::damaged("PNG", "a row is missing or has another length"));
         }
         samples.clear();
         for texel in data.chunks_exact(per_texel * sample_bytes) {
@@ -151,10 +123,7 @@ impl Header {
     fn read(mut input: Input) -> Result<(Input, Self), ReadProblem> {
         use std::io::{Read, Seek};
         let mut bytes = [0; 26];
-        input
-            .file
-            .read_exact(&mut bytes)
-            .map_err(|error| io_problem(Format::Png, error))?;
+        input.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Png, error))?;
         input.file.rewind()?;
         if bytes[12..16] != *b"IHDR" {
             return Err(ReadProblem::damaged("PNG", "it does not begin with its header"));
@@ -166,17 +135,11 @@ impl Header {
             4 => 2,
             6 => 4,
             other => {
-                return Err(ReadProblem::damaged(
-                    "PNG",
-                    format!("unknown colour type {other}"),
-                ));
+                return Err(ReadProblem::damaged("PNG", format!("unknown colour type {other}")));
             }
         };
-        let header = Self {
-            width: number(16),
-            height: number(20),
-            bits_per_texel: samples * u32::from(bytes[24]),
-        };
+        let header =
+            Self { width: number(16), height: number(20), bits_per_texel: samples * u32::from(bytes[24]) };
         Ok((input, header))
     }
 }

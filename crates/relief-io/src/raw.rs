@@ -48,11 +48,7 @@ impl FromStr for RawLayout {
                 _ => return None,
             };
             let side = |text: &str| text.parse().ok().filter(|&side: &u32| side > 0);
-            Some(Self {
-                width: side(width)?,
-                height: side(height)?,
-                order,
-            })
+            Some(Self { width: side(width)?, height: side(height)?, order })
         };
         parse().ok_or_else(|| BadRawLayout(text.to_owned()))
     }
@@ -79,19 +75,11 @@ impl RawSource {
         let size = [raw.width, raw.height];
         let expected = u64::from(raw.width) * u64::from(raw.height) * 2;
         if input.file_len != expected {
-            return Err(ReadProblem::RawSize {
-                layout: raw,
-                expected,
-                actual: input.file_len,
-            });
+            return Err(ReadProblem::RawSize { layout: raw, expected, actual: input.file_len });
         }
         input.check_size(Format::Raw, size, 2 * u64::from(raw.width), expected)?;
         let layout = Layout::new(Format::Raw, size, &["y"], SampleType::unsigned(16));
-        Ok(Self {
-            file: input.file,
-            layout,
-            order: raw.order,
-        })
+        Ok(Self { file: input.file, layout, order: raw.order })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -102,9 +90,7 @@ impl RawSource {
         let mut bytes = zeros::<u8>(2 * self.layout.width as usize)?;
         let mut samples = Vec::with_capacity(self.layout.width as usize);
         for row in 0..self.layout.height {
-            self.file
-                .read_exact(&mut bytes)
-                .map_err(|error| io_problem(Format::Raw, error))?;
+            self.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Raw, error))?;
             samples.clear();
             samples.extend(bytes.as_chunks::<2>().0.iter().map(|&sample| {
                 f64::from(match self.order {
@@ -112,12 +98,7 @@ impl RawSource {
                     ByteOrder::Big => u16::from_be_bytes(sample),
                 })
             }));
-            sink(Span {
-                row,
-                column: 0,
-                step: 1,
-                samples: &samples,
-            })?;
+            sink(Span { row, column: 0, step: 1, samples: &samples })?;
         }
         Ok(())
     }
@@ -129,23 +110,10 @@ mod tests {
 
     #[test]
     fn layouts_are_read_as_they_are_written() {
-        let layout = RawLayout {
-            width: 403,
-            height: 344,
-            order: ByteOrder::Little,
-        };
+        let layout = RawLayout { width: 403, height: 344, order: ByteOrder::Little };
         assert_eq!("403x344,le".parse(), Ok(layout));
         assert_eq!(layout.to_string(), "403x344,le");
-        for bad in [
-            "",
-            "403x344",
-            "403,le",
-            "0x4,le",
-            "4x4,xe",
-            "-4x4,le",
-            "4x4x4,be",
-            "99999999999x1,le",
-        ] {
+        for bad in ["", "403x344", "403,le", "0x4,le", "4x4,xe", "-4x4,le", "4x4x4,be", "99999999999x1,le"] {
             assert!(bad.parse::<RawLayout>().is_err(), "{bad}");
         }
     }

@@ -45,11 +45,7 @@ impl Samples {
             let mut texels = span.samples.chunks_exact(channels.len());
             if let Some(texel) = texels.position(|texel| texel[1..].iter().any(|s| differ(*s, texel[0]))) {
                 let column = span.column + texel as u32 * span.step;
-                return Err(ReadProblem::NotGrey {
-                    channels: names.clone(),
-                    column,
-                    row: span.row,
-                });
+                return Err(ReadProblem::NotGrey { channels: names.clone(), column, row: span.row });
             }
             collector.take(&span, channels.len());
             Ok(())
@@ -78,9 +74,7 @@ impl Collector {
         let texels = layout.width as usize * layout.height as usize;
         let mut values = Vec::new();
         let needed = 4 * texels as u64;
-        values
-            .try_reserve_exact(texels)
-            .map_err(|_| ReadProblem::OutOfMemory { needed })?;
+        values.try_reserve_exact(texels).map_err(|_| ReadProblem::OutOfMemory { needed })?;
         let samples = Samples {
             width: layout.width,
             height: layout.height,
@@ -91,11 +85,7 @@ impl Collector {
             nodata: 0,
             first_hole: None,
         };
-        Ok(Self {
-            samples,
-            nodata: layout.nodata,
-            exact,
-        })
+        Ok(Self { samples, nodata: layout.nodata, exact })
     }
 
     fn take(&mut self, span: &Span<'_>, channels: usize) {
@@ -113,11 +103,7 @@ impl Collector {
             let is_nodata = self.nodata == Some(value);
             if is_nodata || value.is_nan() || value.abs() > f64::from(f32::MAX) {
                 *stored = f32::NAN;
-                *(if is_nodata {
-                    &mut samples.nodata
-                } else {
-                    &mut samples.not_finite
-                }) += 1;
+                *(if is_nodata { &mut samples.nodata } else { &mut samples.not_finite }) += 1;
                 let at = first + index * span.step as usize;
                 samples.first_hole = Some(samples.first_hole.map_or(at, |hole| hole.min(at)));
                 continue;

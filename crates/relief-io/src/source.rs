@@ -71,17 +71,11 @@ pub struct SampleType {
 
 impl SampleType {
     pub(crate) const fn unsigned(bits: u8) -> Self {
-        Self {
-            kind: SampleKind::Unsigned,
-            bits,
-        }
+        Self { kind: SampleKind::Unsigned, bits }
     }
 
     pub(crate) const fn float(bits: u8) -> Self {
-        Self {
-            kind: SampleKind::Float,
-            bits,
-        }
+        Self { kind: SampleKind::Float, bits }
     }
 
     /// Whether each sample is exactly an `f32`.
@@ -133,31 +127,18 @@ impl Layout {
     /// A layout whose channels are all stored alike, without georeference; unsigned samples are divided by their
     /// type's maximum.
     pub(crate) fn new(format: Format, [width, height]: [u32; 2], names: &[&str], sample: SampleType) -> Self {
-        let channel = |name: &&str| Channel {
-            name: (*name).to_owned(),
-            sample,
-        };
+        let channel = |name: &&str| Channel { name: (*name).to_owned(), sample };
         let full_scale = match sample.kind {
             SampleKind::Unsigned if sample.bits <= 16 => Some(f64::from((1u32 << sample.bits) - 1)),
             _ => None,
         };
         let channels = names.iter().map(channel).collect();
-        Self {
-            format,
-            width,
-            height,
-            channels,
-            full_scale,
-            nodata: None,
-            texel_size_m: None,
-        }
+        Self { format, width, height, channels, full_scale, nodata: None, texel_size_m: None }
     }
 
     /// The channel of that name, whatever its case.
     pub(crate) fn channel(&self, name: &str) -> Option<usize> {
-        self.channels
-            .iter()
-            .position(|channel| channel.name.eq_ignore_ascii_case(name))
+        self.channels.iter().position(|channel| channel.name.eq_ignore_ascii_case(name))
     }
 
     /// The channels' names, in the file's order.
@@ -214,13 +195,8 @@ impl Source {
         let mut signature = Vec::with_capacity(SIGNATURE_LEN as usize);
         file.by_ref().take(SIGNATURE_LEN).read_to_end(&mut signature)?;
         file.seek(SeekFrom::Start(0))?;
-        let input = Input {
-            path: path.to_owned(),
-            file: BufReader::new(file),
-            file_len,
-            bytes_per_texel,
-            max_bytes,
-        };
+        let input =
+            Input { path: path.to_owned(), file: BufReader::new(file), file_len, bytes_per_texel, max_bytes };
         if let Some(layout) = raw {
             return Ok(Self::Raw(RawSource::open(input, layout)?));
         }
@@ -306,12 +282,7 @@ impl Input {
         let texels = u64::from(width) * u64::from(height);
         let needed = (texels * self.bytes_per_texel).saturating_add(decoder_bytes);
         if needed > self.max_bytes {
-            return Err(ReadProblem::TooMuchMemory {
-                width,
-                height,
-                needed,
-                limit: self.max_bytes,
-            });
+            return Err(ReadProblem::TooMuchMemory { width, height, needed, limit: self.max_bytes });
         }
         if least_file_bytes > self.file_len {
             let what = format!(
@@ -328,9 +299,7 @@ impl Input {
 pub(crate) fn zeros<T: Clone + Default>(len: usize) -> Result<Vec<T>, ReadProblem> {
     let mut values = Vec::new();
     let needed = (len as u64).saturating_mul(size_of::<T>() as u64);
-    values
-        .try_reserve_exact(len)
-        .map_err(|_| ReadProblem::OutOfMemory { needed })?;
+    values.try_reserve_exact(len).map_err(|_| ReadProblem::OutOfMemory { needed })?;
     values.resize(len, T::default());
     Ok(values)
 }

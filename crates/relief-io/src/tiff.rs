@@ -55,10 +55,7 @@ impl TiffSource {
         let sample = sample_type(raster.sample_format, raster.bits_per_sample)?;
         let photometric = header.photometric_interpretation().unwrap_or(BLACK_IS_ZERO);
         let (columns, rows) = if header.is_tiled() {
-            (
-                header.tile_width().unwrap_or(0),
-                header.tile_height().unwrap_or(0),
-            )
+            (header.tile_width().unwrap_or(0), header.tile_height().unwrap_or(0))
         } else {
             (size[0], header.rows_per_strip().min(size[1]))
         };
@@ -67,11 +64,7 @@ impl TiffSource {
         }
         let planar = raster.planar_configuration == 2;
         let bands = raster.samples_per_pixel as u64;
-        let (in_block, at_once) = if planar {
-            (1, bands.min(MAX_CHANNELS))
-        } else {
-            (bands, 1)
-        };
+        let (in_block, at_once) = if planar { (1, bands.min(MAX_CHANNELS)) } else { (bands, 1) };
         let block_bytes =
             (u64::from(columns) * u64::from(rows)).saturating_mul(in_block * raster.bytes_per_sample as u64);
         let count = u64::from(size[0].div_ceil(columns)) * u64::from(size[1].div_ceil(rows));
@@ -82,36 +75,18 @@ impl TiffSource {
 
         let channels = channel_names(header, photometric, raster.samples_per_pixel)?;
         let mut layout = Layout::new(Format::Tiff, size, &[], sample);
-        layout.channels = channels
-            .into_iter()
-            .map(|name| Channel { name, sample })
-            .collect();
+        layout.channels = channels.into_iter().map(|name| Channel { name, sample }).collect();
         layout.nodata = geo::nodata(header, sample);
         layout.texel_size_m = geo::texel_size_m(header);
         layout.full_scale = match sample.kind {
             SampleKind::Unsigned if sample.bits <= 16 => Some(f64::from((1u32 << sample.bits) - 1)),
             _ => None,
         };
-        let offsets = if header.is_tiled() {
-            header.tile_offsets()
-        } else {
-            header.strip_offsets()
-        };
+        let offsets = if header.is_tiled() { header.tile_offsets() } else { header.strip_offsets() };
         let offsets = offsets.ok_or_else(|| ReadProblem::damaged("TIFF", "it has no blocks"))?;
         let file = open(&input, usize::try_from(cache_bytes).unwrap_or(usize::MAX))?;
-        let blocks = Blocks {
-            columns,
-            rows,
-            offsets,
-            planar,
-        };
-        Ok(Self {
-            file,
-            ifd,
-            layout,
-            inverted: photometric == WHITE_IS_ZERO,
-            blocks,
-        })
+        let blocks = Blocks { columns, rows, offsets, planar };
+        Ok(Self { file, ifd, layout, inverted: photometric == WHITE_IS_ZERO, blocks })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -158,20 +133,12 @@ impl TiffSource {
             spread(self.layout.channels[channel].sample, &bytes, slots)?;
         }
         if let (true, Some(white)) = (self.inverted, self.layout.full_scale) {
-            for sample in samples
-                .iter_mut()
-                .filter(|sample| Some(**sample) != self.layout.nodata)
-            {
+            for sample in samples.iter_mut().filter(|sample| Some(**sample) != self.layout.nodata) {
                 *sample = white - *sample;
             }
         }
         for (row, samples) in (top..).zip(samples.chunks_exact(columns_len * channels.len())) {
-            sink(Span {
-                row,
-                column: left,
-                step: 1,
-                samples,
-            })?;
+            sink(Span { row, column: left, step: 1, samples })?;
         }
         Ok(())
     }
@@ -180,11 +147,7 @@ impl TiffSource {
     fn left_out(&self, left: u32, top: u32, channel: usize) -> bool {
         let across = self.layout.width.div_ceil(self.blocks.columns) as usize;
         let down = self.layout.height.div_ceil(self.blocks.rows) as usize;
-        let plane = if self.blocks.planar {
-            channel * across * down
-        } else {
-            0
-        };
+        let plane = if self.blocks.planar { channel * across * down } else { 0 };
         let block = (top / self.blocks.rows) as usize * across + (left / self.blocks.columns) as usize;
         self.blocks.offsets.get(plane + block) == Some(&0)
     }
@@ -209,10 +172,7 @@ fn open(input: &Input, cache_bytes: usize) -> Result<TiffFile, ReadProblem> {
 /// The first picture that is neither a reduced copy nor a mask (TIFF 6.0, NewSubfileType).
 fn full_resolution(file: &TiffFile) -> Result<usize, ReadProblem> {
     let reduced_or_mask = |ifd: &Ifd| {
-        let kind = ifd
-            .tag(TAG_NEW_SUBFILE_TYPE)
-            .and_then(|tag| tag.value.as_u32())
-            .unwrap_or(0);
+        let kind = ifd.tag(TAG_NEW_SUBFILE_TYPE).and_then(|tag| tag.value.as_u32()).unwrap_or(0);
         kind & 0b101 != 0
     };
     file.ifds()
@@ -230,10 +190,7 @@ fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
     match (kind, bits) {
         (SampleKind::Unsigned, 1..=16 | 32 | 64)
         | (SampleKind::Signed, 8 | 16 | 32 | 64)
-        | (SampleKind::Float, 32 | 64) => Ok(SampleType {
-            kind,
-            bits: bits as u8,
-        }),
+        | (SampleKind::Float, 32 | 64) => Ok(SampleType { kind, bits: bits as u8 }),
         _ => Err(unsupported(format!("{bits}-bit samples of format {format}"))),
     }
 }
@@ -241,9 +198,7 @@ fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
 fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<String>, ReadProblem> {
     let extra = header.extra_samples().map_err(problem)?;
     // Extra sample 0 is unspecified, 1 and 2 are opacity.
-    let opacity = extra
-        .first()
-        .is_some_and(|extra| matches!(extra.to_code(), 1 | 2));
+    let opacity = extra.first().is_some_and(|extra| matches!(extra.to_code(), 1 | 2));
     let names: &[&str] = match (photometric, count) {
         (WHITE_IS_ZERO | BLACK_IS_ZERO, 1) => &["y"],
         (WHITE_IS_ZERO | BLACK_IS_ZERO, 2) if opacity => &["y", "a"],
@@ -253,9 +208,7 @@ fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<Str
             return Ok((1..=count).map(|band| format!("band{band}")).collect());
         }
         (other, _) => {
-            return Err(unsupported(format!(
-                "the colour space number {other} (palette, YCbCr, CMYK ...)"
-            )));
+            return Err(unsupported(format!("the colour space number {other} (palette, YCbCr, CMYK ...)")));
         }
     };
     Ok(names.iter().map(ToString::to_string).collect())
@@ -273,9 +226,7 @@ fn spread<'a>(
         value: impl Fn([u8; N]) -> f64,
     ) -> bool {
         let fits = bytes.len() == slots.len() * N;
-        slots
-            .zip(bytes.as_chunks::<N>().0)
-            .for_each(|(slot, &bytes)| *slot = value(bytes));
+        slots.zip(bytes.as_chunks::<N>().0).for_each(|(slot, &bytes)| *slot = value(bytes));
         fits
     }
     let fits = match (sample.kind, sample.bits) {
@@ -293,10 +244,7 @@ fn spread<'a>(
     if fits {
         Ok(())
     } else {
-        Err(ReadProblem::damaged(
-            "TIFF",
-            "a block has another length than its size says",
-        ))
+        Err(ReadProblem::damaged("TIFF", "a block has another length than its size says"))
     }
 }
 

@@ -58,9 +58,7 @@ fn write_and_rename(
     out.flush()?;
     drop(out);
     temporary.as_file().sync_all()?;
-    temporary
-        .persist(path)
-        .map_err(|error| WriteProblem::Rename(error.error))?;
+    temporary.persist(path).map_err(|error| WriteProblem::Rename(error.error))?;
     Ok(())
 }
 
@@ -107,9 +105,7 @@ pub fn write_png8(
         PngColour::Rgba => ColorType::Rgba,
     };
     write_file(path, |out| {
-        write_png(out, [width, height], colour, BitDepth::Eight, |png| {
-            png.write_all(samples)
-        })
+        write_png(out, [width, height], colour, BitDepth::Eight, |png| png.write_all(samples))
     })
 }
 
@@ -122,21 +118,15 @@ pub fn write_png8(
 pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Result<(), WriteError> {
     check_length(width, height, 1, samples.len()).map_err(|problem| problem.at(path))?;
     write_file(path, |out| {
-        write_png(
-            out,
-            [width, height],
-            ColorType::Grayscale,
-            BitDepth::Sixteen,
-            |png| {
-                let mut row_bytes = Vec::with_capacity(2 * width as usize);
-                for row in samples.chunks_exact(width as usize) {
-                    row_bytes.clear();
-                    row_bytes.extend(row.iter().flat_map(|sample| sample.to_be_bytes()));
-                    png.write_all(&row_bytes)?;
-                }
-                Ok(())
-            },
-        )
+        write_png(out, [width, height], ColorType::Grayscale, BitDepth::Sixteen, |png| {
+            let mut row_bytes = Vec::with_capacity(2 * width as usize);
+            for row in samples.chunks_exact(width as usize) {
+                row_bytes.clear();
+                row_bytes.extend(row.iter().flat_map(|sample| sample.to_be_bytes()));
+                png.write_all(&row_bytes)?;
+            }
+            Ok(())
+        })
     })
 }
 
@@ -178,9 +168,7 @@ pub fn write_exr(
     channels: &[(&str, &[f32])],
 ) -> Result<(), WriteError> {
     let channels = check_channels(width, height, channels).map_err(|problem| problem.at(path))?;
-    write_file(path, |out| {
-        write_exr_blocks(out, [width as usize, height as usize], &channels)
-    })
+    write_file(path, |out| write_exr_blocks(out, [width as usize, height as usize], &channels))
 }
 
 fn check_channels<'a>(
@@ -191,15 +179,10 @@ fn check_channels<'a>(
     let mut sorted = channels.to_vec();
     sorted.sort_by_key(|(name, _)| *name);
     if sorted.is_empty() {
-        return Err(WriteProblem::NotStorable(
-            "an EXR file needs at least one channel".into(),
-        ));
+        return Err(WriteProblem::NotStorable("an EXR file needs at least one channel".into()));
     }
     if let Some(pair) = sorted.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-        return Err(WriteProblem::NotStorable(format!(
-            "the channel '{}' is given twice",
-            pair[0].0
-        )));
+        return Err(WriteProblem::NotStorable(format!("the channel '{}' is given twice", pair[0].0)));
     }
     for (name, samples) in &sorted {
         if !(1..=255).contains(&name.len()) || !name.bytes().all(|byte| (b' '..=b'~').contains(&byte)) {
@@ -221,35 +204,25 @@ fn write_exr_blocks(
         .map(|(name, _)| ChannelDescription::new(Text::new_or_panic(name), SampleType::F32, false))
         .collect();
     let header = Header::new(Text::from(""), (width, height), descriptions)
-        .with_encoding(
-            Compression::ZIP16,
-            BlockDescription::ScanLines,
-            LineOrder::Increasing,
-        )
+        .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)
         .with_attributes(LayerAttributes::default());
-    let written = exr::block::write(
-        out,
-        [header].into_iter().collect(),
-        true,
-        |meta: MetaData, chunks| {
-            let list = &meta.headers[0].channels;
-            let blocks = meta.collect_ordered_block_data(|block| {
-                UncompressedBlock::collect_block_data_from_lines(list, block, |line| {
-                    let start = line.location.position.y() * width + line.location.position.x();
-                    let samples =
-                        &channels[line.location.channel].1[start..start + line.location.sample_count];
-                    for (bytes, sample) in line.value.chunks_exact_mut(4).zip(samples) {
-                        bytes.copy_from_slice(&sample.to_ne_bytes());
-                    }
-                })
-            });
-            let mut compressor = chunks.sequential_blocks_compressor(&meta);
-            for (index, block) in blocks {
-                compressor.compress_block(index, block)?;
-            }
-            Ok(())
-        },
-    );
+    let written = exr::block::write(out, [header].into_iter().collect(), true, |meta: MetaData, chunks| {
+        let list = &meta.headers[0].channels;
+        let blocks = meta.collect_ordered_block_data(|block| {
+            UncompressedBlock::collect_block_data_from_lines(list, block, |line| {
+                let start = line.location.position.y() * width + line.location.position.x();
+                let samples = &channels[line.location.channel].1[start..start + line.location.sample_count];
+                for (bytes, sample) in line.value.chunks_exact_mut(4).zip(samples) {
+                    bytes.copy_from_slice(&sample.to_ne_bytes());
+                }
+            })
+        });
+        let mut compressor = chunks.sequential_blocks_compressor(&meta);
+        for (index, block) in blocks {
+            compressor.compress_block(index, block)?;
+        }
+        Ok(())
+    });
     written.map_err(|error| match error {
         exr::error::Error::Io(error) => WriteProblem::Io(error),
         other => WriteProblem::NotStorable(other.to_string()),
@@ -260,12 +233,7 @@ fn check_length(width: u32, height: u32, channels: usize, given: usize) -> Resul
     HeightMap::check_size(width, height).map_err(|error| WriteProblem::NotStorable(error.to_string()))?;
     let expected = u64::from(width) * u64::from(height) * channels as u64;
     if expected != given as u64 {
-        return Err(WriteProblem::WrongLength {
-            width,
-            height,
-            expected,
-            given: given as u64,
-        });
+        return Err(WriteProblem::WrongLength { width, height, expected, given: given as u64 });
     }
     Ok(())
 }

@@ -24,11 +24,7 @@ fn read(folder: &Folder, file: &BrokenFile) -> bool {
     // Flips can turn a file into one that these refuse or take; they must come back.
     let _ = read_picture(&path, DEFAULT_MAX_BYTES);
     let _ = read_normal_map(&path, GreenSign::PlusY, DEFAULT_MAX_BYTES);
-    assert!(
-        start.elapsed() < Duration::from_secs(20),
-        "{} takes too long",
-        file.name
-    );
+    assert!(start.elapsed() < Duration::from_secs(20), "{} takes too long", file.name);
     if map.is_ok() {
         assert!(info.is_ok(), "{}: it is read but not inspected", file.name);
     }
@@ -39,11 +35,7 @@ fn read(folder: &Folder, file: &BrokenFile) -> bool {
     }
     if let Err(error) = &map {
         assert_eq!(error.path, path);
-        assert!(
-            !matches!(error.problem, ReadProblem::OutOfMemory { .. }),
-            "{}: {error}",
-            file.name
-        );
+        assert!(!matches!(error.problem, ReadProblem::OutOfMemory { .. }), "{}: {error}", file.name);
     }
     map.is_ok()
 }
@@ -62,9 +54,7 @@ fn broken_files_are_refused_and_small_ones_read() {
 fn flipped_bits_give_an_error_or_a_valid_map() {
     let folder = Folder::new();
     for file in valid_files() {
-        let survivors = (0..FLIPS)
-            .filter(|&seed| read(&folder, &flipped(&file, seed)))
-            .count();
+        let survivors = (0..FLIPS).filter(|&seed| read(&folder, &flipped(&file, seed))).count();
         println!("{}: {survivors} of {FLIPS} are still read", file.name);
     }
 }
@@ -72,11 +62,7 @@ fn flipped_bits_give_an_error_or_a_valid_map() {
 #[test]
 fn what_is_no_file_is_said_so() {
     let folder = Folder::new();
-    let problem = |path: &Path| {
-        read_height(path, &HeightOptions::default())
-            .expect_err("no file")
-            .problem
-    };
+    let problem = |path: &Path| read_height(path, &HeightOptions::default()).expect_err("no file").problem;
     assert!(matches!(problem(folder.path()), ReadProblem::Folder));
     let missing = folder.path().join("missing.png");
     assert!(

@@ -11,10 +11,7 @@ use relief_io::{HeightOptions, ReadProblem, read_height};
 fn exr_of_every_compression_type_and_layout() {
     let folder = Folder::new();
     let [width, height] = SIZE;
-    let values: Vec<f64> = samples(width, height, 1000.0)
-        .iter()
-        .map(|s| s / 1000.0)
-        .collect();
+    let values: Vec<f64> = samples(width, height, 1000.0).iter().map(|s| s / 1000.0).collect();
     let whole = samples(width, height, 3e9);
     for (name, compression, lossy) in exr_file::COMPRESSIONS {
         for tile in [None, Some([16, 16]), Some([64, 7])] {
@@ -29,10 +26,7 @@ fn exr_of_every_compression_type_and_layout() {
             assert_reads(&path, &channel("single"), &values, 1e-7 + lossy);
             assert_reads(&path, &channel("whole"), &whole, 3e9 / 16e6);
             let error = read_height(&path, &default()).expect_err("no channel stands out");
-            assert!(
-                matches!(error.problem, ReadProblem::ChooseChannel { .. }),
-                "{error}"
-            );
+            assert!(matches!(error.problem, ReadProblem::ChooseChannel { .. }), "{error}");
         }
     }
 }
@@ -43,10 +37,7 @@ fn exr_channels_parts_and_levels() {
     let values: Vec<f64> = samples(61, 37, 1000.0).iter().map(|s| s / 1000.0).collect();
     let other: Vec<f64> = values.iter().map(|value| 1.0 - value).collect();
     let none = ::exr::prelude::Compression::Uncompressed;
-    let path = folder.file(
-        "y.exr",
-        &exr_file::exr(SIZE, None, none, &[("Y", ExrSample::F32, &values)]),
-    );
+    let path = folder.file("y.exr", &exr_file::exr(SIZE, None, none, &[("Y", ExrSample::F32, &values)]));
     assert_reads(&path, &default(), &values, 1e-7);
     assert_reads(&path, &channel("luminance"), &values, 1e-7);
     let grey = ["R", "G", "B"].map(|name| (name, ExrSample::F16, values.as_slice()));
@@ -58,15 +49,10 @@ fn exr_channels_parts_and_levels() {
     let path = folder.file("parts.exr", &exr_file::two_parts((SIZE, &first), (SIZE, &second)));
     assert_reads(&path, &channel("base.height"), &values, 1e-7);
     assert_reads(&path, &channel("extra.height"), &other, 1e-7);
-    let path = folder.file(
-        "sizes.exr",
-        &exr_file::two_parts((SIZE, &first), ([1, 1], &[("z", ExrSample::F32, &[0.0])])),
-    );
+    let path = folder
+        .file("sizes.exr", &exr_file::two_parts((SIZE, &first), ([1, 1], &[("z", ExrSample::F32, &[0.0])])));
     let error = read_height(&path, &channel("base.height")).expect_err("its parts differ in size");
-    assert!(
-        matches!(error.problem, ReadProblem::Unsupported { .. }),
-        "{error}"
-    );
+    assert!(matches!(error.problem, ReadProblem::Unsupported { .. }), "{error}");
 
     let path = folder.file("levels.exr", &exr_file::with_levels(SIZE, &values));
     assert_reads(&path, &default(), &values, 1e-7);
@@ -93,45 +79,16 @@ fn tiff_of_every_type_and_layout() {
             values.iter_mut().for_each(|value| *value /= 1000.0);
         }
         if format == 2 {
-            values
-                .iter_mut()
-                .for_each(|value| *value -= (maximum / 3.0).round());
+            values.iter_mut().for_each(|value| *value -= (maximum / 3.0).round());
         }
         let grey = Tiff::grey(width, height, bits, format);
-        let tiles = Tiff {
-            tile_width: Some(32),
-            ..grey.clone()
-        };
+        let tiles = Tiff { tile_width: Some(32), ..grey.clone() };
         for (name, tiff) in [
             ("strips", grey.clone()),
-            (
-                "one strip",
-                Tiff {
-                    block_rows: height,
-                    ..grey.clone()
-                },
-            ),
-            (
-                "big endian",
-                Tiff {
-                    big_endian: true,
-                    ..grey.clone()
-                },
-            ),
-            (
-                "deflate",
-                Tiff {
-                    deflate: true,
-                    ..grey.clone()
-                },
-            ),
-            (
-                "deflated tiles",
-                Tiff {
-                    deflate: true,
-                    ..tiles.clone()
-                },
-            ),
+            ("one strip", Tiff { block_rows: height, ..grey.clone() }),
+            ("big endian", Tiff { big_endian: true, ..grey.clone() }),
+            ("deflate", Tiff { deflate: true, ..grey.clone() }),
+            ("deflated tiles", Tiff { deflate: true, ..tiles.clone() }),
             ("tiles", tiles),
         ] {
             let path = folder.file(&format!("{name} {bits} {format}.tif"), &tiff.bytes(&values));
@@ -145,47 +102,21 @@ fn tiff_bands_are_channels() {
     let folder = Folder::new();
     let [width, height] = SIZE;
     let values = samples(width, height, 60000.0);
-    let three: Vec<f64> = values
-        .iter()
-        .flat_map(|&s| [s, s / 2.0, 65535.0 - s].map(f64::floor))
-        .collect();
+    let three: Vec<f64> = values.iter().flat_map(|&s| [s, s / 2.0, 65535.0 - s].map(f64::floor)).collect();
     let halves: Vec<f64> = values.iter().map(|s| (s / 2.0).floor()).collect();
-    let grey = Tiff {
-        bands: 3,
-        ..Tiff::grey(width, height, 16, 1)
-    };
+    let grey = Tiff { bands: 3, ..Tiff::grey(width, height, 16, 1) };
     for (planar, tile_width) in [(1, None), (2, None), (1, Some(16)), (2, Some(16))] {
-        let tiff = Tiff {
-            planar,
-            tile_width,
-            deflate: true,
-            ..grey.clone()
-        };
+        let tiff = Tiff { planar, tile_width, deflate: true, ..grey.clone() };
         let path = folder.file("bands.tif", &tiff.bytes(&three));
         assert_reads(&path, &channel("band2"), &halves, 0.01);
         assert!(read_height(&path, &default()).is_err());
-        let path = folder.file(
-            "rgb.tif",
-            &Tiff {
-                photometric: 2,
-                ..tiff
-            }
-            .bytes(&three),
-        );
+        let path = folder.file("rgb.tif", &Tiff { photometric: 2, ..tiff }.bytes(&three));
         assert_reads(&path, &channel("g"), &halves, 0.01);
     }
     // White is zero: the highest is stored as 0.
     let white: Vec<f64> = values.iter().map(|s| 65535.0 - s).collect();
-    let tiff = Tiff {
-        photometric: 0,
-        ..Tiff::grey(width, height, 16, 1)
-    };
-    assert_reads(
-        &folder.file("white.tif", &tiff.bytes(&white)),
-        &default(),
-        &values,
-        0.01,
-    );
+    let tiff = Tiff { photometric: 0, ..Tiff::grey(width, height, 16, 1) };
+    assert_reads(&folder.file("white.tif", &tiff.bytes(&white)), &default(), &values, 0.01);
 }
 
 #[test]
@@ -197,117 +128,53 @@ fn geotiff_georeference_and_nodata() {
     let tie = |x, y| (33922, Value::Double(vec![0.0, 0.0, 0.0, x, y, 0.0]));
     let keys = |keys: &[[u16; 2]]| {
         let mut directory = vec![1, 1, 0, keys.len() as u16];
-        keys.iter()
-            .for_each(|[key, value]| directory.extend([*key, 0, 1, *value]));
+        keys.iter().for_each(|[key, value]| directory.extend([*key, 0, 1, *value]));
         (34735, Value::Short(directory))
     };
     let size = |extra: Vec<(u16, Value)>| {
-        let tiff = Tiff {
-            extra,
-            ..Tiff::grey(width, height, 16, 1)
-        };
+        let tiff = Tiff { extra, ..Tiff::grey(width, height, 16, 1) };
         let path = folder.file("geo.tif", &tiff.bytes(&values));
-        read_height(&path, &default())
-            .expect("a valid map")
-            .texel_size_m()
+        read_height(&path, &default()).expect("a valid map").texel_size_m()
     };
     assert_eq!(size(vec![]), None);
     assert_eq!(
-        size(vec![
-            scale(3.0, 4.0),
-            tie(5e5, 4e6),
-            keys(&[[1024, 1], [3076, 9001]])
-        ]),
+        size(vec![scale(3.0, 4.0), tie(5e5, 4e6), keys(&[[1024, 1], [3076, 9001]])]),
         Some([3.0, 4.0])
     );
-    let feet = size(vec![
-        scale(10.0, 10.0),
-        tie(0.0, 0.0),
-        keys(&[[1024, 1], [3076, 9003]]),
-    ])
-    .expect("feet are known");
+    let feet = size(vec![scale(10.0, 10.0), tie(0.0, 0.0), keys(&[[1024, 1], [3076, 9003]])])
+        .expect("feet are known");
     assert!((feet[0] - 3.048_006_096).abs() < 1e-9 && feet[0] == feet[1]);
-    assert_eq!(
-        size(vec![
-            scale(3.0, 3.0),
-            tie(0.0, 0.0),
-            keys(&[[1024, 1], [3076, 9999]])
-        ]),
-        None
-    );
+    assert_eq!(size(vec![scale(3.0, 3.0), tie(0.0, 0.0), keys(&[[1024, 1], [3076, 9999]])]), None);
     // One degree at the equator: 111.32 km along it, 110.57 km along a meridian (WGS 84); at 60 degrees north 55.80 and
     // 111.41.
     let degrees = |middle: f64| {
         let top = middle + f64::from(height) / 2.0;
-        size(vec![
-            scale(1.0, 1.0),
-            tie(0.0, top),
-            keys(&[[1024, 2], [2054, 9102]]),
-        ])
-        .expect("degrees are known")
+        size(vec![scale(1.0, 1.0), tie(0.0, top), keys(&[[1024, 2], [2054, 9102]])])
+            .expect("degrees are known")
     };
     let near = |[a, b]: [f64; 2], [c, d]: [f64; 2]| (a - c).abs() < 5.0 && (b - d).abs() < 5.0;
     assert!(near(degrees(0.0), [111_319.5, 110_574.3]), "{:?}", degrees(0.0));
     assert!(near(degrees(60.0), [55_800.0, 111_412.2]), "{:?}", degrees(60.0));
     // A rotated grid: texels of 5 m.
-    let matrix = vec![
-        3.0, 4.0, 0.0, 0.0, 4.0, -3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0,
-    ];
-    assert_eq!(
-        size(vec![(34264, Value::Double(matrix)), keys(&[[1024, 1]])]),
-        Some([5.0, 5.0])
-    );
+    let matrix = vec![3.0, 4.0, 0.0, 0.0, 4.0, -3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    assert_eq!(size(vec![(34264, Value::Double(matrix)), keys(&[[1024, 1]])]), Some([5.0, 5.0]));
 
     values[70] = 9999.0;
-    let nodata = Tiff {
-        extra: vec![(42113, Value::Text("9999".into()))],
-        ..Tiff::grey(width, height, 16, 1)
-    };
+    let nodata =
+        Tiff { extra: vec![(42113, Value::Text("9999".into()))], ..Tiff::grey(width, height, 16, 1) };
     let path = folder.file("nodata.tif", &nodata.bytes(&values));
     let error = read_height(&path, &default()).expect_err("a texel has no value");
     assert!(
-        matches!(
-            error.problem,
-            ReadProblem::Holes {
-                nodata: 1,
-                not_finite: 0,
-                column: 9,
-                row: 1
-            }
-        ),
+        matches!(error.problem, ReadProblem::Holes { nodata: 1, not_finite: 0, column: 9, row: 1 }),
         "{error}"
     );
-    let map = read_height(
-        &path,
-        &HeightOptions {
-            fill: true,
-            ..default()
-        },
-    )
-    .expect("it is filled");
+    let map = read_height(&path, &HeightOptions { fill: true, ..default() }).expect("it is filled");
     let filled = f64::from(map.texels()[70]) * 65535.0;
-    assert!(
-        (filled - samples(width, height, 500.0)[70]).abs() < 20.0,
-        "{filled}"
-    );
+    assert!((filled - samples(width, height, 500.0)[70]).abs() < 20.0, "{filled}");
 
     // The block that a sparse file leaves out is nodata, not sea level.
-    let sparse = Tiff {
-        sparse: vec![1],
-        ..nodata
-    };
+    let sparse = Tiff { sparse: vec![1], ..nodata };
     let path = folder.file("sparse.tif", &sparse.bytes(&samples(width, height, 500.0)));
     let error = read_height(&path, &default()).expect_err("a block is left out");
-    assert!(
-        matches!(
-            error.problem,
-            ReadProblem::Holes {
-                nodata: 976,
-                column: 0,
-                row: 16,
-                ..
-            }
-        ),
-        "{error}"
-    );
+    assert!(matches!(error.problem, ReadProblem::Holes { nodata: 976, column: 0, row: 16, .. }), "{error}");
 }

@@ -25,52 +25,24 @@ fn png_of_every_depth_and_colour() {
     let grey: Vec<f64> = bytes.iter().map(|&byte| f64::from(byte)).collect();
     let inverse: Vec<f64> = bytes.iter().map(|&byte| f64::from(255 - byte)).collect();
 
-    let path = folder.file(
-        "grey8.png",
-        &png(width, height, ColorType::Grayscale, BitDepth::Eight, &bytes),
-    );
+    let path = folder.file("grey8.png", &png(width, height, ColorType::Grayscale, BitDepth::Eight, &bytes));
     assert_reads(&path, &default(), &grey, 1e-4);
     let two: Vec<u8> = bytes.iter().flat_map(|&byte| [byte, 255 - byte]).collect();
-    let path = folder.file(
-        "ga8.png",
-        &png(width, height, ColorType::GrayscaleAlpha, BitDepth::Eight, &two),
-    );
+    let path = folder.file("ga8.png", &png(width, height, ColorType::GrayscaleAlpha, BitDepth::Eight, &two));
     assert_reads(&path, &default(), &grey, 1e-4);
     assert_reads(&path, &channel("a"), &inverse, 1e-4);
-    let four: Vec<u8> = bytes
-        .iter()
-        .flat_map(|&byte| [byte, byte / 2, byte / 3, 255 - byte])
-        .collect();
-    let path = folder.file(
-        "rgba8.png",
-        &png(width, height, ColorType::Rgba, BitDepth::Eight, &four),
-    );
+    let four: Vec<u8> = bytes.iter().flat_map(|&byte| [byte, byte / 2, byte / 3, 255 - byte]).collect();
+    let path = folder.file("rgba8.png", &png(width, height, ColorType::Rgba, BitDepth::Eight, &four));
     assert_reads(&path, &channel("alpha"), &inverse, 1e-4);
     assert_reads(&path, &channel("R"), &grey, 1e-4);
 
     let wide = samples(width, height, 65535.0);
-    let path = folder.file(
-        "grey16.png",
-        &png(
-            width,
-            height,
-            ColorType::Grayscale,
-            BitDepth::Sixteen,
-            &big_endian(&wide),
-        ),
-    );
+    let path = folder
+        .file("grey16.png", &png(width, height, ColorType::Grayscale, BitDepth::Sixteen, &big_endian(&wide)));
     assert_reads(&path, &default(), &wide, 0.01);
     let three: Vec<f64> = wide.iter().flat_map(|&s| [s, 65535.0 - s, 7.0]).collect();
-    let path = folder.file(
-        "rgb16.png",
-        &png(
-            width,
-            height,
-            ColorType::Rgb,
-            BitDepth::Sixteen,
-            &big_endian(&three),
-        ),
-    );
+    let path =
+        folder.file("rgb16.png", &png(width, height, ColorType::Rgb, BitDepth::Sixteen, &big_endian(&three)));
     assert_reads(&path, &channel("r"), &wide, 0.01);
 }
 
@@ -78,59 +50,29 @@ fn png_of_every_depth_and_colour() {
 fn png_of_few_bits_and_with_palettes() {
     let folder = Folder::new();
     // Two rows of four texels with 4 bits each: 0 5 10 15 and 15 10 5 0.
-    let path = folder.file(
-        "grey4.png",
-        &png_by_hand([4, 2], 4, 0, 0, &[0, 0x05, 0xaf, 0, 0xfa, 0x50]),
-    );
-    assert_reads(
-        &path,
-        &default(),
-        &[0.0, 5.0, 10.0, 15.0, 15.0, 10.0, 5.0, 0.0],
-        1e-5,
-    );
+    let path = folder.file("grey4.png", &png_by_hand([4, 2], 4, 0, 0, &[0, 0x05, 0xaf, 0, 0xfa, 0x50]));
+    assert_reads(&path, &default(), &[0.0, 5.0, 10.0, 15.0, 15.0, 10.0, 5.0, 0.0], 1e-5);
     let path = folder.file("grey1.png", &png_by_hand([3, 1], 1, 0, 0, &[0, 0b1010_0000]));
     assert_reads(&path, &default(), &[1.0, 0.0, 1.0], 0.0);
     // A palette of greys is grey, one of colours is not.
     let indexed = |palette: Vec<u8>| {
-        png_with(
-            4,
-            1,
-            ColorType::Indexed,
-            BitDepth::Eight,
-            &[0, 1, 2, 1],
-            |encoder| encoder.set_palette(palette),
-        )
+        png_with(4, 1, ColorType::Indexed, BitDepth::Eight, &[0, 1, 2, 1], |encoder| {
+            encoder.set_palette(palette)
+        })
     };
     let path = folder.file("palette.png", &indexed(vec![0, 0, 0, 40, 40, 40, 255, 255, 255]));
     assert_reads(&path, &default(), &[0.0, 40.0, 255.0, 40.0], 1e-4);
     let path = folder.file("colours.png", &indexed(vec![0, 0, 0, 40, 40, 41, 255, 255, 255]));
     let error = read_height(&path, &default()).expect_err("it is in colour");
-    assert!(
-        matches!(
-            error.problem,
-            ReadProblem::NotGrey {
-                column: 1,
-                row: 0,
-                ..
-            }
-        ),
-        "{error}"
-    );
+    assert!(matches!(error.problem, ReadProblem::NotGrey { column: 1, row: 0, .. }), "{error}");
     assert_reads(&path, &channel("b"), &[0.0, 41.0, 255.0, 41.0], 1e-4);
 }
 
 #[test]
 fn interlaced_png() {
     // The seven passes of Adam7 for sizes at which some are empty.
-    let passes = [
-        [0, 0, 8, 8],
-        [4, 0, 8, 8],
-        [0, 4, 4, 8],
-        [2, 0, 4, 4],
-        [0, 2, 2, 4],
-        [1, 0, 2, 2],
-        [0, 1, 1, 2],
-    ];
+    let passes =
+        [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]];
     let folder = Folder::new();
     for [width, height] in [[61, 37], [1, 1], [2, 9], [5, 3]] {
         let values = samples(width, height, 255.0);
@@ -205,10 +147,7 @@ fn pgm_plain_and_binary_of_any_maxval() {
     let [width, height] = SIZE;
     for maxval in [1, 7, 255, 256, 1000, 65535] {
         let values = samples(width, height, f64::from(maxval));
-        for bytes in [
-            pgm(width, height, maxval, &values),
-            plain_pgm(width, height, maxval, &values),
-        ] {
+        for bytes in [pgm(width, height, maxval, &values), plain_pgm(width, height, maxval, &values)] {
             let path = folder.file("map.pgm", &bytes);
             assert_reads(&path, &default(), &values, 0.01);
             let map = read_height(&path, &default()).expect("a valid map");
@@ -226,21 +165,11 @@ fn headerless_samples_of_either_byte_order() {
     let little: Vec<u8> = big.chunks(2).flat_map(|pair| [pair[1], pair[0]]).collect();
     for (bytes, order) in [(big, "be"), (little, "le")] {
         let path = folder.file("map.r16", &bytes);
-        let raw = |text: &str| HeightOptions {
-            raw: Some(text.parse().expect("a layout")),
-            ..default()
-        };
+        let raw = |text: &str| HeightOptions { raw: Some(text.parse().expect("a layout")), ..default() };
         assert_reads(&path, &raw(&format!("61x37,{order}")), &values, 0.01);
         let error = read_height(&path, &raw("61x38,le")).expect_err("another size");
         assert!(
-            matches!(
-                error.problem,
-                ReadProblem::RawSize {
-                    expected: 4636,
-                    actual: 4514,
-                    ..
-                }
-            ),
+            matches!(error.problem, ReadProblem::RawSize { expected: 4636, actual: 4514, .. }),
             "{error}"
         );
         let error = read_height(&path, &default()).expect_err("no layout");

@@ -25,15 +25,8 @@ const CHANNEL: &str = "RELIEF_IO_MEMORY_CHANNEL";
 
 fn peak() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").expect("Linux has it");
-    let line = status
-        .lines()
-        .find(|line| line.starts_with("VmHWM:"))
-        .expect("the peak is reported");
-    let kib: u64 = line
-        .split_ascii_whitespace()
-        .nth(1)
-        .and_then(|kib| kib.parse().ok())
-        .expect("a number");
+    let line = status.lines().find(|line| line.starts_with("VmHWM:")).expect("the peak is reported");
+    let kib: u64 = line.split_ascii_whitespace().nth(1).and_then(|kib| kib.parse().ok()).expect("a number");
     kib * 1024
 }
 
@@ -46,12 +39,7 @@ fn child() {
     let channel = std::env::var(CHANNEL).ok().filter(|name| !name.is_empty());
     let raw = channel.as_deref().and_then(|name| name.parse().ok());
     let channel = if raw.is_some() { None } else { channel };
-    let options = HeightOptions {
-        channel,
-        raw,
-        fill: true,
-        ..HeightOptions::default()
-    };
+    let options = HeightOptions { channel, raw, fill: true, ..HeightOptions::default() };
     let idle = peak();
     let read = read_height(Path::new(&file), &options);
     println!("peak {} read {}", peak() - idle, read.is_ok());
@@ -67,25 +55,15 @@ fn measure(path: &Path, channel: &str) -> (u64, bool) {
         .output()
         .expect("the test can run itself");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let line = text
-        .lines()
-        .find_map(|line| line.split_once("peak "))
-        .map(|(_, rest)| rest);
-    let words: Vec<&str> = line
-        .expect("the child reports")
-        .split_ascii_whitespace()
-        .collect();
+    let line = text.lines().find_map(|line| line.split_once("peak ")).map(|(_, rest)| rest);
+    let words: Vec<&str> = line.expect("the child reports").split_ascii_whitespace().collect();
     (words[0].parse().expect("a number of bytes"), words[2] == "true")
 }
 
 fn assert_within(name: &str, bytes: &[u8], channel: &str, budget: u64) {
     let folder = Folder::new();
     let (peak, read) = measure(&folder.file(name, bytes), channel);
-    println!(
-        "{name}: {:.1} MiB, {:.2} bytes a texel",
-        peak as f64 / MIB as f64,
-        peak as f64 / TEXELS as f64
-    );
+    println!("{name}: {:.1} MiB, {:.2} bytes a texel", peak as f64 / MIB as f64, peak as f64 / TEXELS as f64);
     assert!(read, "{name} is not read");
     assert!(
         peak >= 4 * TEXELS,
@@ -98,9 +76,7 @@ fn assert_within(name: &str, bytes: &[u8], channel: &str, budget: u64) {
 fn heights() -> Vec<u8> {
     let height = landscape(SIDE / 8, SIDE / 8);
     let texels = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j)));
-    texels
-        .map(|(i, j)| (height(i / 8, j / 8) * 250.0) as u8 + ((i ^ j) & 1) as u8)
-        .collect()
+    texels.map(|(i, j)| (height(i / 8, j / 8) * 250.0) as u8 + ((i ^ j) & 1) as u8).collect()
 }
 
 #[test]
@@ -109,24 +85,9 @@ fn png_and_jpeg() {
     let rgba: Vec<u8> = grey.iter().flat_map(|&h| [h, h / 2, h / 3, h]).collect();
     let wide: Vec<u8> = rgba.iter().flat_map(|&h| [h, h]).collect();
     let file = |colour, depth, data: &[u8]| png(SIDE, SIDE, colour, depth, data);
-    assert_within(
-        "grey8.png",
-        &file(ColorType::Grayscale, BitDepth::Eight, &grey),
-        "",
-        BUDGET,
-    );
-    assert_within(
-        "rgba8.png",
-        &file(ColorType::Rgba, BitDepth::Eight, &rgba),
-        "a",
-        BUDGET,
-    );
-    assert_within(
-        "rgba16.png",
-        &file(ColorType::Rgba, BitDepth::Sixteen, &wide),
-        "a",
-        BUDGET,
-    );
+    assert_within("grey8.png", &file(ColorType::Grayscale, BitDepth::Eight, &grey), "", BUDGET);
+    assert_within("rgba8.png", &file(ColorType::Rgba, BitDepth::Eight, &rgba), "a", BUDGET);
+    assert_within("rgba16.png", &file(ColorType::Rgba, BitDepth::Sixteen, &wide), "a", BUDGET);
     let three: Vec<u8> = grey.iter().flat_map(|&h| [h; 3]).collect();
     assert_within("colour.jpg", &jpeg(SIDE, SIDE, 3, &three), "", BUDGET);
 }
@@ -136,67 +97,31 @@ fn exr_of_several_channels() {
     let mut values: Vec<f64> = heights().iter().map(|&h| f64::from(h) / 251.0).collect();
     let half: Vec<f64> = values.iter().map(|h| 1.0 - h).collect();
     let channels = |kind| -> [exr_file::Samples<'_>; 4] {
-        [
-            ("R", kind, &half),
-            ("G", kind, &half),
-            ("B", kind, &half),
-            ("A", kind, &half),
-        ]
+        [("R", kind, &half), ("G", kind, &half), ("B", kind, &half), ("A", kind, &half)]
     };
     for (name, compression) in [("zip", Compression::ZIP16), ("piz", Compression::PIZ)] {
         let bytes = exr_file::exr([SIDE; 2], None, compression, &channels(ExrSample::F32));
         assert_within(&format!("{name}.exr"), &bytes, "A", BUDGET);
     }
-    let bytes = exr_file::exr(
-        [SIDE; 2],
-        Some([256, 256]),
-        Compression::DWAA(None),
-        &channels(ExrSample::F16),
-    );
+    let bytes =
+        exr_file::exr([SIDE; 2], Some([256, 256]), Compression::DWAA(None), &channels(ExrSample::F16));
     assert_within("dwa tiles.exr", &bytes, "G", BUDGET);
     // Filling needs a pyramid besides.
-    values
-        .chunks_mut(100)
-        .step_by(3)
-        .for_each(|run| run.fill(f64::NAN));
-    let bytes = exr_file::exr(
-        [SIDE; 2],
-        None,
-        Compression::RLE,
-        &[("Y", ExrSample::F32, &values)],
-    );
+    values.chunks_mut(100).step_by(3).for_each(|run| run.fill(f64::NAN));
+    let bytes = exr_file::exr([SIDE; 2], None, Compression::RLE, &[("Y", ExrSample::F32, &values)]);
     assert_within("holes.exr", &bytes, "", BUDGET);
 }
 
 #[test]
 fn tiff_in_small_and_in_large_blocks() {
     let values: Vec<f64> = heights().iter().map(|&h| f64::from(h)).collect();
-    let float = Tiff {
-        deflate: true,
-        ..Tiff::grey(SIDE, SIDE, 32, 3)
-    };
+    let float = Tiff { deflate: true, ..Tiff::grey(SIDE, SIDE, 32, 3) };
     assert_within("strips.tif", &float.bytes(&values), "", BUDGET);
-    assert_within(
-        "doubles.tif",
-        &Tiff {
-            bits: 64,
-            ..float.clone()
-        }
-        .bytes(&values),
-        "",
-        BUDGET,
-    );
-    let tiles = Tiff {
-        tile_width: Some(256),
-        block_rows: 256,
-        ..float.clone()
-    };
+    assert_within("doubles.tif", &Tiff { bits: 64, ..float.clone() }.bytes(&values), "", BUDGET);
+    let tiles = Tiff { tile_width: Some(256), block_rows: 256, ..float.clone() };
     assert_within("tiles.tif", &tiles.bytes(&values), "", BUDGET);
     // A single strip is held whole, compressed and not: the documented exception.
-    let whole = Tiff {
-        block_rows: SIDE,
-        ..float
-    };
+    let whole = Tiff { block_rows: SIDE, ..float };
     assert_within("one strip.tif", &whole.bytes(&values), "", 32 * MIB + 16 * TEXELS);
 }
 

@@ -12,12 +12,7 @@ use relief_io::{Convention, HeightOptions, ReadProblem, inspect, read_height};
 
 fn float_file(folder: &Folder, width: u32, values: &[f64]) -> std::path::PathBuf {
     let size = [width, values.len() as u32 / width];
-    let bytes = exr_file::exr(
-        size,
-        None,
-        Compression::ZIP16,
-        &[("height", ExrSample::F32, values)],
-    );
+    let bytes = exr_file::exr(size, None, Compression::ZIP16, &[("height", ExrSample::F32, values)]);
     folder.file("floats.exr", &bytes)
 }
 
@@ -39,31 +34,18 @@ fn floats_map_their_extremes_unless_a_range_is_given() {
     let map = read_height(&path, &HeightOptions::default()).expect("a valid map");
     assert_eq!(map.texels(), [0.0, 1.0, 0.5, 0.25]);
     assert_eq!(map.physical_range(), Some([-50.0, 150.0]));
-    let ranged = |range| {
-        read_height(
-            &path,
-            &HeightOptions {
-                range: Some(range),
-                ..HeightOptions::default()
-            },
-        )
-    };
+    let ranged =
+        |range| read_height(&path, &HeightOptions { range: Some(range), ..HeightOptions::default() });
     let map = ranged([-250.0, 150.0]).expect("a range around the values");
     assert_eq!(map.texels(), [0.5, 1.0, 0.75, 0.625]);
     assert_eq!(map.physical_range(), Some([-250.0, 150.0]));
-    match ranged([0.0, 200.0])
-        .expect_err("a value is below the range")
-        .problem
-    {
+    match ranged([0.0, 200.0]).expect_err("a value is below the range").problem {
         ReadProblem::OutsideRange { actual, .. } => assert_eq!(actual, [-50.0, 150.0]),
         other => panic!("{other}"),
     }
     for bad in [[1.0, 1.0], [2.0, 1.0], [f64::NAN, 1.0], [0.0, f64::INFINITY]] {
         assert!(
-            matches!(
-                ranged(bad).expect_err("no range").problem,
-                ReadProblem::BadRange { .. }
-            ),
+            matches!(ranged(bad).expect_err("no range").problem, ReadProblem::BadRange { .. }),
             "{bad:?}"
         );
     }
@@ -75,39 +57,20 @@ fn floats_map_their_extremes_unless_a_range_is_given() {
 #[test]
 fn a_range_is_in_sample_values() {
     let folder = Folder::new();
-    let bytes = png(
-        3,
-        1,
-        ColorType::Grayscale,
-        BitDepth::Sixteen,
-        &big_endian(&[1000.0, 2000.0, 3000.0]),
-    );
+    let bytes = png(3, 1, ColorType::Grayscale, BitDepth::Sixteen, &big_endian(&[1000.0, 2000.0, 3000.0]));
     let path = folder.file("range.png", &bytes);
-    let options = HeightOptions {
-        range: Some([1000.0, 3000.0]),
-        ..HeightOptions::default()
-    };
-    assert_eq!(
-        read_height(&path, &options).expect("a valid map").texels(),
-        [0.0, 0.5, 1.0]
-    );
+    let options = HeightOptions { range: Some([1000.0, 3000.0]), ..HeightOptions::default() };
+    assert_eq!(read_height(&path, &options).expect("a valid map").texels(), [0.0, 0.5, 1.0]);
 }
 
 #[test]
 fn depth_is_turned_over() {
     let folder = Folder::new();
     let path = float_file(&folder, 2, &[10.0, 30.0, 15.0, 20.0]);
-    let options = HeightOptions {
-        convention: Convention::Depth,
-        ..HeightOptions::default()
-    };
+    let options = HeightOptions { convention: Convention::Depth, ..HeightOptions::default() };
     let map = read_height(&path, &options).expect("a valid map");
     assert_eq!(map.texels(), [1.0, 0.0, 0.75, 0.5]);
-    assert_eq!(
-        map.physical_range(),
-        Some([30.0, 10.0]),
-        "texel 0 stands for the deepest"
-    );
+    assert_eq!(map.physical_range(), Some([30.0, 10.0]), "texel 0 stands for the deepest");
 }
 
 #[test]
@@ -118,31 +81,16 @@ fn holes_are_an_error_or_filled() {
     let path = float_file(&folder, 32, &values);
     let error = read_height(&path, &HeightOptions::default()).expect_err("three texels have no value");
     assert!(
-        matches!(
-            error.problem,
-            ReadProblem::Holes {
-                not_finite: 3,
-                nodata: 0,
-                column: 5,
-                row: 1
-            }
-        ),
+        matches!(error.problem, ReadProblem::Holes { not_finite: 3, nodata: 0, column: 5, row: 1 }),
         "{error}"
     );
-    let options = HeightOptions {
-        fill: true,
-        wrap: Wrap::Clamp,
-        ..HeightOptions::default()
-    };
+    let options = HeightOptions { fill: true, wrap: Wrap::Clamp, ..HeightOptions::default() };
     let map = read_height(&path, &options).expect("the holes are filled");
     assert_eq!(map.wrap(), Wrap::Clamp);
     let [least, greatest] = map.physical_range().expect("a read map has a range");
     for at in [37, 38, 300] {
         let value = least + f64::from(map.texels()[at]) * (greatest - least);
-        assert!(
-            (value - samples(32, 16, 100.0)[at]).abs() < 5.0,
-            "texel {at} is {value}"
-        );
+        assert!((value - samples(32, 16, 100.0)[at]).abs() < 5.0, "texel {at} is {value}");
     }
     let nothing = float_file(&folder, 4, &[f64::NAN; 8]);
     for options in [options, HeightOptions::default()] {
@@ -168,28 +116,10 @@ fn wide_types_keep_their_detail() {
 fn memory_is_limited_as_asked() {
     let folder = Folder::new();
     let path = float_file(&folder, 64, &samples(64, 64, 1.0));
-    let limited = |max_bytes| {
-        read_height(
-            &path,
-            &HeightOptions {
-                max_bytes,
-                ..HeightOptions::default()
-            },
-        )
-    };
+    let limited = |max_bytes| read_height(&path, &HeightOptions { max_bytes, ..HeightOptions::default() });
     assert!(limited(64 * 64 * 8 + (1 << 16)).is_ok());
     let error = limited(64 * 64 * 8 - 1).expect_err("too little memory");
-    assert!(
-        matches!(
-            error.problem,
-            ReadProblem::TooMuchMemory {
-                width: 64,
-                height: 64,
-                ..
-            }
-        ),
-        "{error}"
-    );
+    assert!(matches!(error.problem, ReadProblem::TooMuchMemory { width: 64, height: 64, .. }), "{error}");
 }
 
 #[test]
@@ -200,20 +130,14 @@ fn inspect_counts_what_is_there() {
     let info = inspect(&float_file(&folder, 64, &values), &HeightOptions::default()).expect("a valid map");
     assert_eq!((info.width, info.height, info.channels.len()), (64, 10, 1));
     let found = info.values.expect("there is one channel");
-    assert_eq!(
-        (found.range, found.levels, found.not_finite, found.nodata),
-        (Some([0.0, 63.0]), 64, 2, 0)
-    );
+    assert_eq!((found.range, found.levels, found.not_finite, found.nodata), (Some([0.0, 63.0]), 64, 2, 0));
     assert_eq!(found.histogram[0], 9, "one of ten is NaN");
     assert_eq!(found.histogram.iter().sum::<u64>(), 638);
     assert_eq!(found.tiling, None);
 
     let tiling = |values: &[f64]| {
         let info = inspect(&float_file(&folder, 64, values), &HeightOptions::default()).expect("a valid map");
-        info.values
-            .and_then(|values| values.tiling)
-            .expect("every texel has a value")
-            .tiles
+        info.values.and_then(|values| values.tiling).expect("every texel has a value").tiles
     };
     let turn = |i: usize| (std::f64::consts::TAU * i as f64 / 64.0).sin();
     let wave: Vec<f64> = (0..64 * 64).map(|at| turn(at % 64) + turn(at / 64)).collect();
@@ -222,24 +146,11 @@ fn inspect_counts_what_is_there() {
     assert_eq!(tiling(&ramp), [true, false]);
 
     let colour: Vec<u8> = (0..=255).flat_map(|i| [i, 255 - i, 7]).collect();
-    let path = folder.file(
-        "colour.png",
-        &png(16, 16, ColorType::Rgb, BitDepth::Eight, &colour),
-    );
+    let path = folder.file("colour.png", &png(16, 16, ColorType::Rgb, BitDepth::Eight, &colour));
     let info = inspect(&path, &HeightOptions::default()).expect("a picture");
     assert_eq!(info.values, None);
-    let names: Vec<&str> = info
-        .channels
-        .iter()
-        .map(|channel| channel.name.as_str())
-        .collect();
+    let names: Vec<&str> = info.channels.iter().map(|channel| channel.name.as_str()).collect();
     assert_eq!(names, ["r", "g", "b"]);
-    let green = inspect(&path, &channel("g"))
-        .expect("a picture")
-        .values
-        .expect("a channel was chosen");
-    assert_eq!(
-        (green.normalised_range, green.range),
-        (Some([0.0, 255.0]), Some([0.0, 255.0]))
-    );
+    let green = inspect(&path, &channel("g")).expect("a picture").values.expect("a channel was chosen");
+    assert_eq!((green.normalised_range, green.range), (Some([0.0, 255.0]), Some([0.0, 255.0])));
 }

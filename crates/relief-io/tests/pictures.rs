@@ -19,10 +19,7 @@ fn picture(path: &std::path::Path) -> Picture {
 
 fn assert_near(found: [f32; 4], expected: [f64; 4]) {
     for (found, expected) in found.into_iter().zip(expected) {
-        assert!(
-            (f64::from(found) - expected).abs() < 1e-6,
-            "{found}, not {expected}"
-        );
+        assert!((f64::from(found) - expected).abs() < 1e-6, "{found}, not {expected}");
     }
 }
 
@@ -30,20 +27,11 @@ fn assert_near(found: [f32; 4], expected: [f64; 4]) {
 fn integers_are_decoded_by_the_srgb_curve_and_opacity_is_not() {
     let folder = Folder::new();
     // Values of the curve from IEC 61966-2-1: below 0.04045 linear; 0.5 encoded is 0.214041 linear.
-    let bytes = png(
-        2,
-        1,
-        ColorType::Rgba,
-        BitDepth::Eight,
-        &[0, 255, 10, 51, 128, 64, 1, 255],
-    );
+    let bytes = png(2, 1, ColorType::Rgba, BitDepth::Eight, &[0, 255, 10, 51, 128, 64, 1, 255]);
     let found = picture(&folder.file("rgba.png", &bytes));
     assert_eq!((found.width, found.height), (2, 1));
     assert_near(found.texels[0], [0.0, 1.0, 10.0 / 255.0 / 12.92, 0.2]);
-    assert_near(
-        found.texels[1],
-        [0.215_860_5, 0.051_269_46, 1.0 / 255.0 / 12.92, 1.0],
-    );
+    assert_near(found.texels[1], [0.215_860_5, 0.051_269_46, 1.0 / 255.0 / 12.92, 1.0]);
 
     let wide = big_endian(&[32767.5f64.round(), 65535.0, 0.0]);
     let found = picture(&folder.file("rgb.png", &png(1, 1, ColorType::Rgb, BitDepth::Sixteen, &wide)));
@@ -58,15 +46,8 @@ fn integers_are_decoded_by_the_srgb_curve_and_opacity_is_not() {
         encoder.set_palette(vec![0, 0, 0, 255, 0, 128]);
         encoder.set_trns(vec![0, 51]);
     });
-    assert_near(
-        picture(&folder.file("palette.png", &indexed)).texels[0],
-        [1.0, 0.0, 0.215_860_5, 0.2],
-    );
-    let tiff = Tiff {
-        bands: 3,
-        photometric: 2,
-        ..Tiff::grey(1, 1, 8, 1)
-    };
+    assert_near(picture(&folder.file("palette.png", &indexed)).texels[0], [1.0, 0.0, 0.215_860_5, 0.2]);
+    let tiff = Tiff { bands: 3, photometric: 2, ..Tiff::grey(1, 1, 8, 1) };
     let found = picture(&folder.file("rgb.tif", &tiff.bytes(&[255.0, 128.0, 0.0])));
     assert_near(found.texels[0], [1.0, 0.215_860_5, 0.0, 1.0]);
     let found = picture(&folder.file("rgb.jpg", &jpeg(8, 8, 3, &[128; 192])));
@@ -83,33 +64,12 @@ fn floats_are_linear() {
         ("A", ExrSample::F16, &[0.75]),
     ];
     let bytes = exr_file::exr([1, 1], None, Compression::ZIP16, &channels);
-    assert_eq!(
-        picture(&folder.file("rgba.exr", &bytes)).texels[0],
-        [0.5, 4.0, -0.25, 0.75]
-    );
+    assert_eq!(picture(&folder.file("rgba.exr", &bytes)).texels[0], [0.5, 4.0, -0.25, 0.75]);
     let bytes = hdr(1, 1, Scan::Flat, &[[128, 64, 0, 129]]);
-    assert_eq!(
-        picture(&folder.file("map.hdr", &bytes)).texels[0],
-        [1.0, 0.5, 0.0, 1.0]
-    );
-    let bytes = exr_file::exr(
-        [1, 1],
-        None,
-        Compression::ZIP16,
-        &[("Y", ExrSample::F32, &[f64::NAN])],
-    );
+    assert_eq!(picture(&folder.file("map.hdr", &bytes)).texels[0], [1.0, 0.5, 0.0, 1.0]);
+    let bytes = exr_file::exr([1, 1], None, Compression::ZIP16, &[("Y", ExrSample::F32, &[f64::NAN])]);
     let error = read_picture(&folder.file("nan.exr", &bytes), DEFAULT_MAX_BYTES).expect_err("it is NaN");
-    assert!(
-        matches!(
-            error.problem,
-            ReadProblem::NotFinite {
-                not_finite: 1,
-                column: 0,
-                row: 0
-            }
-        ),
-        "{error}"
-    );
+    assert!(matches!(error.problem, ReadProblem::NotFinite { not_finite: 1, column: 0, row: 0 }), "{error}");
     let two: [exr_file::Samples<'_>; 2] = [("u", ExrSample::F32, &[0.0]), ("v", ExrSample::F32, &[0.0])];
     let bytes = exr_file::exr([1, 1], None, Compression::ZIP16, &two);
     let error = read_picture(&folder.file("uv.exr", &bytes), DEFAULT_MAX_BYTES).expect_err("no colour");
@@ -119,13 +79,7 @@ fn floats_are_linear() {
 #[test]
 fn normals_have_length_one_and_point_up_in_green() {
     let folder = Folder::new();
-    let bytes = png(
-        3,
-        1,
-        ColorType::Rgb,
-        BitDepth::Eight,
-        &[128, 128, 255, 128, 255, 128, 127, 128, 127],
-    );
+    let bytes = png(3, 1, ColorType::Rgb, BitDepth::Eight, &[128, 128, 255, 128, 255, 128, 127, 128, 127]);
     let path = folder.file("normal.png", &bytes);
     let map = read_normal_map(&path, GreenSign::PlusY, DEFAULT_MAX_BYTES).expect("a normal map");
     assert_eq!(map.degenerate, 1, "the last has no direction");
@@ -142,16 +96,11 @@ fn normals_have_length_one_and_point_up_in_green() {
     let path = folder.path().join("normal.exr");
     let write = |r: f32, g: f32, b: f32| {
         write_exr(&path, 1, 1, &[("R", &[r]), ("G", &[g]), ("B", &[b])]).expect("the folder is writable");
-        read_normal_map(&path, GreenSign::PlusY, DEFAULT_MAX_BYTES)
-            .expect("a normal map")
-            .normals[0]
+        read_normal_map(&path, GreenSign::PlusY, DEFAULT_MAX_BYTES).expect("a normal map").normals[0]
     };
     assert_eq!(write(-0.6, 0.0, 0.8), [-0.6, 0.0, 0.8]);
     assert_eq!(write(0.5, 0.5, 1.0), [0.0, 0.0, 1.0]);
-    let path = folder.file(
-        "grey.png",
-        &png(1, 1, ColorType::Grayscale, BitDepth::Eight, &[7]),
-    );
+    let path = folder.file("grey.png", &png(1, 1, ColorType::Grayscale, BitDepth::Eight, &[7]));
     let error = read_normal_map(&path, GreenSign::PlusY, DEFAULT_MAX_BYTES).expect_err("it is grey");
     assert!(matches!(error.problem, ReadProblem::NoColour { .. }), "{error}");
 }
@@ -169,12 +118,7 @@ fn normals(width: u32, height: u32) -> NormalMap {
             normals.push([-du / length, dv / length, 1.0 / length].map(|value| value as f32));
         }
     }
-    NormalMap {
-        width,
-        height,
-        normals,
-        degenerate: 0,
-    }
+    NormalMap { width, height, normals, degenerate: 0 }
 }
 
 #[test]
@@ -193,10 +137,7 @@ fn all_four_conventions_are_told_apart() {
                 }
                 let found = detect(&map.expect("a valid map"), &pair);
                 assert_eq!((found.convention, found.green), (convention, green));
-                assert!(
-                    found.convention_confidence > 0.8 && found.green_confidence > 0.8,
-                    "{found:?}"
-                );
+                assert!(found.convention_confidence > 0.8 && found.green_confidence > 0.8, "{found:?}");
             }
         }
     }
@@ -210,8 +151,5 @@ fn unrelated_maps_give_no_confidence() {
     let mut random = common::Random::new(7);
     let noise = HeightMap::from_fn(64, 48, Wrap::Clamp, |_, _| random.below(1000) as f32 / 1000.0);
     let found = detect(&noise.expect("a valid map"), &normals(64, 48));
-    assert!(
-        found.convention_confidence < 0.1 && found.green_confidence < 0.1,
-        "{found:?}"
-    );
+    assert!(found.convention_confidence < 0.1 && found.green_confidence < 0.1, "{found:?}");
 }

@@ -19,10 +19,7 @@ fn elevations(data: &Path) -> Vec<f64> {
     let bytes = std::fs::read(data.join("derived/jacksboro_403x344_le.r16")).expect("it is in the folder");
     assert_eq!(bytes.len(), 2 * WIDTH * HEIGHT);
     let (samples, _) = bytes.as_chunks::<2>();
-    samples
-        .iter()
-        .map(|&b| (236.0 + f64::from(u16::from_le_bytes(b)) / 65535.0 * 840.0).round())
-        .collect()
+    samples.iter().map(|&b| (236.0 + f64::from(u16::from_le_bytes(b)) / 65535.0 * 840.0).round()).collect()
 }
 
 fn read(path: &Path, options: &HeightOptions) -> HeightMap {
@@ -33,26 +30,15 @@ fn read(path: &Path, options: &HeightOptions) -> HeightMap {
 fn worst(map: &HeightMap, range: [f64; 2], expected: &[f64], skip: impl Fn(usize) -> bool) -> f64 {
     assert_eq!((map.width() as usize, map.height() as usize), (WIDTH, HEIGHT));
     let metres = |texel: &f32| range[0] + f64::from(*texel) * (range[1] - range[0]);
-    let errors = map
-        .texels()
-        .iter()
-        .zip(expected)
-        .map(|(texel, expected)| (metres(texel) - expected).abs());
-    errors
-        .enumerate()
-        .filter(|(at, _)| !skip(*at))
-        .map(|(_, error)| error)
-        .fold(0.0, f64::max)
+    let errors = map.texels().iter().zip(expected).map(|(texel, expected)| (metres(texel) - expected).abs());
+    errors.enumerate().filter(|(at, _)| !skip(*at)).map(|(_, error)| error).fold(0.0, f64::max)
 }
 
 #[test]
 fn every_file_of_the_terrain_gives_the_same_heights() {
     let Some(data) = real_data() else { return };
     let expected = elevations(&data);
-    let raw = HeightOptions {
-        raw: "403x344,le".parse().ok(),
-        ..HeightOptions::default()
-    };
+    let raw = HeightOptions { raw: "403x344,le".parse().ok(), ..HeightOptions::default() };
     // Half a level, rounded, of 16 bit; a whole one of 8 bit, which were cut off.
     let (wide_m, narrow_m) = (0.5 * 840.0 / 65535.0, 840.0 / 255.0);
     for (file, options, most_m) in [
@@ -70,10 +56,7 @@ fn every_file_of_the_terrain_gives_the_same_heights() {
     assert!(worst(&map, [236.0, 1076.0], &expected, |_| false) < 1e-4);
     let mut wrong = expected.clone();
     wrong[70_000] += 1.0;
-    assert!(
-        worst(&map, [236.0, 1076.0], &wrong, |_| false) > 0.99,
-        "a metre at one texel is seen"
-    );
+    assert!(worst(&map, [236.0, 1076.0], &wrong, |_| false) > 0.99, "a metre at one texel is seen");
 
     let terrain = data.join("derived/jacksboro_terrainrgb.png");
     let bytes = ["r", "g", "b"].map(|name| read(&terrain, &channel(name)));
@@ -89,10 +72,7 @@ fn every_variant_of_the_geotiff_gives_the_same_heights() {
     let Some(data) = real_data() else { return };
     let expected = elevations(&data);
     let folder = data.join("dem_matrix");
-    let filled = HeightOptions {
-        fill: true,
-        ..HeightOptions::default()
-    };
+    let filled = HeightOptions { fill: true, ..HeightOptions::default() };
     for (file, holes) in [
         ("f32_bigtiff_be.tif", 200),
         ("f32_cog_zstd.tif", 200),
@@ -125,34 +105,24 @@ fn every_variant_of_the_geotiff_gives_the_same_heights() {
         let range = map.physical_range().expect("a read map has a range");
         // Filled texels are those whose value differs; no more than there are holes.
         let metres = |at: usize| range[0] + f64::from(map.texels()[at]) * (range[1] - range[0]);
-        let off: Vec<usize> = (0..expected.len())
-            .filter(|&at| (metres(at) - expected[at]).abs() > 0.01)
-            .collect();
+        let off: Vec<usize> =
+            (0..expected.len()).filter(|&at| (metres(at) - expected[at]).abs() > 0.01).collect();
         assert!(off.len() as u64 <= holes, "{file}: {} texels differ", off.len());
         let error = worst(&map, range, &expected, |at| off.contains(&at));
         assert!(error < 0.01, "{file}: {error} m");
         // 3 seconds of arc at 36 degrees north.
         let [u, v] = map.texel_size_m().expect("it is georeferenced");
-        assert!(
-            (u - 74.6).abs() < 0.3 && (v - 92.5).abs() < 0.3,
-            "{file}: {u} x {v} m"
-        );
+        assert!((u - 74.6).abs() < 0.3 && (v - 92.5).abs() < 0.3, "{file}: {u} x {v} m");
     }
     let map = read(&folder.join("f32_sparse.tif"), &filled);
     assert_eq!((map.width(), map.height()), (512, 512));
     let [low, high] = map.physical_range().expect("a read map has a range");
     for (i, j) in [(0, 0), (127, 0), (0, 127), (127, 127), (64, 31)] {
         let metres = low + f64::from(map.texel(i, j)) * (high - low);
-        assert!(
-            (metres - expected[j as usize * WIDTH + i as usize]).abs() < 0.01,
-            "({i}, {j}): {metres}"
-        );
+        assert!((metres - expected[j as usize * WIDTH + i as usize]).abs() < 0.01, "({i}, {j}): {metres}");
     }
     let error = read_height(&folder.join("i16_lzma.tif"), &filled).expect_err("LZMA is not supported");
-    assert!(
-        matches!(error.problem, ReadProblem::Unsupported { .. }),
-        "{error}"
-    );
+    assert!(matches!(error.problem, ReadProblem::Unsupported { .. }), "{error}");
 }
 
 #[test]
@@ -161,10 +131,7 @@ fn a_projected_geotiff_with_separate_planes() {
     let path = data.join("small_dem_3m_merged.tif");
     let info = inspect(&path, &HeightOptions::default()).unwrap_or_else(|error| panic!("{error}"));
     let values = info.values.expect("one band");
-    assert_eq!(
-        (info.width, info.height, info.texel_size_m),
-        (574, 245, Some([3.0, 3.0]))
-    );
+    assert_eq!((info.width, info.height, info.texel_size_m), (574, 245, Some([3.0, 3.0])));
     assert_eq!((info.nodata_value, values.nodata), (Some(0.0), 52119));
     assert_eq!(values.range.map(|[_, most]| most), Some(31000.0));
 }
@@ -176,20 +143,13 @@ fn float_and_colour_files() {
     let map = read(&data.join("t3d_mountain1.exr"), &options);
     let [low, high] = map.physical_range().expect("a read map has a range");
     assert!(low == 0.0 && (high - 1.0049).abs() < 1e-4, "{low} to {high}");
-    for (file, size) in [
-        ("t3d_terrain1.exr", 512),
-        ("t3d_stones.exr", 512),
-        ("earth-topology.png", 2048),
-    ] {
+    for (file, size) in [("t3d_terrain1.exr", 512), ("t3d_stones.exr", 512), ("earth-topology.png", 2048)] {
         assert_eq!(read(&data.join(file), &options).width(), size, "{file}");
     }
     // A height map stored as a JPEG in colour, of 26 levels.
     let info = inspect(&data.join("canyon_height.jpg"), &options).unwrap_or_else(|error| panic!("{error}"));
     let values = info.values.expect("its channels are equal");
-    assert_eq!(
-        (info.width, info.height, values.range, values.levels),
-        (4096, 4096, Some([44.0, 69.0]), 26)
-    );
+    assert_eq!((info.width, info.height, values.range, values.levels), (4096, 4096, Some([44.0, 69.0]), 26));
     // A colour picture with the height in its opacity.
     let path = data.join("rock023_alb_ht.png");
     let error = read_height(&path, &options).expect_err("it is in colour");
@@ -211,10 +171,7 @@ fn maps_made_to_tile_are_told_from_cut_outs() {
         ("t3d_terrain1.exr", "R", [false, false]),
     ] {
         let info = inspect(&data.join(file), &channel(name)).unwrap_or_else(|error| panic!("{error}"));
-        let tiling = info
-            .values
-            .and_then(|values| values.tiling)
-            .expect("every texel has a value");
+        let tiling = info.values.and_then(|values| values.tiling).expect("every texel has a value");
         assert_eq!(tiling.tiles, tiles, "{file}: {tiling:?}");
     }
 }
@@ -223,47 +180,16 @@ fn maps_made_to_tile_are_told_from_cut_outs() {
 fn real_pairs_show_their_conventions() {
     let Some(data) = real_data() else { return };
     for (height, name, normal, convention, green) in [
-        (
-            "bevy_cube_depth.png",
-            "y",
-            "bevy_cube_normal.png",
-            Convention::Depth,
-            GreenSign::PlusY,
-        ),
-        (
-            "rock023_alb_ht.png",
-            "a",
-            "rock023_nrm_rgh.png",
-            Convention::Height,
-            GreenSign::PlusY,
-        ),
-        (
-            "bgfx_parallax_h.png",
-            "r",
-            "bgfx_parallax_n.png",
-            Convention::Depth,
-            GreenSign::MinusY,
-        ),
-        (
-            "godot_cheese_depth.png",
-            "y",
-            "godot_cheese_normal.png",
-            Convention::Depth,
-            GreenSign::PlusY,
-        ),
+        ("bevy_cube_depth.png", "y", "bevy_cube_normal.png", Convention::Depth, GreenSign::PlusY),
+        ("rock023_alb_ht.png", "a", "rock023_nrm_rgh.png", Convention::Height, GreenSign::PlusY),
+        ("bgfx_parallax_h.png", "r", "bgfx_parallax_n.png", Convention::Depth, GreenSign::MinusY),
+        ("godot_cheese_depth.png", "y", "godot_cheese_normal.png", Convention::Depth, GreenSign::PlusY),
     ] {
         let map = read(&data.join(height), &channel(name));
         let normals = read_normal_map(&data.join(normal), GreenSign::PlusY, DEFAULT_MAX_BYTES)
             .unwrap_or_else(|error| panic!("{error}"));
         let found = detect(&map, &normals);
-        assert_eq!(
-            (found.convention, found.green),
-            (convention, green),
-            "{height}: {found:?}"
-        );
-        assert!(
-            found.convention_confidence > 0.5 && found.green_confidence > 0.5,
-            "{height}: {found:?}"
-        );
+        assert_eq!((found.convention, found.green), (convention, green), "{height}: {found:?}");
+        assert!(found.convention_confidence > 0.5 && found.green_confidence > 0.5, "{height}: {found:?}");
     }
 }

@@ -14,13 +14,7 @@ use relief_io::{
 fn entries(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = std::fs::read_dir(folder)
         .expect("the folder is there")
-        .map(|entry| {
-            entry
-                .expect("it is readable")
-                .file_name()
-                .to_string_lossy()
-                .into_owned()
-        })
+        .map(|entry| entry.expect("it is readable").file_name().to_string_lossy().into_owned())
         .collect();
     names.sort();
     names
@@ -33,11 +27,7 @@ fn png_round_trips() {
     let wide: Vec<u16> = (0..7 * 300).map(|at| (at * 31) as u16).collect();
     write_png16(&path, 300, 7, &wide).expect("the folder is writable");
     let map = read_height(&path, &HeightOptions::default()).expect("it is a map");
-    let back: Vec<u16> = map
-        .texels()
-        .iter()
-        .map(|texel| (texel * 65535.0).round() as u16)
-        .collect();
+    let back: Vec<u16> = map.texels().iter().map(|texel| (texel * 65535.0).round() as u16).collect();
     assert_eq!((map.width(), map.height(), back), (300, 7, wide));
 
     for colour in [PngColour::Grey, PngColour::Rgb, PngColour::Rgba] {
@@ -60,29 +50,19 @@ fn exr_round_trips_bit_by_bit_and_is_the_same_every_time() {
     let folder = Folder::new();
     let (first, second) = (folder.path().join("a.exr"), folder.path().join("b.exr"));
     let (width, height) = (83, 41);
-    let heights: Vec<f32> = (0..width * height)
-        .map(|at| (at as f32).sin() * 1e-3 + 8848.0)
-        .collect();
+    let heights: Vec<f32> = (0..width * height).map(|at| (at as f32).sin() * 1e-3 + 8848.0).collect();
     let cones: Vec<f32> = (0..width * height).map(|at| 1.0 / (1.0 + at as f32)).collect();
     write_exr(&first, width, height, &[("height", &heights), ("cone", &cones)]).expect("it is writable");
     write_exr(&second, width, height, &[("height", &heights), ("cone", &cones)]).expect("it is writable");
     let bytes = |path| std::fs::read(path).expect("it was written");
     assert_eq!(bytes(&first), bytes(&second));
     let map = read_height(&first, &channel("cone")).expect("it is a map");
-    assert_eq!(
-        map.physical_range(),
-        Some([f64::from(cones[cones.len() - 1]), 1.0])
-    );
+    assert_eq!(map.physical_range(), Some([f64::from(cones[cones.len() - 1]), 1.0]));
     // Bits of the samples survive where the range is already 0 to 1.
     let mut fractions = cones.clone();
     fractions[7] = 0.0;
     write_exr(&first, width, height, &[("cone", &fractions)]).expect("it is writable");
-    assert_eq!(
-        read_height(&first, &HeightOptions::default())
-            .expect("it is a map")
-            .texels(),
-        fractions
-    );
+    assert_eq!(read_height(&first, &HeightOptions::default()).expect("it is a map").texels(), fractions);
 }
 
 #[test]
@@ -92,38 +72,18 @@ fn what_does_not_fit_is_refused_and_nothing_is_left() {
     let problem = |result: Result<(), relief_io::WriteError>| result.expect_err("it does not fit").problem;
     assert!(matches!(
         problem(write_png16(&path, 3, 3, &[0; 8])),
-        WriteProblem::WrongLength {
-            expected: 9,
-            given: 8,
-            ..
-        }
+        WriteProblem::WrongLength { expected: 9, given: 8, .. }
     ));
-    assert!(matches!(
-        problem(write_png16(&path, 0, 3, &[])),
-        WriteProblem::NotStorable(_)
-    ));
+    assert!(matches!(problem(write_png16(&path, 0, 3, &[])), WriteProblem::NotStorable(_)));
     assert!(matches!(
         problem(write_png8(&path, 2, 2, PngColour::Rgb, &[0; 16])),
-        WriteProblem::WrongLength {
-            expected: 12,
-            given: 16,
-            ..
-        }
+        WriteProblem::WrongLength { expected: 12, given: 16, .. }
     ));
-    assert!(matches!(
-        problem(write_exr(&path, 1, 1, &[])),
-        WriteProblem::NotStorable(_)
-    ));
+    assert!(matches!(problem(write_exr(&path, 1, 1, &[])), WriteProblem::NotStorable(_)));
     let twice: [(&str, &[f32]); 2] = [("a", &[0.0]), ("a", &[0.0])];
-    assert!(matches!(
-        problem(write_exr(&path, 1, 1, &twice)),
-        WriteProblem::NotStorable(_)
-    ));
+    assert!(matches!(problem(write_exr(&path, 1, 1, &twice)), WriteProblem::NotStorable(_)));
     for name in ["", "höhe", "a\0b", &"x".repeat(256)] {
-        assert!(matches!(
-            problem(write_exr(&path, 1, 1, &[(name, &[0.0])])),
-            WriteProblem::NotStorable(_)
-        ));
+        assert!(matches!(problem(write_exr(&path, 1, 1, &[(name, &[0.0])])), WriteProblem::NotStorable(_)));
     }
     write_exr(&path, 1, 1, &[(&"x".repeat(255), &[0.5])]).expect("the longest name");
     read_height(&path, &HeightOptions::default()).expect("it is a map");
@@ -182,10 +142,7 @@ fn no_room_on_the_disk_is_an_error_and_leaves_nothing() {
     let program = std::env::current_exe().expect("the test knows its program");
     // A limit of 16 KiB to each file, whose signal is ignored, fails a write as a full disk does.
     let output = std::process::Command::new("sh")
-        .args([
-            "-c",
-            "trap '' XFSZ; ulimit -f 32; exec \"$0\" --exact child --nocapture",
-        ])
+        .args(["-c", "trap '' XFSZ; ulimit -f 32; exec \"$0\" --exact child --nocapture"])
         .arg(program)
         .env(TARGET, &path)
         .output()

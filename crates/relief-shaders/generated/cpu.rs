@@ -1995,13 +1995,14 @@ impl<'g> Resources<'g> {
         let _e177 = enter;
         let entry_height = (base_height + (slope_1 * _e174)).select(rt::Scalar(1f32), _e177.elementwise_eq(top_4));
         let _e181 = enter;
-        let _e186 = leave_2;
+        let base_1 = (rt::Scalar(0f32) - _e181).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e187 = enter;
-        let _e189 = enter;
-        let _e194 = rt::Scalar(self.settings.scale_m);
-        let path_24 = <Path>::new((uv_8 + (duv * _e181)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_1, rt::Scalar(0f32)), (_e186 - _e187), (rt::Scalar(0f32) - _e189), <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e194));
-        let _e197 = valid;
-        return <Entered>::new(_e197, path_24, point_6, uv_8, tangent, bitangent, normal_2);
+        let _e192 = leave_2;
+        let _e193 = enter;
+        let _e197 = rt::Scalar(self.settings.scale_m);
+        let path_24 = <Path>::new((uv_8 + (duv * _e187)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_1, rt::Scalar(0f32)), (_e192 - _e193), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e197));
+        let _e200 = valid;
+        return <Entered>::new(_e200, path_24, point_6, uv_8, tangent, bitangent, normal_2);
     }
     pub fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))

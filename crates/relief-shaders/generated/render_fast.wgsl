@@ -934,7 +934,8 @@ fn surface_plane(pixel: PixelIn) -> Entered {
         valid = 0u;
     }
     let entry_height = select(base_height + slope * enter, 1.0, enter == top);
-    let path = Path(uv + duv * enter, duv, vec3f(entry_height, slope, 0.0), leave - enter, 0.0 - enter, vec4f(tt, tb, bb, settings.scale_m));
+    let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
+    let path = Path(uv + duv * enter, duv, vec3f(entry_height, slope, 0.0), leave - enter, base, vec4f(tt, tb, bb, settings.scale_m));
     return Entered(valid, path, point, uv, tangent, bitangent, normal);
 }
 

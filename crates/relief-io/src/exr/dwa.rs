@@ -26,25 +26,14 @@ pub(super) fn check(part: &Part, [columns, rows]: [u32; 2], compressed: &[u8]) -
         * u64::from(rows).div_ceil(TRANSFORM_SIDE)
         * part.channels.len() as u64;
     // Run-length tokens are at most twice as long as what they stand for.
-    let limits = [
-        (1, bytes),
-        (6, 2 * bytes),
-        (7, bytes),
-        (8, transforms * 64),
-        (9, transforms),
-    ];
+    let limits = [(1, bytes), (6, 2 * bytes), (7, bytes), (8, transforms * 64), (9, transforms)];
     let (counters, _) = compressed.as_chunks::<8>();
     let within = |&(index, limit): &(usize, u64)| {
-        counters
-            .get(index)
-            .is_some_and(|&counter| u64::from_le_bytes(counter) <= limit)
+        counters.get(index).is_some_and(|&counter| u64::from_le_bytes(counter) <= limit)
     };
     if limits.iter().all(within) {
         Ok(())
     } else {
-        Err(ReadProblem::damaged(
-            "EXR",
-            "a DWA block claims more than its texels need",
-        ))
+        Err(ReadProblem::damaged("EXR", "a DWA block claims more than its texels need"))
     }
 }

@@ -44,11 +44,7 @@ pub(super) struct FileHeader {
 
 impl FileHeader {
     pub(super) fn read(file: &mut BufReader<File>, file_len: u64) -> Result<Self, ReadProblem> {
-        let mut reader = AttributeReader {
-            file,
-            file_len,
-            position: 0,
-        };
+        let mut reader = AttributeReader { file, file_len, position: 0 };
         reader.bytes::<4>()?;
         let version = u32::from_le_bytes(reader.bytes()?);
         if version & 0xff != 2 {
@@ -74,17 +70,11 @@ impl FileHeader {
         }
         let tables_start = reader.position;
         let entries = parts.iter().map(|part| part.table_len).sum::<u64>();
-        let chunks_start = entries
-            .checked_mul(8)
-            .and_then(|bytes| bytes.checked_add(tables_start));
+        let chunks_start = entries.checked_mul(8).and_then(|bytes| bytes.checked_add(tables_start));
         match chunks_start {
-            Some(chunks_start) if chunks_start <= file_len => Ok(Self {
-                multipart,
-                parts,
-                tables_start,
-                chunks_start,
-                file_len,
-            }),
+            Some(chunks_start) if chunks_start <= file_len => {
+                Ok(Self { multipart, parts, tables_start, chunks_start, file_len })
+            }
             _ => Err(damaged("it is shorter than its table of blocks")),
         }
     }
@@ -97,8 +87,7 @@ impl FileHeader {
     ) -> Result<Vec<u64>, ReadProblem> {
         let before = self.parts[..index].iter().map(|part| part.table_len).sum::<u64>();
         let problem = |error| io_problem(Format::Exr, error);
-        file.seek(SeekFrom::Start(self.tables_start + 8 * before))
-            .map_err(problem)?;
+        file.seek(SeekFrom::Start(self.tables_start + 8 * before)).map_err(problem)?;
         let mut offsets = zeros::<u64>(self.parts[index].chunks() as usize)?;
         for offset in &mut offsets {
             let mut bytes = [0; 8];
@@ -130,9 +119,7 @@ struct AttributeReader<'a> {
 impl AttributeReader<'_> {
     fn bytes<const N: usize>(&mut self) -> Result<[u8; N], ReadProblem> {
         let mut bytes = [0; N];
-        self.file
-            .read_exact(&mut bytes)
-            .map_err(|error| io_problem(Format::Exr, error))?;
+        self.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Exr, error))?;
         self.position += N as u64;
         Ok(bytes)
     }
@@ -155,9 +142,7 @@ impl AttributeReader<'_> {
             return Err(damaged("an attribute is too long"));
         }
         let mut bytes = zeros(length as usize)?;
-        self.file
-            .read_exact(&mut bytes)
-            .map_err(|error| io_problem(Format::Exr, error))?;
+        self.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Exr, error))?;
         self.position += length;
         Ok(bytes)
     }
@@ -205,27 +190,20 @@ impl AttributeReader<'_> {
             }
             "tiles" => {
                 let [a, b, c, d, e, f, g, h, mode] = self.fixed(length)?;
-                part.tiles = Some((
-                    [u32::from_le_bytes([a, b, c, d]), u32::from_le_bytes([e, f, g, h])],
-                    mode,
-                ));
+                part.tiles =
+                    Some(([u32::from_le_bytes([a, b, c, d]), u32::from_le_bytes([e, f, g, h])], mode));
             }
             "chunkCount" => {
                 part.chunk_count = u64::try_from(i32::from_le_bytes(self.fixed(length)?)).ok();
             }
             "name" | "type" => {
                 let bytes = self.value(length, MAX_NAME as u64)?;
-                *(if name == "name" {
-                    &mut part.name
-                } else {
-                    &mut part.kind
-                }) = Some(bytes.into_iter().map(char::from).collect());
+                *(if name == "name" { &mut part.name } else { &mut part.kind }) =
+                    Some(bytes.into_iter().map(char::from).collect());
             }
             _ => {
                 let skip = i64::try_from(length).map_err(|_| damaged("an attribute is too long"))?;
-                self.file
-                    .seek_relative(skip)
-                    .map_err(|error| io_problem(Format::Exr, error))?;
+                self.file.seek_relative(skip).map_err(|error| io_problem(Format::Exr, error))?;
                 self.position += length;
             }
         }
@@ -239,10 +217,7 @@ impl PartAttributes {
         let channels = self.channels.ok_or_else(|| missing("channels"))?;
         let compression = self.compression.ok_or_else(|| missing("compression"))?;
         let [left, top, right, bottom] = self.window.ok_or_else(|| missing("dataWindow"))?;
-        if [left, top, right, bottom]
-            .iter()
-            .any(|coordinate| coordinate.abs() > MAX_COORDINATE)
-        {
+        if [left, top, right, bottom].iter().any(|coordinate| coordinate.abs() > MAX_COORDINATE) {
             return Err(damaged("its data window lies too far out"));
         }
         let side = |first: i64, last: i64| u32::try_from(last - first + 1).unwrap_or(0);
@@ -291,12 +266,7 @@ impl PartAttributes {
 fn channel_list(bytes: &[u8]) -> Result<Vec<ExrChannel>, ReadProblem> {
     let mut channels = Vec::new();
     let mut rest = bytes;
-    while let Some(end) = rest
-        .iter()
-        .take(MAX_NAME + 1)
-        .position(|&byte| byte == 0)
-        .filter(|&end| end > 0)
-    {
+    while let Some(end) = rest.iter().take(MAX_NAME + 1).position(|&byte| byte == 0).filter(|&end| end > 0) {
         let (name, after) = rest.split_at(end);
         let Some((&[_, kind, _, _, _, linear, _, _, _, x0, x1, x2, x3, y0, y1, y2, y3], after)) =
             after.split_first_chunk()
@@ -309,24 +279,15 @@ fn channel_list(bytes: &[u8]) -> Result<Vec<ExrChannel>, ReadProblem> {
             1 => ExrSample::F16,
             2 => ExrSample::F32,
             other => {
-                return Err(damaged(&format!(
-                    "the channel '{name}' has the unknown type {other}"
-                )));
+                return Err(damaged(&format!("the channel '{name}' has the unknown type {other}")));
             }
         };
-        let sampling = [
-            i32::from_le_bytes([x0, x1, x2, x3]),
-            i32::from_le_bytes([y0, y1, y2, y3]),
-        ];
+        let sampling = [i32::from_le_bytes([x0, x1, x2, x3]), i32::from_le_bytes([y0, y1, y2, y3])];
         if sampling != [1, 1] {
             let what = format!("the channel '{name}' at a lower resolution than the picture");
             return Err(unsupported(what));
         }
-        channels.push(ExrChannel {
-            name,
-            sample,
-            quantize_linearly: linear != 0,
-        });
+        channels.push(ExrChannel { name, sample, quantize_linearly: linear != 0 });
         rest = after;
     }
     match (channels.is_empty(), rest) {

@@ -43,10 +43,7 @@ impl Part {
     }
 
     pub(super) fn bytes_per_texel(&self) -> u64 {
-        self.channels
-            .iter()
-            .map(|channel| channel.sample.bytes_per_sample() as u64)
-            .sum()
+        self.channels.iter().map(|channel| channel.sample.bytes_per_sample() as u64).sum()
     }
 
     pub(super) fn rows_per_block(&self) -> u64 {
@@ -65,10 +62,7 @@ impl Part {
     /// Number of blocks along x and y.
     pub(super) fn blocks(&self) -> (u64, u64) {
         let columns = u64::from(self.tiles.map_or(self.size[0], |[columns, _]| columns));
-        (
-            u64::from(self.size[0]).div_ceil(columns),
-            u64::from(self.size[1]).div_ceil(self.rows_per_block()),
-        )
+        (u64::from(self.size[0]).div_ceil(columns), u64::from(self.size[1]).div_ceil(self.rows_per_block()))
     }
 
     /// Number of blocks of the first resolution level.

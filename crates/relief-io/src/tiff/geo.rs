@@ -25,22 +25,10 @@ const ECCENTRICITY_SQUARED: f64 = 0.006_694_379_990_14;
 
 /// The raw value that marks a texel without a value, as the file's samples hold it.
 pub(super) fn nodata(ifd: &Ifd, sample: SampleType) -> Option<f64> {
-    let value: f64 = ifd
-        .tag(TAG_NODATA)?
-        .value
-        .as_str()?
-        .trim_matches(['\0', ' '])
-        .parse()
-        .ok()?;
+    let value: f64 = ifd.tag(TAG_NODATA)?.value.as_str()?.trim_matches(['\0', ' ']).parse().ok()?;
     // GDAL writes the number in decimals, which need not be those of the nearest f32.
-    let stored = if sample == SampleType::float(32) {
-        f64::from(value as f32)
-    } else {
-        value
-    };
-    (stored.is_finite() || sample.kind == SampleKind::Float)
-        .then_some(stored)
-        .filter(|value| !value.is_nan())
+    let stored = if sample == SampleType::float(32) { f64::from(value as f32) } else { value };
+    (stored.is_finite() || sample.kind == SampleKind::Float).then_some(stored).filter(|value| !value.is_nan())
 }
 
 /// The size of a texel in metres along `u` and `v`.
@@ -52,9 +40,7 @@ pub(super) fn texel_size_m(ifd: &Ifd) -> Option<[f64; 2]> {
     let keys = Keys::read(ifd)?;
     let grid = Grid::read(ifd)?;
     let [across, down] = match keys.short(KEY_MODEL_TYPE)? {
-        MODEL_PROJECTED => grid
-            .size
-            .map(|side| side * keys.metres_per_unit().unwrap_or(f64::NAN)),
+        MODEL_PROJECTED => grid.size.map(|side| side * keys.metres_per_unit().unwrap_or(f64::NAN)),
         MODEL_GEOGRAPHIC => {
             let radians_per_unit = match keys.short(KEY_ANGULAR_UNIT) {
                 None | Some(9102) => std::f64::consts::PI / 180.0,
@@ -69,17 +55,11 @@ pub(super) fn texel_size_m(ifd: &Ifd) -> Option<[f64; 2]> {
             let w = 1.0 - ECCENTRICITY_SQUARED * latitude.sin().powi(2);
             let parallel = EQUATOR_M / w.sqrt() * latitude.cos();
             let meridian = EQUATOR_M * (1.0 - ECCENTRICITY_SQUARED) / (w * w.sqrt());
-            [
-                grid.size[0] * radians_per_unit * parallel,
-                grid.size[1] * radians_per_unit * meridian,
-            ]
+            [grid.size[0] * radians_per_unit * parallel, grid.size[1] * radians_per_unit * meridian]
         }
         _ => return None,
     };
-    [across, down]
-        .iter()
-        .all(|side| side.is_finite() && *side > 0.0)
-        .then_some([across, down])
+    [across, down].iter().all(|side| side.is_finite() && *side > 0.0).then_some([across, down])
 }
 
 /// Size of a texel, and the `y` of the picture's centre, in the units of the file's system.
@@ -96,20 +76,14 @@ impl Grid {
             let (&[x, y, ..], &[_, row, _, _, tie_y, ..]) = (scale.as_slice(), tie.as_slice()) else {
                 return None;
             };
-            return Some(Self {
-                size: [x.abs(), y.abs()],
-                centre_y: tie_y - (middle[1] - row) * y,
-            });
+            return Some(Self { size: [x.abs(), y.abs()], centre_y: tie_y - (middle[1] - row) * y });
         }
         let matrix = doubles(TAG_TRANSFORMATION)?;
         let &[xx, xy, _, _, yx, yy, _, y0, ..] = matrix.as_slice() else {
             return None;
         };
         let centre_y = yx * middle[0] + yy * middle[1] + y0;
-        Some(Self {
-            size: [xx.hypot(yx), xy.hypot(yy)],
-            centre_y,
-        })
+        Some(Self { size: [xx.hypot(yx), xy.hypot(yy)], centre_y })
     }
 }
 
@@ -122,36 +96,23 @@ struct Keys {
 impl Keys {
     fn read(ifd: &Ifd) -> Option<Self> {
         let entries = ifd.tag(TAG_KEYS)?.value.as_u16_slice()?.to_vec();
-        let doubles = ifd
-            .tag(TAG_KEY_DOUBLES)
-            .and_then(|tag| tag.value.as_f64_vec())
-            .unwrap_or_default();
+        let doubles = ifd.tag(TAG_KEY_DOUBLES).and_then(|tag| tag.value.as_f64_vec()).unwrap_or_default();
         Some(Self { entries, doubles })
     }
 
     /// Location and value of a key: location 0 means that the value is the number itself.
     fn entry(&self, key: u16) -> Option<(u16, u16)> {
         let (entries, _) = self.entries.as_chunks::<4>();
-        entries
-            .iter()
-            .skip(1)
-            .find(|entry| entry[0] == key)
-            .map(|entry| (entry[1], entry[3]))
+        entries.iter().skip(1).find(|entry| entry[0] == key).map(|entry| (entry[1], entry[3]))
     }
 
     fn short(&self, key: u16) -> Option<u16> {
-        self.entry(key)
-            .filter(|(location, _)| *location == 0)
-            .map(|(_, value)| value)
+        self.entry(key).filter(|(location, _)| *location == 0).map(|(_, value)| value)
     }
 
     fn double(&self, key: u16) -> Option<f64> {
         let (location, index) = self.entry(key)?;
-        if location == TAG_KEY_DOUBLES {
-            self.doubles.get(usize::from(index)).copied()
-        } else {
-            None
-        }
+        if location == TAG_KEY_DOUBLES { self.doubles.get(usize::from(index)).copied() } else { None }
     }
 
     /// Metres in one unit of a projected system (EPSG unit numbers).

@@ -29,13 +29,7 @@ pub struct BrokenFile {
 
 impl BrokenFile {
     fn new(name: impl Into<String>, extension: &'static str, bytes: Vec<u8>, expect: Expect) -> Self {
-        Self {
-            name: name.into(),
-            extension,
-            bytes,
-            options: HeightOptions::default(),
-            expect,
-        }
+        Self { name: name.into(), extension, bytes, options: HeightOptions::default(), expect }
     }
 
     fn with(mut self, options: HeightOptions) -> Self {
@@ -45,10 +39,7 @@ impl BrokenFile {
 }
 
 fn raw(text: &str) -> HeightOptions {
-    HeightOptions {
-        raw: Some(text.parse().expect("a layout")),
-        ..HeightOptions::default()
-    }
+    HeightOptions { raw: Some(text.parse().expect("a layout")), ..HeightOptions::default() }
 }
 
 /// A valid file of every format and encoding.
@@ -57,35 +48,14 @@ pub fn valid_files() -> Vec<BrokenFile> {
     let bytes: Vec<u8> = samples(width, height, 255.0).iter().map(|&s| s as u8).collect();
     let wide = samples(width, height, 65535.0);
     let fractions: Vec<f64> = wide.iter().map(|s| s / 65535.0).collect();
-    let grey16 = png(
-        width,
-        height,
-        ColorType::Grayscale,
-        BitDepth::Sixteen,
-        &big_endian(&wide),
-    );
-    let rgba: Vec<u8> = bytes
-        .iter()
-        .flat_map(|&byte| [byte, byte, byte, 255 - byte])
-        .collect();
+    let grey16 = png(width, height, ColorType::Grayscale, BitDepth::Sixteen, &big_endian(&wide));
+    let rgba: Vec<u8> = bytes.iter().flat_map(|&byte| [byte, byte, byte, 255 - byte]).collect();
     let three: Vec<u8> = bytes.iter().flat_map(|&byte| [byte; 3]).collect();
     let texels: Vec<[u8; 4]> = bytes.iter().map(|&byte| [byte, byte, byte, 130]).collect();
-    let tiff = Tiff {
-        extra: vec![(42113, Value::Text("-9999".into()))],
-        ..Tiff::grey(width, height, 32, 3)
-    };
-    let tiled = Tiff {
-        tile_width: Some(16),
-        deflate: true,
-        ..tiff.clone()
-    };
-    let planar = Tiff {
-        bands: 3,
-        photometric: 2,
-        planar: 2,
-        deflate: true,
-        ..Tiff::grey(width, height, 16, 1)
-    };
+    let tiff = Tiff { extra: vec![(42113, Value::Text("-9999".into()))], ..Tiff::grey(width, height, 32, 3) };
+    let tiled = Tiff { tile_width: Some(16), deflate: true, ..tiff.clone() };
+    let planar =
+        Tiff { bands: 3, photometric: 2, planar: 2, deflate: true, ..Tiff::grey(width, height, 16, 1) };
     let equal: Vec<f64> = wide.iter().flat_map(|&s| [s; 3]).collect();
     let mut files = vec![
         BrokenFile::new("grey png", "png", grey16, Expect::Map),
@@ -100,25 +70,10 @@ pub fn valid_files() -> Vec<BrokenFile> {
         BrokenFile::new("tiff", "tif", tiff.bytes(&fractions), Expect::Map),
         BrokenFile::new("tiled tiff", "tif", tiled.bytes(&fractions), Expect::Map),
         BrokenFile::new("planar tiff", "tif", planar.bytes(&equal), Expect::Map),
-        BrokenFile::new(
-            "flat hdr",
-            "hdr",
-            hdr(width, height, Scan::Flat, &texels),
-            Expect::Map,
-        ),
-        BrokenFile::new(
-            "run-length hdr",
-            "hdr",
-            hdr(width, height, Scan::Components, &texels),
-            Expect::Map,
-        ),
+        BrokenFile::new("flat hdr", "hdr", hdr(width, height, Scan::Flat, &texels), Expect::Map),
+        BrokenFile::new("run-length hdr", "hdr", hdr(width, height, Scan::Components, &texels), Expect::Map),
         BrokenFile::new("pgm", "pgm", pgm(width, height, 65535, &wide), Expect::Map),
-        BrokenFile::new(
-            "plain pgm",
-            "pgm",
-            plain_pgm(width, height, 65535, &wide),
-            Expect::Map,
-        ),
+        BrokenFile::new("plain pgm", "pgm", plain_pgm(width, height, 65535, &wide), Expect::Map),
         BrokenFile::new("raw", "r16", big_endian(&wide), Expect::Map).with(raw("37x29,be")),
     ];
     for (name, compression, _) in exr_file::COMPRESSIONS {
@@ -161,11 +116,7 @@ pub fn flipped(file: &BrokenFile, seed: u64) -> BrokenFile {
     let mut broken = file.clone();
     let flips = 1 + random.below(4);
     for _ in 0..flips {
-        let within = if random.below(2) == 0 {
-            broken.bytes.len().min(600)
-        } else {
-            broken.bytes.len()
-        };
+        let within = if random.below(2) == 0 { broken.bytes.len().min(600) } else { broken.bytes.len() };
         let at = random.below(within);
         broken.bytes[at] ^= 1 << random.below(8);
     }
@@ -179,41 +130,23 @@ fn sized([width, height]: [u32; 2], expect: Expect) -> Vec<BrokenFile> {
     let size = format!("{width}x{height}");
     let name = |format: &str| format!("{format} of {size}");
     let mut jpeg_file = jpeg(8, 8, 1, &[7; 64]);
-    let frame = jpeg_file
-        .windows(2)
-        .position(|marker| marker == [0xff, 0xc0])
-        .expect("a frame header");
+    let frame = jpeg_file.windows(2).position(|marker| marker == [0xff, 0xc0]).expect("a frame header");
     jpeg_file[frame + 5..frame + 9]
         .copy_from_slice(&[(height as u16).to_be_bytes(), (width as u16).to_be_bytes()].concat());
-    let mut exr_bytes = exr_file::exr(
-        [1, 1],
-        None,
-        Compression::ZIP16,
-        &[("height", ExrSample::F32, &[0.5])],
-    );
-    let window = exr_bytes
-        .windows(10)
-        .position(|name| name == b"dataWindow")
-        .expect("a data window");
+    let mut exr_bytes =
+        exr_file::exr([1, 1], None, Compression::ZIP16, &[("height", ExrSample::F32, &[0.5])]);
+    let window = exr_bytes.windows(10).position(|name| name == b"dataWindow").expect("a data window");
     let value = window + b"dataWindow\0box2i\0".len() + 4;
     exr_bytes[value + 8..value + 12].copy_from_slice(&(width as i32 - 1).to_le_bytes());
     exr_bytes[value + 12..value + 16].copy_from_slice(&(height as i32 - 1).to_le_bytes());
     let mut tiff = Tiff::grey(1, 1, 16, 1).bytes(&[7.0]);
     for (tag, side) in [(256u16, width), (257, height), (278, height)] {
         let entry = [tag.to_le_bytes(), 4u16.to_le_bytes()].concat();
-        let at = tiff
-            .windows(4)
-            .position(|bytes| bytes == entry)
-            .expect("the tag is there");
+        let at = tiff.windows(4).position(|bytes| bytes == entry).expect("the tag is there");
         tiff[at + 8..at + 12].copy_from_slice(&side.to_le_bytes());
     }
     vec![
-        BrokenFile::new(
-            name("png"),
-            "png",
-            png_by_hand([width, height], 8, 0, 0, &[0, 7]),
-            expect,
-        ),
+        BrokenFile::new(name("png"), "png", png_by_hand([width, height], 8, 0, 0, &[0, 7]), expect),
         BrokenFile::new(
             name("interlaced png"),
             "png",
@@ -223,24 +156,9 @@ fn sized([width, height]: [u32; 2], expect: Expect) -> Vec<BrokenFile> {
         BrokenFile::new(name("jpeg"), "jpg", jpeg_file, expect),
         BrokenFile::new(name("exr"), "exr", exr_bytes, expect),
         BrokenFile::new(name("tiff"), "tif", tiff, expect),
-        BrokenFile::new(
-            name("hdr"),
-            "hdr",
-            hdr(width, height, Scan::Flat, &[[1, 2, 3, 130]; 1]),
-            expect,
-        ),
-        BrokenFile::new(
-            name("pgm"),
-            "pgm",
-            format!("P5 {width} {height} 255\n7").into_bytes(),
-            expect,
-        ),
-        BrokenFile::new(
-            name("plain pgm"),
-            "pgm",
-            format!("P2 {width} {height} 255\n7").into_bytes(),
-            expect,
-        ),
+        BrokenFile::new(name("hdr"), "hdr", hdr(width, height, Scan::Flat, &[[1, 2, 3, 130]; 1]), expect),
+        BrokenFile::new(name("pgm"), "pgm", format!("P5 {width} {height} 255\n7").into_bytes(), expect),
+        BrokenFile::new(name("plain pgm"), "pgm", format!("P2 {width} {height} 255\n7").into_bytes(), expect),
     ]
 }
 
@@ -253,12 +171,8 @@ fn small() -> Vec<BrokenFile> {
         let bytes: Vec<u8> = (0..count as u8).collect();
         let texels = vec![[64, 64, 64, 129]; count];
         let name = |format: &str| format!("{format} of {width}x{height}");
-        let exr_bytes = exr_file::exr(
-            [width, height],
-            None,
-            Compression::PIZ,
-            &[("Y", ExrSample::F32, &values)],
-        );
+        let exr_bytes =
+            exr_file::exr([width, height], None, Compression::PIZ, &[("Y", ExrSample::F32, &values)]);
         files.extend([
             BrokenFile::new(
                 name("png"),
@@ -274,12 +188,7 @@ fn small() -> Vec<BrokenFile> {
                 Tiff::grey(width, height, 32, 3).bytes(&values),
                 Expect::Map,
             ),
-            BrokenFile::new(
-                name("hdr"),
-                "hdr",
-                hdr(width, height, Scan::Flat, &texels),
-                Expect::Map,
-            ),
+            BrokenFile::new(name("hdr"), "hdr", hdr(width, height, Scan::Flat, &texels), Expect::Map),
             BrokenFile::new(name("pgm"), "pgm", pgm(width, height, 255, &values), Expect::Map),
             BrokenFile::new(name("raw"), "raw", big_endian(&values), Expect::Map)
                 .with(raw(&format!("{width}x{height},be"))),
@@ -304,93 +213,33 @@ fn unfit() -> Vec<BrokenFile> {
     let grey = || png(8, 8, ColorType::Grayscale, BitDepth::Eight, &[7; 64]);
     let colour: Vec<u8> = (0..192).collect();
     let mut lzma = Tiff::grey(8, 8, 16, 1).bytes(&values);
-    let compression = lzma
-        .windows(4)
-        .position(|bytes| bytes == [3, 1, 3, 0])
-        .expect("tag 259, a short");
+    let compression = lzma.windows(4).position(|bytes| bytes == [3, 1, 3, 0]).expect("tag 259, a short");
     lzma[compression + 8..compression + 10].copy_from_slice(&34925u16.to_le_bytes());
-    let nothing = exr_file::exr(
-        [8, 8],
-        None,
-        Compression::ZIP1,
-        &[("Y", ExrSample::F32, &[f64::NAN; 64])],
-    );
-    let filled = HeightOptions {
-        fill: true,
-        ..HeightOptions::default()
-    };
+    let nothing = exr_file::exr([8, 8], None, Compression::ZIP1, &[("Y", ExrSample::F32, &[f64::NAN; 64])]);
+    let filled = HeightOptions { fill: true, ..HeightOptions::default() };
     let mut files = vec![
         BrokenFile::new("empty", "png", Vec::new(), Expect::Error),
         BrokenFile::new("empty raw", "r16", Vec::new(), Expect::Error).with(raw("1x1,le")),
-        BrokenFile::new(
-            "text",
-            "png",
-            b"This is no picture at all.\n".to_vec(),
-            Expect::Error,
-        ),
+        BrokenFile::new("text", "png", b"This is no picture at all.\n".to_vec(), Expect::Error),
         BrokenFile::new("zip", "exr", b"PK\x03\x04abcdefghijkl".to_vec(), Expect::Error),
         BrokenFile::new("zeros", "tif", vec![0; 4096], Expect::Error),
-        BrokenFile::new(
-            "bitmap",
-            "bmp",
-            b"BM\x7a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0".to_vec(),
-            Expect::Error,
-        ),
-        BrokenFile::new(
-            "signature of png alone",
-            "png",
-            b"\x89PNG\r\n\x1a\n".to_vec(),
-            Expect::Error,
-        ),
+        BrokenFile::new("bitmap", "bmp", b"BM\x7a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0".to_vec(), Expect::Error),
+        BrokenFile::new("signature of png alone", "png", b"\x89PNG\r\n\x1a\n".to_vec(), Expect::Error),
         BrokenFile::new("raw without layout", "r16", vec![7; 128], Expect::Error),
         BrokenFile::new("raw of another size", "r16", vec![7; 128], Expect::Error).with(raw("8x9,le")),
         BrokenFile::new("unknown channel", "png", grey(), Expect::Error).with(channel("a")),
-        BrokenFile::new(
-            "colour",
-            "png",
-            png(8, 8, ColorType::Rgb, BitDepth::Eight, &colour),
-            Expect::Error,
-        ),
+        BrokenFile::new("colour", "png", png(8, 8, ColorType::Rgb, BitDepth::Eight, &colour), Expect::Error),
         BrokenFile::new("lzma tiff", "tif", lzma, Expect::Error),
         BrokenFile::new("nothing to fill from", "exr", nothing, Expect::Error).with(filled),
         BrokenFile::new("maxval 0", "pgm", b"P5 1 1 0\n\0".to_vec(), Expect::Error),
-        BrokenFile::new(
-            "sample above maxval",
-            "pgm",
-            b"P2 2 1 9\n3 10\n".to_vec(),
-            Expect::Error,
-        ),
-        BrokenFile::new(
-            "letters in pgm",
-            "pgm",
-            b"P2 2 1 9\n3 x\n".to_vec(),
-            Expect::Error,
-        ),
-        BrokenFile::new(
-            "negative size",
-            "pgm",
-            b"P2 -2 1 9\n3 3\n".to_vec(),
-            Expect::Error,
-        ),
-        BrokenFile::new(
-            "size beyond 32 bit",
-            "pgm",
-            b"P5 99999999999 1 9\n3".to_vec(),
-            Expect::Error,
-        ),
-        BrokenFile::new(
-            "endless hdr header",
-            "hdr",
-            b"#?RADIANCE\n".repeat(5000),
-            Expect::Error,
-        ),
+        BrokenFile::new("sample above maxval", "pgm", b"P2 2 1 9\n3 10\n".to_vec(), Expect::Error),
+        BrokenFile::new("letters in pgm", "pgm", b"P2 2 1 9\n3 x\n".to_vec(), Expect::Error),
+        BrokenFile::new("negative size", "pgm", b"P2 -2 1 9\n3 3\n".to_vec(), Expect::Error),
+        BrokenFile::new("size beyond 32 bit", "pgm", b"P5 99999999999 1 9\n3".to_vec(), Expect::Error),
+        BrokenFile::new("endless hdr header", "hdr", b"#?RADIANCE\n".repeat(5000), Expect::Error),
         BrokenFile::new("another extension", "jpg", grey(), Expect::Map),
     ];
-    files.extend(
-        [f64::NAN, f64::INFINITY, f64::NEG_INFINITY]
-            .into_iter()
-            .flat_map(float),
-    );
+    files.extend([f64::NAN, f64::INFINITY, f64::NEG_INFINITY].into_iter().flat_map(float));
     files
 }
 

@@ -31,11 +31,7 @@ pub fn exr(
 ) -> Vec<u8> {
     let image = Image::from_layer(layer(None, size, tile, compression, channels));
     let mut bytes = Vec::new();
-    image
-        .write()
-        .non_parallel()
-        .to_buffered(Cursor::new(&mut bytes))
-        .expect("a valid picture");
+    image.write().non_parallel().to_buffered(Cursor::new(&mut bytes)).expect("a valid picture");
     bytes
 }
 
@@ -43,16 +39,10 @@ pub fn exr(
 pub fn two_parts(first: ([u32; 2], &[Samples<'_>]), second: ([u32; 2], &[Samples<'_>])) -> Vec<u8> {
     let part = |name, (size, channels)| layer(Some(name), size, None, Compression::ZIP16, channels);
     let window = IntegerBounds::from_dimensions((first.0[0] as usize, first.0[1] as usize));
-    let image = Image::from_layers(
-        ImageAttributes::new(window),
-        vec![part("base", first), part("extra", second)],
-    );
+    let image =
+        Image::from_layers(ImageAttributes::new(window), vec![part("base", first), part("extra", second)]);
     let mut bytes = Vec::new();
-    image
-        .write()
-        .non_parallel()
-        .to_buffered(Cursor::new(&mut bytes))
-        .expect("a valid picture");
+    image.write().non_parallel().to_buffered(Cursor::new(&mut bytes)).expect("a valid picture");
     bytes
 }
 
@@ -62,16 +52,9 @@ pub fn with_levels(size: [u32; 2], samples: &[f64]) -> Vec<u8> {
     let rounding_mode = RoundingMode::Up;
     let level_data = exr::meta::mip_map_levels(rounding_mode, full).map(|(level, size)| {
         let values = samples.iter().map(|&value| value as f32).collect();
-        FlatSamples::F32(if level == 0 {
-            values
-        } else {
-            vec![-1.0; size.area()]
-        })
+        FlatSamples::F32(if level == 0 { values } else { vec![-1.0; size.area()] })
     });
-    let levels = Levels::Mip {
-        level_data: level_data.collect(),
-        rounding_mode,
-    };
+    let levels = Levels::Mip { level_data: level_data.collect(), rounding_mode };
     let channels = AnyChannels::sort([AnyChannel::new("height", levels)].into_iter().collect());
     let encoding = Encoding {
         compression: Compression::ZIP16,
@@ -80,11 +63,7 @@ pub fn with_levels(size: [u32; 2], samples: &[f64]) -> Vec<u8> {
     };
     let image = Image::from_layer(Layer::new(full, LayerAttributes::default(), encoding, channels));
     let mut bytes = Vec::new();
-    image
-        .write()
-        .non_parallel()
-        .to_buffered(Cursor::new(&mut bytes))
-        .expect("a valid picture");
+    image.write().non_parallel().to_buffered(Cursor::new(&mut bytes)).expect("a valid picture");
     bytes
 }
 
@@ -106,9 +85,7 @@ fn layer(
     };
     let encoding = Encoding {
         compression,
-        blocks: tile.map_or(Blocks::ScanLines, |[columns, rows]| {
-            Blocks::Tiles(Vec2(columns, rows))
-        }),
+        blocks: tile.map_or(Blocks::ScanLines, |[columns, rows]| Blocks::Tiles(Vec2(columns, rows))),
         line_order: LineOrder::Increasing,
     };
     let attributes = name.map_or_else(LayerAttributes::default, LayerAttributes::named);

@@ -25,9 +25,7 @@ pub fn png_with(
     encoder.set_depth(depth);
     set(&mut encoder);
     let mut writer = encoder.write_header().expect("a valid header");
-    writer
-        .write_image_data(data)
-        .expect("as many samples as the header says");
+    writer.write_image_data(data).expect("as many samples as the header says");
     writer.finish().expect("memory is writable");
     bytes
 }
@@ -66,24 +64,15 @@ pub fn zlib(data: &[u8]) -> Vec<u8> {
 
 /// 16-bit samples, high byte first.
 pub fn big_endian(samples: &[f64]) -> Vec<u8> {
-    samples
-        .iter()
-        .flat_map(|&sample| (sample as u16).to_be_bytes())
-        .collect()
+    samples.iter().flat_map(|&sample| (sample as u16).to_be_bytes()).collect()
 }
 
 /// A JPEG; grey for one channel, colour for three.
 pub fn jpeg(width: u32, height: u32, channels: usize, data: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let colour = if channels == 1 {
-        image::ExtendedColorType::L8
-    } else {
-        image::ExtendedColorType::Rgb8
-    };
+    let colour = if channels == 1 { image::ExtendedColorType::L8 } else { image::ExtendedColorType::Rgb8 };
     let mut encoder = JpegEncoder::new_with_quality(&mut bytes, 95);
-    encoder
-        .encode(data, width, height, colour)
-        .expect("a valid picture");
+    encoder.encode(data, width, height, colour).expect("a valid picture");
     bytes
 }
 

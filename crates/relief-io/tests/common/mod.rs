@@ -35,9 +35,7 @@ impl Folder {
 
 /// The folder of real data, or none, said on the test's output.
 pub fn real_data() -> Option<PathBuf> {
-    let folder = std::env::var_os("RELIEF_DATA")
-        .map(PathBuf::from)
-        .filter(|folder| folder.is_dir());
+    let folder = std::env::var_os("RELIEF_DATA").map(PathBuf::from).filter(|folder| folder.is_dir());
     if folder.is_none() {
         println!("skipped: RELIEF_DATA does not name the folder of real data");
     }
@@ -47,10 +45,7 @@ pub fn real_data() -> Option<PathBuf> {
 /// A smooth landscape with detail in `0..=1`, defined for every size.
 pub fn landscape(width: u32, height: u32) -> impl Fn(u32, u32) -> f64 {
     move |i, j| {
-        let (u, v) = (
-            (f64::from(i) + 0.5) / f64::from(width),
-            (f64::from(j) + 0.5) / f64::from(height),
-        );
+        let (u, v) = ((f64::from(i) + 0.5) / f64::from(width), (f64::from(j) + 0.5) / f64::from(height));
         let hills = (9.0 * u).sin() * (7.0 * v + 1.0).cos() + 0.3 * (31.0 * u * v).sin();
         0.5 + 0.38 * hills
     }
@@ -65,10 +60,7 @@ pub fn samples(width: u32, height: u32, maximum: f64) -> Vec<f64> {
 
 /// Options that choose a channel.
 pub fn channel(name: &str) -> HeightOptions {
-    HeightOptions {
-        channel: Some(name.into()),
-        ..HeightOptions::default()
-    }
+    HeightOptions { channel: Some(name.into()), ..HeightOptions::default() }
 }
 
 /// A small generator of numbers that is the same everywhere (xorshift64*).
@@ -99,10 +91,7 @@ pub fn default() -> HeightOptions {
 /// The raw values that a map stands for.
 fn raw_values(map: &HeightMap) -> Vec<f64> {
     let [zero, one] = map.physical_range().expect("a read map has a range");
-    map.texels()
-        .iter()
-        .map(|&texel| zero + f64::from(texel) * (one - zero))
-        .collect()
+    map.texels().iter().map(|&texel| zero + f64::from(texel) * (one - zero)).collect()
 }
 
 /// Fails unless the file is read as these raw values.

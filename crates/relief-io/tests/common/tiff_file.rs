@@ -55,11 +55,7 @@ impl Tiff {
     /// The file for samples, the bands of a texel side by side.
     pub fn bytes(&self, samples: &[f64]) -> Vec<u8> {
         let blocks = self.blocks(samples);
-        let mut file = if self.big_endian {
-            b"MM\0*".to_vec()
-        } else {
-            b"II*\0".to_vec()
-        };
+        let mut file = if self.big_endian { b"MM\0*".to_vec() } else { b"II*\0".to_vec() };
         file.extend(self.long(0));
         let (mut offsets, mut counts) = (Vec::new(), Vec::new());
         for (index, block) in blocks.iter().enumerate() {
@@ -105,17 +101,9 @@ impl Tiff {
         let mut entries = Vec::new();
         for (tag, value) in tags {
             let (kind, count, bytes) = match value {
-                Value::Short(v) => (
-                    3,
-                    v.len(),
-                    v.iter().flat_map(|&v| self.short(v)).collect::<Vec<u8>>(),
-                ),
+                Value::Short(v) => (3, v.len(), v.iter().flat_map(|&v| self.short(v)).collect::<Vec<u8>>()),
                 Value::Long(v) => (4, v.len(), v.iter().flat_map(|&v| self.long(v)).collect()),
-                Value::Double(v) => (
-                    12,
-                    v.len(),
-                    v.iter().flat_map(|&v| self.number(v, 64, 3)).collect(),
-                ),
+                Value::Double(v) => (12, v.len(), v.iter().flat_map(|&v| self.number(v, 64, 3)).collect()),
                 Value::Text(text) => (2, text.len() + 1, [text.as_bytes(), b"\0"].concat()),
             };
             entries.extend(self.short(*tag));

@@ -99,7 +99,8 @@ impl Gpu {
             .map_err(|error| GpuError::Device { adapter: info.name.clone(), reason: error.to_string() })?;
         let troubles = Arc::new(Mutex::new(Troubles::default()));
         let noted = Arc::clone(&troubles);
-        device.set_device_lost_callback(move |_, reason| {
+        device.set_device_lost_callback(move |cause, reason| {
+            let reason = if reason.is_empty() { format!("{cause:?}").to_lowercase() } else { reason };
             locked(&noted).lost.get_or_insert(reason);
         });
         let noted = Arc::clone(&troubles);
@@ -122,19 +123,29 @@ impl Gpu {
         self.description.clone()
     }
 
-    /// Runs commands and turns whatever the driver says of them into an error: a loss first, then lack of memory, from
-    /// which other errors follow, then the first refusal.
+    /// Runs commands and turns whatever the driver says of them into an error: lack of memory first, then a loss of the
+    /// device, from both of which other errors follow, then the first refusal.
     pub(super) fn guarded<T>(&self, work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
         self.check()?;
         let refused = self.device.push_error_scope(ErrorFilter::Validation);
         let failed = self.device.push_error_scope(ErrorFilter::Internal);
         let memory = self.device.push_error_scope(ErrorFilter::OutOfMemory);
         let result = work();
-        let errors = [memory, failed, refused].map(|scope| pollster::block_on(scope.pop()));
-        self.check()?;
-        match errors.iter().flatten().next() {
-            Some(error) => Err(refusal(error)),
-            None => result,
+        let [memory, failed, refused] =
+            [memory, failed, refused].map(|scope| pollster::block_on(scope.pop()));
+        if memory.is_some() {
+            return Err(GpuError::OutOfMemory);
+        }
+        match failed.or(refused) {
+            Some(error) => {
+                // A loss is reported when the device is asked.
+                self.wait()?;
+                Err(refusal(&error))
+            }
+            None => {
+                self.check()?;
+                result
+            }
         }
     }
 

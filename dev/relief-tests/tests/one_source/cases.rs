@@ -1,0 +1,115 @@
+//! Maps, settings and stages to send rays through.
+
+use relief::registry::Entry;
+use relief::{HeightMap, Wrap};
+use relief_render::job::Job;
+use relief_shaders::Selection;
+use relief_shaders::cpu::{PixelIn, Probe, Resources, Settings, Shared};
+use relief_tests::maps::NamedMap;
+use relief_tests::rng::Rng;
+
+/// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves a shader's
+/// loops after 65,535 turns, all loops counted together; search and refinement must stay below that.
+const LONGEST_LOOP: f32 = 16_384.0;
+
+/// A map and the settings of a search and a refinement.
+pub struct Case {
+    pub name: String,
+    pub map: HeightMap,
+    settings: Settings,
+}
+
+impl Case {
+    /// A case with displacement and parameters drawn at random.
+    pub fn new(search: &Entry, refine: &Entry, map: &NamedMap, wrap: Wrap, rng: &mut Rng) -> Self {
+        let scale_m = rng.pick(&[1.0, 1.0, 0.1, 0.02, 3.0, 0.0]);
+        let bias_m = rng.pick(&[-1.0, -1.0, 0.0, -0.3, 0.5]) * scale_m;
+        let map_name = map.name;
+        let map = map.build(wrap).with_displacement(scale_m, bias_m).expect("proper numbers");
+        let mut selection = Selection::pair(search.name, refine.name).expect("listed names");
+        selection.search_params = params(search, rng);
+        selection.refine_params = params(refine, rng);
+        let (of_search, of_refine) = (selection.search_params, selection.refine_params);
+        let name = format!(
+            "{} {of_search:?}, {} {of_refine:?}, {map_name} {wrap}, scale {scale_m}, bias {bias_m}",
+            search.name, refine.name
+        );
+        Self { name, settings: Settings::tracing(&map, &selection), map }
+    }
+
+    /// A case of two stages by name, with default parameters.
+    pub fn of(search: &str, refine: &str, map: HeightMap) -> Self {
+        let mut selection = Selection::pair(search, refine).expect("listed names");
+        for value in selection.search_params.iter_mut().chain(&mut selection.refine_params) {
+            *value = value.min(LONGEST_LOOP);
+        }
+        let name = format!("{search}, {refine}, {}", map.wrap());
+        Self { name, settings: Settings::tracing(&map, &selection), map }
+    }
+
+    /// What the probe is given.
+    pub fn job(&self) -> Job<'_> {
+        Job {
+            width: 0,
+            height: 0,
+            settings: self.settings,
+            triangles: &[],
+            view_projection: [[0.0; 4]; 4],
+            height_map: &self.map,
+            color_map: None,
+            normal_map: None,
+            two_sided: false,
+        }
+    }
+
+    /// What the translated stages make of rays.
+    pub fn on_cpu(&self, rays: &[PixelIn]) -> Vec<Probe> {
+        let job = self.job();
+        let resources = job.resources();
+        rays.iter().map(|ray| probe(&resources, ray, 0.0)).collect()
+    }
+}
+
+/// The stages over a ray whose path lies `higher` heights above the ray's own, as the probe shader writes them down.
+pub fn probe(resources: &Resources, ray: &PixelIn, higher: f32) -> Probe {
+    let at = resources.surface_stage(*ray);
+    if at.valid == 0 {
+        return Probe::read(&[0; Probe::SIZE]);
+    }
+    let mut path = at.path;
+    path.h.x += higher;
+    let found = resources.search_stage(path);
+    let hit = resources.refine_stage(path, found);
+    Probe {
+        valid: at.valid,
+        entry: path.uv,
+        duv: path.duv,
+        exit: path.exit,
+        base: path.base,
+        slope: path.h.y,
+        status: found.status,
+        near: found.near,
+        far: found.far,
+        found: hit.found,
+        exhausted: hit.exhausted,
+        uv: hit.uv,
+        height: hit.height,
+        t: hit.t,
+        reads: hit.reads,
+    }
+}
+
+/// An entry's parameters: a third of them drawn from their range, the others at their default.
+fn params(entry: &Entry, rng: &mut Rng) -> [f32; 4] {
+    let mut values = entry.defaults();
+    for (value, param) in values.iter_mut().zip(entry.params) {
+        if rng.below(3) == 0 {
+            *value = rng.between(param.min.into(), param.max.min(16.0).into()) as f32;
+            if param.integer {
+                *value = value.round();
+            }
+        }
+        *value = value.min(LONGEST_LOOP);
+    }
+    values
+}

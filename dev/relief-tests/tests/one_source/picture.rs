@@ -1,0 +1,245 @@
+//! A small scene, built by hand, and its picture by the translated shaders.
+
+use glam::{DVec3, Vec3};
+use relief::{HeightMap, Wrap};
+use relief_render::camera::Camera;
+use relief_render::job::{Job, Rendering, TexelMap};
+use relief_shaders::Selection;
+use relief_shaders::cpu::{Corner, Light, PixelOut, Resources, Settings, Triangle};
+use relief_tests::maps;
+
+/// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds corners to a
+/// 256th of a pixel, which on the small triangles here is less than this. Larger would excuse more pixels.
+const EDGE: f64 = 2e-3;
+
+/// A tile of relief above a floor, and a triangle that shows its back, seen by a camera at a slant.
+pub struct Picture {
+    width: u32,
+    height: u32,
+    map: HeightMap,
+    colors: Vec<[f32; 4]>,
+    normals: Option<Vec<[f32; 4]>>,
+    triangles: Vec<Triangle>,
+    settings: Settings,
+    view_projection: [[f32; 4]; 4],
+    two_sided: bool,
+}
+
+/// What may vary.
+pub struct Variation<'a> {
+    pub selection: &'a Selection,
+    pub wrap: Wrap,
+    pub normal_map: bool,
+    pub two_sided: bool,
+}
+
+const NORMALS: [u32; 2] = [5, 3];
+const COLORS: [u32; 2] = [3, 2];
+
+impl Picture {
+    pub fn new(width: u32, height: u32, variation: &Variation) -> Self {
+        let named = maps::ALL.iter().find(|map| map.name == "natural 101x67").expect("it is listed");
+        let map = named.build(variation.wrap).with_displacement(0.08, -0.02).expect("proper numbers");
+        let camera =
+            Camera::new(DVec3::new(0.2, 0.6, 1.1), DVec3::new(0.05, 0.0, 0.1), 48.0).expect("proper");
+        let (eye, forward) = (camera.eye(), camera.forward());
+        let per_pixel = 2.0 * (camera.fov_degrees().to_radians() / 2.0).tan() / f64::from(height);
+        let (across, down) = (camera.right() * per_pixel, -camera.up() * per_pixel);
+        let corner = forward - across * (f64::from(width) / 2.0) - down * (f64::from(height) / 2.0);
+        let four = |v: DVec3, w: f32| v.as_vec3().extend(w).to_array();
+        let mut lights = [Light::new([0.0; 4], [0.0; 4]); relief_shaders::MAX_LIGHTS];
+        lights[0] = Light::new(four(DVec3::new(0.4, 0.7, 0.3), 0.0), [0.9, 0.8, 0.7, 0.0]);
+        lights[1] = Light::new([-0.4, 0.5, 0.2, 1.0], [0.1, 0.2, 0.3, 0.0]);
+        let selection = variation.selection;
+        let settings = Settings::new(
+            selection.search_params,
+            selection.refine_params,
+            four(eye, 1.0),
+            four(forward, 0.0),
+            four(corner, 0.0),
+            four(across, 0.0),
+            four(down, 0.0),
+            [0.1, 0.1, 0.2, 0.0],
+            [0.8, 0.7, 0.6, 0.0],
+            [0.3, 0.3, 0.3, 0.0],
+            lights,
+            [map.width(), map.height()],
+            COLORS,
+            if variation.normal_map { NORMALS } else { [1, 1] },
+            map.wrap() as u32,
+            selection.surface.id,
+            selection.search.id,
+            selection.refine.id,
+            selection.shade.id,
+            2u32,
+            20u32,
+            1u32,
+            u32::from(variation.normal_map),
+            map.scale_m() as f32,
+            map.bias_m() as f32,
+        );
+        let aspect = f64::from(width) / f64::from(height);
+        let view_projection = camera.view_projection(aspect, 0.05, 10.0).expect("proper planes");
+        let texels = |size: [u32; 2], texel: fn(f32) -> [f32; 4]| {
+            (0..size[0] * size[1]).map(|at| texel(at as f32 / 7.0)).collect::<Vec<_>>()
+        };
+        Self {
+            width,
+            height,
+            map,
+            colors: texels(COLORS, |x| [x.fract(), 1.0 - x.fract(), 0.5, 1.0]),
+            normals: variation
+                .normal_map
+                .then(|| texels(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0])),
+            triangles: triangles(),
+            settings,
+            view_projection: view_projection.as_mat4().to_cols_array_2d(),
+            two_sided: variation.two_sided,
+        }
+    }
+
+    pub fn job(&self) -> Job<'_> {
+        let [width, height] = COLORS;
+        Job {
+            width: self.width,
+            height: self.height,
+            settings: self.settings,
+            triangles: &self.triangles,
+            view_projection: self.view_projection,
+            height_map: &self.map,
+            color_map: Some(TexelMap { width, height, texels: &self.colors }),
+            normal_map: self.normals.as_ref().map(|texels| {
+                let [width, height] = NORMALS;
+                TexelMap { width, height, texels }
+            }),
+            two_sided: self.two_sided,
+        }
+    }
+
+    /// What a pixel may be by the translated shaders: one answer, or several where the ray passes near an edge. An
+    /// answer of nothing stands for a pixel that nothing covers.
+    fn expected(&self, x: u32, y: u32) -> Vec<Option<PixelOut>> {
+        let resources = self.job().resources();
+        let point = [x as f32 + 0.5, y as f32 + 0.5];
+        let mut met: Vec<Met> =
+            self.triangles.iter().filter_map(|each| self.meet(&resources, each, point)).collect();
+        met.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+        let mut answers = Vec::new();
+        for Met { certain, pixel, .. } in met {
+            if pixel.hit == 0 {
+                continue;
+            }
+            answers.push(Some(pixel));
+            if certain {
+                return answers;
+            }
+        }
+        answers.push(None);
+        answers
+    }
+
+    /// The picture by the translated shaders.
+    pub fn on_cpu(&self) -> Rendering {
+        let nothing =
+            PixelOut::new([0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32);
+        let pixels = (0..self.height)
+            .flat_map(|y| (0..self.width).map(move |x| (x, y)))
+            .map(|(x, y)| self.expected(x, y)[0].unwrap_or(nothing))
+            .collect();
+        Rendering { width: self.width, height: self.height, pixels }
+    }
+
+    /// Whether a rendering is this picture: every pixel one of its answers to rounding, few of them doubtful, and nearly
+    /// all of them to the bit. The error says where not.
+    pub fn check(&self, rendering: &Rendering) -> Result<(), String> {
+        let (mut doubtful, mut inexact, mut covered) = (0, 0, 0);
+        for (at, pixel) in rendering.pixels.iter().enumerate() {
+            let (x, y) = (at as u32 % self.width, at as u32 / self.width);
+            let expected = self.expected(x, y);
+            if !expected.iter().any(|answer| is_close(answer.as_ref(), pixel)) {
+                return Err(format!("pixel ({x}, {y}) is {pixel:?}, not one of {expected:?}"));
+            }
+            doubtful += usize::from(expected.len() > 1);
+            covered += usize::from(pixel.hit == 1);
+            inexact += usize::from(pixel.hit == 1 && !expected.contains(&Some(*pixel)));
+        }
+        let pixels = self.width as usize * self.height as usize;
+        let complete = rendering.pixels.len() == pixels && covered * 5 > pixels;
+        if complete && doubtful * 25 < pixels && inexact * 10_000 < covered {
+            return Ok(());
+        }
+        let given = rendering.pixels.len();
+        Err(format!(
+            "{given} pixels, {covered} covered, {doubtful} doubtful, {inexact} without the same bits"
+        ))
+    }
+
+    fn meet(&self, resources: &Resources, triangle: &Triangle, point: [f32; 2]) -> Option<Met> {
+        let vector = |v: relief_shaders::cpu::runtime::Vec3<f32>| Vec3::new(v.x, v.y, v.z).as_dvec3();
+        let direction = vector(resources.pixel_direction(point));
+        let eye = self.settings.eye;
+        let eye = Vec3::new(eye.x, eye.y, eye.z).as_dvec3();
+        let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| vector(corner.position));
+        let normal = (b - a).cross(c - a);
+        let front = normal.dot(direction) < 0.0;
+        if !front && !self.two_sided {
+            return None;
+        }
+        let depth = normal.dot(a - eye) / normal.dot(direction);
+        let at = eye + direction * depth;
+        let weight =
+            |from: DVec3, to: DVec3| (to - from).cross(at - from).dot(normal) / normal.length_squared();
+        let least = weight(a, b).min(weight(b, c)).min(weight(c, a));
+        if depth <= 0.0 || least < -EDGE {
+            return None;
+        }
+        let side = if front { 1.0 } else { -1.0 };
+        let pixel = resources.pixel_of(triangle.a, triangle.b, triangle.c, side, point);
+        Some(Met { depth, certain: least > EDGE, pixel: resources.shade_pixel(pixel) })
+    }
+}
+
+/// A triangle that a ray meets.
+struct Met {
+    depth: f64,
+    certain: bool,
+    pixel: PixelOut,
+}
+
+/// Whether a pixel is the answer to 1e-5, in metres, as colour and as normal. Nothing is an answer, too.
+fn is_close(answer: Option<&PixelOut>, pixel: &PixelOut) -> bool {
+    const TOLERANCE: f32 = 1e-5;
+    let numbers = |p: &PixelOut| {
+        let (c, n, at) = (p.color, p.normal, p.position);
+        [c.x, c.y, c.z, c.w, n.x, n.y, n.z, at.x, at.y, at.z, p.depth, p.height, p.uv.x, p.uv.y]
+    };
+    match answer {
+        None => pixel.hit == 0,
+        Some(answer) => {
+            let close = |(a, b): (f32, f32)| (a - b).abs() <= TOLERANCE;
+            pixel.hit == 1 && numbers(answer).into_iter().zip(numbers(pixel)).all(close)
+        }
+    }
+}
+
+/// A unit tile, a floor below it with nine tiles, and a triangle in front whose back faces the eye.
+fn triangles() -> Vec<Triangle> {
+    let corner = |position: [f32; 3], normal: [f32; 3], length: f32, uv: [f32; 2]| {
+        Corner::new(position, normal, [length, 0.0, 0.0], [0.0, 0.0, length], uv)
+    };
+    let level = |y: f32, half: f32, tiles: f32| {
+        let at = |x: f32, z: f32| {
+            let uv = [(x + 0.5) * tiles, (z + 0.5) * tiles];
+            corner([2.0 * x * half, y, 2.0 * z * half], [0.0, 1.0, 0.0], 2.0 * half / tiles, uv)
+        };
+        let [a, b, c, d] = [at(-0.5, -0.5), at(-0.5, 0.5), at(0.5, 0.5), at(0.5, -0.5)];
+        [Triangle { a, b, c }, Triangle { a, b: c, c: d }]
+    };
+    let down = [0.0, -1.0, 0.0];
+    let back = Triangle {
+        a: corner([-0.2, 0.15, 0.3], down, 1.0, [0.1, 0.2]),
+        b: corner([0.2, 0.15, 0.3], down, 1.0, [0.5, 0.2]),
+        c: corner([0.0, 0.15, 0.6], down, 1.0, [0.3, 0.5]),
+    };
+    [&level(0.0, 0.5, 1.0)[..], &level(-0.2, 0.75, 3.0), &[back]].concat()
+}
