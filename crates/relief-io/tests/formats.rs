@@ -57,7 +57,7 @@ fn png_of_few_bits_and_with_palettes() {
     // A palette of greys is grey, one of colours is not.
     let indexed = |palette: Vec<u8>| {
         png_with(4, 1, ColorType::Indexed, BitDepth::Eight, &[0, 1, 2, 1], |encoder| {
-            encoder.set_palette(palette)
+            encoder.set_palette(palette);
         })
     };
     let path = folder.file("palette.png", &indexed(vec![0, 0, 0, 40, 40, 40, 255, 255, 255]));
