@@ -1,0 +1,66 @@
+//! The map kinds, one file each. A new one is a file here and its name in the list below.
+
+use relief::registry::{Param, Source as Publication, UnknownName};
+
+use crate::{BakeError, Progress, Settings, Sink, Source};
+
+/// Which texels a baked texel depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// Those at most so many texels away, along either axis.
+    Texels(u32),
+    /// All of the map.
+    Everything,
+}
+
+/// A kind of map: what it is, where it comes from, what it promises, and how it is made.
+#[derive(Clone, Copy)]
+pub struct Kind {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// One line on what it holds.
+    pub summary: &'static str,
+    /// Where it was published.
+    pub source: Publication,
+    /// Its parameters; one named `bits` quantises: 0 for floats, 8 or 16.
+    pub params: &'static [Param],
+    /// What is promised of the stored values, and for which surface.
+    pub guarantee: &'static str,
+    /// How far a texel's value looks.
+    pub reach: fn(&Settings) -> Reach,
+    /// Bakes it.
+    pub bake: fn(&Source, &Settings, &Progress, &mut dyn Sink) -> Result<(), BakeError>,
+}
+
+impl Kind {
+    /// The defaults of its parameters.
+    pub fn defaults(&self) -> Settings {
+        Settings::defaults(self.name, self.params)
+    }
+}
+
+/// All kinds.
+pub const KINDS: &[Kind] = &[];
+
+/// The kind of that name.
+///
+/// # Errors
+///
+/// When no kind has that name; the error names the nearest.
+pub fn kind(name: &str) -> Result<&'static Kind, UnknownName> {
+    KINDS
+        .iter()
+        .find(|kind| kind.name == name)
+        .ok_or_else(|| UnknownName::new("map kind", name, KINDS.iter().map(|kind| kind.name)))
+}
+
+/// The parameter that quantises.
+pub const BITS: Param = Param {
+    name: "bits",
+    summary: "bits of the stored values, rounded to the safe side: 8 or 16, 0 for floats",
+    unit: "bits",
+    min: 0.0,
+    max: 16.0,
+    default: 0.0,
+    integer: true,
+};

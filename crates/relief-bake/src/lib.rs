@@ -1,0 +1,33 @@
+//! From a height map to every map that displacement mapping methods read.
+//!
+//! [`kind`] lists the map kinds, one file each. A bake takes a [`Source`], which is a height map and the [`Metric`] that it
+//! is laid out in, and the kind's [`Settings`], and hands its [`Texture`]s to a [`Sink`] slice by slice, so that a volume
+//! need not fit in memory. [`Collected`] is the sink that keeps them.
+//!
+//! Where a kind states a bound, it holds for the *bilinear* surface between texel centres, and for what is stored: when
+//! values are quantised, heights are quantised first, the map is baked against the decoded heights, and values are rounded
+//! to the safe side.
+
+mod bake;
+pub mod kind;
+mod metric;
+mod progress;
+pub mod quantise;
+mod settings;
+mod sink;
+
+pub use bake::{BakeError, bake};
+pub use kind::{KINDS, Kind, kind};
+pub use metric::{Metric, MetricError};
+pub use progress::{Cancelled, Progress};
+pub use settings::{Settings, SettingsError};
+pub use sink::{Channel, Collected, CollectedTexture, Rounding, Sink, SinkError, Texture};
+
+/// What a bake is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    /// The height map. When values are quantised its texels are the decoded ones.
+    pub map: &'a relief::HeightMap,
+    /// World lengths of the tile and the relief.
+    pub metric: Metric,
+}

@@ -1,0 +1,58 @@
+//! World lengths of texture units.
+
+use relief::HeightMap;
+
+/// The metric that a map is baked in: a step `(du, dv, dh)` in texture coordinates and texel height is
+/// `sqrt((tile_m[0] du)² + (tile_m[1] dv)² + (scale_m dh)²)` metres long.
+///
+/// Maps of distances, angles and cone ratios state it. A step through such a map divides by the path's speed in it, so that
+/// neither another scale nor another size of the tile on the surface makes the map invalid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metric {
+    /// Length of a tile along `u` and `v` in metres.
+    pub tile_m: [f64; 2],
+    /// Displacement of texel 1 above texel 0 in metres.
+    pub scale_m: f64,
+}
+
+/// A length that is no length.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{what} is {value} m: it must be finite and positive")]
+pub struct MetricError {
+    /// Which length.
+    pub what: &'static str,
+    /// Its value.
+    pub value: f64,
+}
+
+impl Metric {
+    /// A metric of those lengths.
+    ///
+    /// # Errors
+    ///
+    /// When a length is not finite and positive.
+    pub fn new(tile_m: [f64; 2], scale_m: f64) -> Result<Self, MetricError> {
+        for (what, value) in
+            [("the tile along u", tile_m[0]), ("the tile along v", tile_m[1]), ("the scale", scale_m)]
+        {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(MetricError { what, value });
+            }
+        }
+        Ok(Self { tile_m, scale_m })
+    }
+
+    /// A tile of 1 m by 1 m with that scale.
+    ///
+    /// # Errors
+    ///
+    /// When the scale is not finite and positive.
+    pub fn unit_tile(scale_m: f64) -> Result<Self, MetricError> {
+        Self::new([1.0, 1.0], scale_m)
+    }
+
+    /// Size of a texel of that map along `u` and `v` in metres.
+    pub fn texel_m(&self, map: &HeightMap) -> [f64; 2] {
+        [self.tile_m[0] / f64::from(map.width()), self.tile_m[1] / f64::from(map.height())]
+    }
+}

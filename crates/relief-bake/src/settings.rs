@@ -1,0 +1,91 @@
+//! The numbers that a kind may be given.
+
+use relief::registry::Param;
+
+/// The values of a kind's parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    kind: &'static str,
+    params: &'static [Param],
+    values: Vec<f32>,
+}
+
+/// A setting that cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SettingsError {
+    /// The kind has no such parameter.
+    #[error("the map kind '{kind}' has no parameter '{name}'; it has {}", if known.is_empty() { "none".to_owned() } else { known.join(", ") })]
+    NoParam {
+        /// The kind.
+        kind: &'static str,
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: Vec<&'static str>,
+    },
+    /// The value is not accepted.
+    #[error("{kind}.{name} is {value}: it must be {} from {min} to {max}", if *integer { "a whole number" } else { "a number" })]
+    Value {
+        /// The kind.
+        kind: &'static str,
+        /// The parameter.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// Least accepted value.
+        min: f32,
+        /// Greatest accepted value.
+        max: f32,
+        /// Whether only whole numbers are accepted.
+        integer: bool,
+    },
+}
+
+impl Settings {
+    /// The defaults of a kind with those parameters.
+    pub fn defaults(kind: &'static str, params: &'static [Param]) -> Self {
+        Self { kind, params, values: params.iter().map(|param| param.default).collect() }
+    }
+
+    /// Sets a parameter by name.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such parameter, or the value is out of range.
+    pub fn set(&mut self, name: &str, value: f64) -> Result<(), SettingsError> {
+        let kind = self.kind;
+        let Some(place) = self.params.iter().position(|param| param.name == name) else {
+            let known = self.params.iter().map(|param| param.name).collect();
+            return Err(SettingsError::NoParam { kind, name: name.to_owned(), known });
+        };
+        let Param { name, min, max, integer, .. } = self.params[place];
+        if !(f64::from(min)..=f64::from(max)).contains(&value) || (integer && value.fract() != 0.0) {
+            return Err(SettingsError::Value { kind, name, value, min, max, integer });
+        }
+        self.values[place] = value as f32;
+        Ok(())
+    }
+
+    /// The value of the parameter in that place of the kind's list.
+    ///
+    /// # Panics
+    ///
+    /// When the kind has fewer parameters, which only the kind's own code can get wrong.
+    pub fn get(&self, place: usize) -> f32 {
+        self.values[place]
+    }
+
+    /// A whole-number parameter.
+    ///
+    /// # Panics
+    ///
+    /// As [`Self::get`].
+    pub fn count(&self, place: usize) -> u32 {
+        self.values[place] as u32
+    }
+
+    /// Names and values, in the order of the kind's list.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, f32)> + '_ {
+        self.params.iter().map(|param| param.name).zip(self.values.iter().copied())
+    }
+}

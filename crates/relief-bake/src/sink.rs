@@ -1,0 +1,107 @@
+//! Where baked textures go.
+
+/// Which side a stored value may be rounded to without breaking the map's guarantee.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// To the nearest: the map makes no one-sided promise.
+    Nearest,
+    /// Downward: a smaller value is safe.
+    Down,
+    /// Upward: a larger value is safe.
+    Up,
+}
+
+/// A channel of a texture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Channel {
+    /// Its name in files, such as `height` or `cone`.
+    pub name: &'static str,
+    /// The values that 0 and 1 stand for when it is stored as an integer.
+    pub range: [f32; 2],
+    /// The side to round to when it is stored in fewer bits.
+    pub rounding: Rounding,
+}
+
+/// What a texture is, said before its texels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texture {
+    /// Its name after the kind's, for kinds of several textures; empty for the only one.
+    pub name: &'static str,
+    /// Columns, rows and slices (1 for a 2-D texture) of mip level 0.
+    pub size: [u32; 3],
+    /// Size of each further mip level; empty without mips.
+    pub mips: Vec<[u32; 3]>,
+    /// The channels.
+    pub channels: Vec<Channel>,
+    /// What else a reader must know, as names and values.
+    pub notes: Vec<(&'static str, String)>,
+}
+
+impl Texture {
+    /// Size of a mip level.
+    pub fn level_size(&self, level: usize) -> [u32; 3] {
+        if level == 0 { self.size } else { self.mips[level - 1] }
+    }
+}
+
+/// A sink that failed.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct SinkError(pub String);
+
+/// Takes textures: first what it is, then its slices in order, level by level from the finest, slice by slice.
+pub trait Sink {
+    /// A texture begins; its slices follow.
+    ///
+    /// # Errors
+    ///
+    /// When the sink cannot take it.
+    fn begin(&mut self, texture: &Texture) -> Result<(), SinkError>;
+
+    /// The next slice: for each channel a plane of texels, row by row from the top.
+    ///
+    /// # Errors
+    ///
+    /// When the sink cannot take it.
+    fn slice(&mut self, planes: &[&[f32]]) -> Result<(), SinkError>;
+}
+
+/// A texture in memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CollectedTexture {
+    /// What it is.
+    pub texture: Texture,
+    /// For each mip level and channel its texels, slice after slice, row by row from the top.
+    pub levels: Vec<Vec<Vec<f32>>>,
+}
+
+/// The sink that keeps everything in memory.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Collected {
+    /// The textures, in the order in which they were baked.
+    pub textures: Vec<CollectedTexture>,
+}
+
+impl Sink for Collected {
+    fn begin(&mut self, texture: &Texture) -> Result<(), SinkError> {
+        let empty = vec![Vec::new(); texture.channels.len()];
+        self.textures
+            .push(CollectedTexture { texture: texture.clone(), levels: vec![empty; texture.mips.len() + 1] });
+        Ok(())
+    }
+
+    fn slice(&mut self, planes: &[&[f32]]) -> Result<(), SinkError> {
+        let last =
+            self.textures.last_mut().ok_or_else(|| SinkError("a slice before its texture".to_owned()))?;
+        let CollectedTexture { texture, levels } = last;
+        let unfinished = levels.iter_mut().enumerate().find(|(level, channels)| {
+            let texels: usize = texture.level_size(*level).iter().map(|&side| side as usize).product();
+            channels.iter().any(|channel| channel.len() < texels)
+        });
+        let (_, channels) = unfinished.ok_or_else(|| SinkError("more slices than announced".to_owned()))?;
+        for (channel, plane) in channels.iter_mut().zip(planes) {
+            channel.extend_from_slice(plane);
+        }
+        Ok(())
+    }
+}
