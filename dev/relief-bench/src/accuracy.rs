@@ -29,7 +29,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         );
     }
     println!(
-        "Doubling the linear steps: median error in texels over all maps and angles\n{}\n",
+        "Doubling the linear steps: mean error in texels over all maps and angles\n{}\n",
         doubling(&maps, arguments.rays)?
     );
     println!("What the survey says of the order\n{}", order(&maps, arguments.rays));
