@@ -8,15 +8,16 @@
 //! | --- | --- | --- | --- |
 //! | [`cell_walk`] | visits every dual cell in order (2-D DDA) | closed form | the truth |
 //! | [`PyramidTracer`] | halves the path, bounded by a [`MaxPyramid`](crate::MaxPyramid) | Bernstein isolation, then bracketing | judging the truth |
-//! | [`FastTracer`] | 16-wide pyramid, conservative `f32` | closed form, `f64` | rendering |
+//! | [`FastTracer`] | tree of maxima with 16 branches, in conservative `f32` | closed form | rendering |
 //!
 //! The first two share no code. All three accept every path:
 //!
 //! * `exit` may be infinite. A path that comes below the map ends there with a hit, one that rises above the map for
 //!   good ends there with a miss. One that does neither is given up, [`exhausted`](Hit::exhausted), once it has moved
 //!   [`MAX_TRAVEL`] cells.
-//! * A path with another number that is not finite, with an `exit` below 0, or that begins [`MAX_START`] or more cells
-//!   away from the origin of the texture, is a miss.
+//! * A path is a miss when its `exit` is below 0 or NaN, when it begins [`MAX_START`] or more cells away from the origin of
+//!   the texture, or when it moves [`MAX_RATE`] or more cells a unit of `t`, or a coefficient of its height is as large.
+//!   That includes what is infinite or NaN.
 //! * Under [`Wrap::Clamp`](crate::Wrap::Clamp) the surface goes on outside of the footprint, level along the axis on which
 //!   it is left; the tracers do not end a path there.
 
@@ -31,12 +32,15 @@ pub use cell_walk::{cell_walk, least_gap};
 pub use fast::FastTracer;
 pub use pyramid_tracer::PyramidTracer;
 
-/// How far, in cells along the longer axis, an endless path is followed before it is given up. Larger values only keep
-/// level paths over valleys that never end busy for longer.
-pub const MAX_TRAVEL: f64 = (1u32 << 24) as f64;
+/// How far, in cells along the longer axis, a path is followed before it is given up: once across the largest map. Larger
+/// values only keep tracers busy for longer with level paths through valleys that never end.
+pub const MAX_TRAVEL: f64 = (1u32 << 20) as f64;
 
 /// How far from the origin of the texture, in cells, a path may begin. There `f64` still resolves 2⁻¹² of a cell.
 pub const MAX_START: f64 = (1u64 << 40) as f64;
+
+/// How fast a path may move and rise: far beyond use, and yet squares and products of such numbers are finite.
+pub const MAX_RATE: f64 = 1e90;
 
 /// An exact tracer's answer, with what is needed to judge another's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +65,7 @@ impl ExactHit {
     }
 
     /// A hit at `t` in a cell: `gap` is the path's height above the surface there, `slope` its derivative.
+    #[inline]
     fn at(path: &Path, t: f64, cell: [i64; 2], gap: f64, slope: f64, reads: u32) -> Self {
         let [u, v, h] = path.at(t);
         let height = (h - gap).clamp(0.0, 1.0);
@@ -78,10 +83,12 @@ impl ExactHit {
 }
 
 /// Whether a path can be traced through a map of that size: see the module's text.
-fn is_traceable(size: [u32; 2], path: &Path) -> bool {
-    let [w, h] = size.map(f64::from);
-    let near = (path.uv[0] * w).abs() < MAX_START && (path.uv[1] * h).abs() < MAX_START;
-    let finite =
-        [path.duv[0] * w, path.duv[1] * h, path.h[0], path.h[1], path.h[2]].iter().all(|x| x.is_finite());
-    near && finite && path.exit >= 0.0
+#[inline(always)]
+fn is_traceable([w, h]: [u32; 2], path: &Path) -> bool {
+    let [w, h] = [f64::from(w), f64::from(h)];
+    let near = ((path.uv[0] * w).abs() < MAX_START) & ((path.uv[1] * h).abs() < MAX_START);
+    // NaN is not below anything.
+    let slow = ((path.duv[0] * w).abs() < MAX_RATE) & ((path.duv[1] * h).abs() < MAX_RATE);
+    let smooth = (path.h[0].abs() < MAX_RATE) & (path.h[1].abs() < MAX_RATE) & (path.h[2].abs() < MAX_RATE);
+    near & slow & smooth & (path.exit >= 0.0)
 }

@@ -12,9 +12,10 @@ impl Gap {
     ///
     /// At `τ = 0` the path is at `from`, in cell units from the corner `h00`, and has the height `h[0]`; it moves by
     /// `step` a unit of `τ`, and its height is `h[0] + h[1] τ + h[2] τ²`.
-    #[inline]
+    #[inline(always)]
     pub fn in_cell(corners: [f32; 4], from: [f64; 2], step: [f64; 2], h: [f64; 3]) -> Self {
-        let [h00, h10, h01, h11] = corners.map(f64::from);
+        let [h00, h10, h01, h11] = corners;
+        let [h00, h10, h01, h11] = [f64::from(h00), f64::from(h10), f64::from(h01), f64::from(h11)];
         let (bx, by, d) = (h10 - h00, h01 - h00, (h00 - h10) + (h11 - h01));
         let ([u, v], [du, dv]) = (from, step);
         let c0 = h[0] - (h00 + bx * u + (by + d * u) * v);
@@ -24,26 +25,26 @@ impl Gap {
     }
 
     /// The gap at `τ`.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, tau: f64) -> f64 {
         self.c[0] + tau * (self.c[1] + tau * self.c[2])
     }
 
     /// The derivative at `τ`.
-    #[inline]
+    #[inline(always)]
     pub fn slope(&self, tau: f64) -> f64 {
         self.c[1] + 2.0 * tau * self.c[2]
     }
 
     /// The least gap over `[0, length]`.
-    #[inline]
+    #[inline(always)]
     pub fn least(&self, length: f64) -> f64 {
         let ends = self.c[0].min(self.at(length));
         if self.turns_within(length) { ends.min(self.at(-self.c[1] / (2.0 * self.c[2]))) } else { ends }
     }
 
     /// Whether the gap has a minimum strictly inside `[0, length]`.
-    #[inline]
+    #[inline(always)]
     fn turns_within(&self, length: f64) -> bool {
         let [_, c1, c2] = self.c;
         c1 < 0.0 && -c1 < 2.0 * c2 * length
@@ -53,7 +54,7 @@ impl Gap {
     ///
     /// The two roots are `2 c0 / (-c1 ± √disc)`; the form with the denominator that does not cancel is used, and a
     /// change of sign between the ends is never lost to rounding.
-    #[inline]
+    #[inline(always)]
     pub fn first_root(&self, length: f64) -> Option<f64> {
         let [c0, c1, c2] = self.c;
         if c0 <= 0.0 {
@@ -73,7 +74,7 @@ impl Gap {
             // Rising at first and yet below at the end: the parabola opens downward, c2 < 0.
             (c1 + disc.sqrt()) / (-2.0 * c2)
         };
-        Some(root.max(0.0).min(length))
+        Some(if root < length { if root > 0.0 { root } else { 0.0 } } else { length })
     }
 }
 

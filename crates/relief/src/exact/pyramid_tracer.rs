@@ -21,6 +21,9 @@ pub struct PyramidTracer<'a> {
 /// How deep a piece may be halved: no interval of `f64` can be halved more often before its ends meet.
 const MAX_HALVINGS: u32 = 2100;
 
+/// Pieces of a path that reach higher are halved first.
+const TALLEST: f64 = 1e300;
+
 impl<'a> PyramidTracer<'a> {
     /// Builds the pyramid of a map.
     pub fn new(map: &'a HeightMap) -> Self {
@@ -43,7 +46,7 @@ impl<'a> PyramidTracer<'a> {
             length = 1.0;
         }
         loop {
-            let to = path.exit.min(from + length);
+            let to = path.exit.min(from + length).min(limit.max(from));
             if let Some(hit) = trace.search(from, to, MAX_HALVINGS) {
                 return hit;
             }
@@ -58,8 +61,12 @@ impl<'a> PyramidTracer<'a> {
             if unchanging {
                 return ExactHit::miss(trace.reads, trace.clearance.max(0.0));
             }
-            if to > limit && trace.least_height(to, path.exit) <= highest {
-                return ExactHit::given_up(self.map, path, to, trace.reads);
+            if to >= limit {
+                let rest = trace.least_height(to, path.exit) - highest;
+                if rest <= 0.0 {
+                    return ExactHit::given_up(self.map, path, to, trace.reads);
+                }
+                return ExactHit::miss(trace.reads, trace.clearance.min(rest).max(0.0));
             }
             from = to;
             length *= 2.0;
@@ -125,7 +132,9 @@ impl Trace<'_> {
             return None;
         }
         let middle = a + 0.5 * (b - a);
-        let narrow = (0..2).all(|axis| last[axis] - first[axis] <= 1);
+        // The solver of a patch adds and doubles heights, which must not overflow.
+        let tame = self.height_and_rise(b)[0].abs() < TALLEST;
+        let narrow = tame && (0..2).all(|axis| last[axis] - first[axis] <= 1);
         if narrow || halvings == 0 || !(a < middle && middle < b) {
             return self.search_cells(a, b, first, last);
         }

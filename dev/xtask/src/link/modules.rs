@@ -22,6 +22,12 @@ impl Modules {
         Ok(Self { sources })
     }
 
+    /// Modules of those names and sources.
+    #[cfg(test)]
+    pub fn from_sources<const N: usize>(sources: [(&str, &str); N]) -> Self {
+        Self { sources: sources.map(|(name, source)| (name.to_owned(), source.to_owned())).into() }
+    }
+
     /// A resolver that knows all modules.
     pub fn resolver(&self) -> wesl::VirtualResolver<'static> {
         let mut resolver = wesl::VirtualResolver::new();

@@ -2,8 +2,8 @@
 
 use naga::valid::{Capabilities, FunctionInfo, ModuleInfo, ValidationFlags, Validator};
 use naga::{
-    BinaryOperator, Block, Expression, Function, Handle, MathFunction, Module, ScalarKind, Statement,
-    SwizzleComponent, TypeInner,
+    BinaryOperator, Block, Expression, Handle, MathFunction, Module, ScalarKind, Statement, SwizzleComponent,
+    TypeInner,
 };
 
 use super::modules::Modules;
@@ -53,7 +53,7 @@ pub fn refuse_untranslatable(
     }
     for (handle, function) in module.functions.iter() {
         let name = function.name.as_deref().unwrap_or("?");
-        let checker = Checker { module, function, info: &info[handle] };
+        let checker = Checker { module, info: &info[handle] };
         for argument in &function.arguments {
             if matches!(module.types[argument.ty].inner, TypeInner::Pointer { .. }) {
                 refused.push(format!("{}: a pointer argument does not translate", modules.locate(name, "")));
@@ -75,7 +75,6 @@ pub fn refuse_untranslatable(
 
 struct Checker<'a> {
     module: &'a Module,
-    function: &'a Function,
     info: &'a FunctionInfo,
 }
 
@@ -138,7 +137,6 @@ impl Checker<'_> {
                 _ => say(*span, "this statement does not translate"),
             }
         }
-        debug_assert!(self.function.name.is_some());
     }
 }
 
@@ -149,4 +147,50 @@ fn leading(size: usize, pattern: &[SwizzleComponent; 4]) -> bool {
         seen[*component as usize] = true;
     }
     seen[..size].iter().all(|&seen| seen)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is said of a module that holds just this function.
+    fn refused(source: &str) -> Option<String> {
+        let modules = Modules::from_sources([("search/trial", source)]);
+        let (module, info) = validate(source).expect("valid WGSL");
+        refuse_untranslatable(&module, &info, source, &modules).err()
+    }
+
+    #[test]
+    fn what_translates_passes() {
+        let source = "fn trial(x: vec3f) -> f32 {\n    var sum = 0.0;\n    var k = 0.0;\n    while (k < 3.0) {\n        \
+            sum = sum + sqrt(dot(x, x)) * x.xy.x;\n        k = k + 1.0;\n    }\n    return clamp(sum, 0.0, 1.0);\n}\n";
+        assert_eq!(refused(source), None);
+    }
+
+    #[test]
+    fn what_rounds_differently_or_does_not_translate_is_refused_with_file_and_line() {
+        let bodies = [
+            "return pow(x, 2.0);",
+            "return sin(x);",
+            "return fract(x);",
+            "return x % 2.0;",
+            "return fma(x, x, x);",
+            "return vec3f(x, x, x).yz.x;",
+            "return bitcast<f32>(u32(x));",
+            "return dpdx(x);",
+        ];
+        for body in bodies {
+            let said = refused(&format!("// A trial.\n\nfn trial(x: f32) -> f32 {{\n    {body}\n}}\n"));
+            let said = said.unwrap_or_else(|| panic!("{body} was not refused"));
+            assert!(said.starts_with("search/trial.wesl:4: "), "{body}: {said}");
+        }
+    }
+
+    #[test]
+    fn loops_with_a_continuing_block_and_private_variables_are_refused() {
+        let counted = "fn trial(x: f32) -> f32 {\n    var y = x;\n    for (var k = 0; k < 3; k++) {\n        y = y + x;\n    }\n    return y;\n}\n";
+        assert!(refused(counted).is_some_and(|said| said.contains("use while")));
+        let private = "var<private> state: f32;\nfn trial(x: f32) -> f32 {\n    return x + state;\n}\n";
+        assert!(refused(private).is_some_and(|said| said.contains("state")));
+    }
 }

@@ -94,3 +94,21 @@ pub fn header(program: &str, sampling: &str) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn declarations_are_sorted_and_a_name_may_stand_once() {
+        let unit = |text: &str| text.parse::<TranslationUnit>().expect("valid WGSL");
+        let one =
+            ordered(unit("fn b() {}\nconst z = 1u;\nstruct S { a: u32 }\nfn a() {}")).expect("no name twice");
+        let other =
+            ordered(unit("struct S { a: u32 }\nfn a() {}\nfn b() {}\nconst z = 1u;")).expect("no name twice");
+        assert_eq!(one, other);
+        assert!(one.find("const z") < one.find("struct S") && one.find("fn a") < one.find("fn b"));
+        let twice = ordered(unit("fn a() {}\nfn b() {}\nfn a() {}"));
+        assert!(twice.is_err_and(|said| said.contains("'a'")));
+    }
+}

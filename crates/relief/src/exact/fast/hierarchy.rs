@@ -5,11 +5,11 @@ use rayon::prelude::*;
 
 use crate::HeightMap;
 
-/// Texels along the side of a tile: 4 cells and their far edge.
-pub(super) const TILE_TEXELS: usize = 5;
-
 /// Cells along the side of a tile, and nodes along the side of a block.
 pub(super) const BLOCK: usize = 4;
+
+/// Texels along the side of a tile: its cells and their far edge.
+const TILE_TEXELS: usize = BLOCK + 1;
 
 /// One side of a map's period in dual cells, and which cell of the map is the first.
 #[derive(Clone, Copy, Debug)]
@@ -20,20 +20,51 @@ pub(super) struct Domain {
     pub first: i64,
 }
 
+/// The texels of 4 x 4 cells, row by row.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tile {
+    texels: [f32; TILE_TEXELS * TILE_TEXELS],
+}
+
 /// Tiles of texels, and level by level the maxima of 4 x 4 nodes of the level below; the nodes of level 0 are the tiles.
 #[derive(Clone, Debug)]
 pub(super) struct Hierarchy {
-    tiles: Vec<[f32; TILE_TEXELS * TILE_TEXELS]>,
+    tiles: Vec<Tile>,
     columns: usize,
     levels: Vec<Level>,
 }
 
-/// The maxima of one level, row by row. Both sides are multiples of 4; nodes without a tile are minus infinity.
+/// The maxima of one level. Both sides are multiples of 4; nodes without a tile are minus infinity.
+///
+/// They are kept twice: block by block for the way down, and row by row for windows that do not begin at a block.
 #[derive(Clone, Debug)]
 pub(super) struct Level {
-    pub columns: usize,
-    pub rows: usize,
-    pub maxima: Vec<f32>,
+    /// Columns and rows of nodes.
+    pub sides: [u32; 2],
+    rows: Vec<f32>,
+    blocks: Vec<[Vec4; BLOCK]>,
+}
+
+impl Tile {
+    /// The corners `[h00, h10, h01, h11]` of the cell in a column and row of the tile.
+    #[inline(always)]
+    pub fn corners(&self, [column, row]: [u32; 2]) -> [f32; 4] {
+        // The remainders tell the compiler that no index leaves the tile.
+        let at = (row as usize % BLOCK) * TILE_TEXELS + column as usize % BLOCK;
+        let t = &self.texels;
+        [t[at], t[at + 1], t[at + TILE_TEXELS], t[at + TILE_TEXELS + 1]]
+    }
+
+    /// The maxima of the cells, row by row.
+    #[inline(always)]
+    pub fn cell_maxima(&self) -> [Vec4; BLOCK] {
+        let pairs = |row: usize| {
+            let at = row * TILE_TEXELS;
+            Vec4::from_slice(&self.texels[at..]).max(Vec4::from_slice(&self.texels[at + 1..]))
+        };
+        let (a, b, c, d, e) = (pairs(0), pairs(1), pairs(2), pairs(3), pairs(4));
+        [a.max(b), b.max(c), c.max(d), d.max(e)]
+    }
 }
 
 impl Hierarchy {
@@ -41,99 +72,80 @@ impl Hierarchy {
     /// continuation, so that what is found there is true.
     pub fn new(map: &HeightMap, domain: Domain) -> Self {
         let [columns, rows] = domain.cells.map(|cells| cells.div_ceil(BLOCK));
-        let mut tiles = vec![[0.0; TILE_TEXELS * TILE_TEXELS]; columns * rows];
+        let mut tiles = vec![Tile { texels: [0.0; TILE_TEXELS * TILE_TEXELS] }; columns * rows];
         tiles.par_chunks_mut(columns).enumerate().for_each(|(row, tiles)| {
             for (column, tile) in tiles.iter_mut().enumerate() {
                 let left = domain.first + (column * BLOCK) as i64;
                 let top = domain.first + (row * BLOCK) as i64;
-                for (at, texel) in tile.iter_mut().enumerate() {
+                for (at, texel) in tile.texels.iter_mut().enumerate() {
                     *texel = map.texel(left + (at % TILE_TEXELS) as i64, top + (at / TILE_TEXELS) as i64);
                 }
             }
         });
-        let mut level = Level::padded(columns, rows);
-        let stride = level.columns;
-        level.maxima.par_chunks_mut(stride).zip(tiles.par_chunks(columns)).for_each(|(nodes, tiles)| {
-            for (node, tile) in nodes.iter_mut().zip(tiles) {
-                *node = tile.iter().copied().fold(0.0, f32::max);
-            }
-        });
-        let mut levels = Vec::new();
-        while level.columns > BLOCK || level.rows > BLOCK {
-            let above = level.above();
-            levels.push(level);
-            level = above;
+        let maxima = tiles.par_iter().map(|tile| tile.texels.iter().copied().fold(0.0, f32::max)).collect();
+        let mut levels = vec![Level::new(columns, rows, maxima)];
+        while let Some(above) = levels.last().and_then(Level::above) {
+            levels.push(above);
         }
-        levels.push(level);
         Self { tiles, columns, levels }
     }
 
-    /// All levels, the finest first.
+    /// All levels, the finest first. There is at least one.
+    #[inline(always)]
     pub fn levels(&self) -> &[Level] {
         &self.levels
     }
 
-    /// The texels of the tile at a column and row of tiles.
-    #[inline]
-    pub fn tile(&self, column: usize, row: usize) -> Option<&[f32; TILE_TEXELS * TILE_TEXELS]> {
-        self.tiles.get(row * self.columns + column)
+    /// The tile at a column and row of tiles.
+    #[inline(always)]
+    pub fn tile(&self, [column, row]: [u32; 2]) -> Option<&Tile> {
+        self.tiles.get(row as usize * self.columns + column as usize)
     }
 
     /// The corners of a cell of the domain.
-    pub fn corners(&self, column: usize, row: usize) -> [f32; 4] {
-        match self.tile(column / BLOCK, row / BLOCK) {
-            Some(tile) => corners(tile, column % BLOCK, row % BLOCK),
-            None => [0.0; 4],
-        }
+    pub fn corners(&self, [column, row]: [u32; 2]) -> [f32; 4] {
+        let side = BLOCK as u32;
+        self.tile([column / side, row / side])
+            .map_or([0.0; 4], |tile| tile.corners([column % side, row % side]))
     }
-}
-
-/// The corners `[h00, h10, h01, h11]` of a cell of a tile.
-#[inline]
-pub(super) fn corners(tile: &[f32; TILE_TEXELS * TILE_TEXELS], column: usize, row: usize) -> [f32; 4] {
-    // The remainders tell the compiler that no index leaves the tile.
-    let at = (row % BLOCK) * TILE_TEXELS + column % BLOCK;
-    [tile[at], tile[at + 1], tile[at + TILE_TEXELS], tile[at + TILE_TEXELS + 1]]
 }
 
 impl Level {
-    fn padded(columns: usize, rows: usize) -> Self {
-        let (columns, rows) = (columns.next_multiple_of(BLOCK), rows.next_multiple_of(BLOCK));
-        Self { columns, rows, maxima: vec![f32::NEG_INFINITY; columns * rows] }
+    /// The level of some nodes, given row by row.
+    fn new(columns: usize, rows: usize, maxima: Vec<f32>) -> Self {
+        let sides = [columns.next_multiple_of(BLOCK), rows.next_multiple_of(BLOCK)];
+        let mut padded = vec![f32::NEG_INFINITY; sides[0] * sides[1]];
+        for (to, from) in padded.chunks_mut(sides[0]).zip(maxima.chunks(columns)) {
+            to[..columns].copy_from_slice(from);
+        }
+        let across = sides[0] / BLOCK;
+        let block = |at: usize| {
+            let first = at / across * BLOCK * sides[0] + at % across * BLOCK;
+            std::array::from_fn(|row| Vec4::from_slice(&padded[first + row * sides[0]..]))
+        };
+        let blocks = (0..across * (sides[1] / BLOCK)).map(block).collect();
+        Self { sides: sides.map(|side| side as u32), rows: padded, blocks }
     }
 
-    fn above(&self) -> Self {
-        let mut above = Self::padded(self.columns / BLOCK, self.rows / BLOCK);
-        let stride = above.columns;
-        above.maxima.par_chunks_mut(stride).zip(self.maxima.par_chunks(BLOCK * self.columns)).for_each(
-            |(nodes, rows)| {
-                for row in rows.chunks(self.columns) {
-                    for (node, children) in nodes.iter_mut().zip(row.chunks(BLOCK)) {
-                        *node = children.iter().copied().fold(*node, f32::max);
-                    }
-                }
-            },
-        );
-        above
+    /// The level of this one's blocks; `None` above a single block.
+    fn above(&self) -> Option<Self> {
+        let [columns, rows] = self.sides.map(|side| side as usize / BLOCK);
+        let maxima = self.blocks.iter().map(|[a, b, c, d]| a.max(*b).max(c.max(*d)).max_element()).collect();
+        (columns * rows > 1).then(|| Self::new(columns, rows, maxima))
     }
 
-    /// Four rows of four nodes from a column and row on, the last row first if asked. The caller keeps the window inside.
-    #[inline]
-    pub fn window(&self, column: usize, row: usize, upside_down: bool) -> [Vec4; BLOCK] {
-        let flip = if upside_down { BLOCK - 1 } else { 0 };
-        std::array::from_fn(|k| {
-            let at = (row + (k ^ flip)) * self.columns + column;
-            Vec4::from_slice(&self.maxima[at..at + BLOCK])
-        })
+    /// The block at a column and row of blocks.
+    #[inline(always)]
+    pub fn block(&self, [column, row]: [u32; 2]) -> Option<&[Vec4; BLOCK]> {
+        self.blocks.get(row as usize * (self.sides[0] as usize / BLOCK) + column as usize)
     }
-}
 
-/// The maxima of a tile's cells as four rows, the last row first if asked.
-#[inline]
-pub(super) fn cell_maxima(tile: &[f32; TILE_TEXELS * TILE_TEXELS], upside_down: bool) -> [Vec4; BLOCK] {
-    let rows: [Vec4; TILE_TEXELS] = std::array::from_fn(|k| {
-        let at = TILE_TEXELS * if upside_down { BLOCK - k } else { k };
-        Vec4::from_slice(&tile[at..]).max(Vec4::from_slice(&tile[at + 1..]))
-    });
-    std::array::from_fn(|k| rows[k].max(rows[k + 1]))
+    /// Four rows of four nodes from a column and row on, which must leave room for them.
+    #[inline(always)]
+    pub fn window(&self, [column, row]: [u32; 2]) -> [Vec4; BLOCK] {
+        let stride = self.sides[0] as usize;
+        let nodes = &self.rows[row as usize * stride + column as usize..];
+        let row = |k: usize| Vec4::from_slice(&nodes[k * stride..]);
+        [row(0), row(1), row(2), row(3)]
+    }
 }

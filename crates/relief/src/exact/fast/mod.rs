@@ -1,8 +1,11 @@
 //! The exact hit at rendering speed.
 //!
-//! The idea is to be fast where rounding can be made harmless, and exact where it cannot: the search through the
-//! hierarchy runs in `f32`, sixteen nodes at a time, on nodes that are grown by more than the rounding error; the few
-//! cells that are left are solved in `f64`, between the same limits that the cell walk would use.
+//! Fast where rounding can be made harmless, and exact where it cannot: the search through the hierarchy of maxima runs
+//! in `f32`, sixteen nodes at a time, on nodes that are grown by more than the rounding error; the one or two cells that
+//! are left of a path are solved in `f64`.
+//!
+//! The maximum hierarchy is that of Tevs, Ihrke and Seidel 2008, over dual cells, with sixteen branches in place of four
+//! so that a block is four vectors, all of whose nodes are tested against the ray at once without a branch.
 
 mod hierarchy;
 mod ray;
@@ -11,36 +14,42 @@ mod traverse;
 use super::{ExactHit, MAX_TRAVEL, is_traceable, patch::Gap};
 use crate::{HeightMap, Hit, Path, Wrap};
 use hierarchy::{Domain, Hierarchy};
-use ray::{Axis, Ray};
+use ray::{Axis, Ray, greater, lesser};
 use traverse::CellHit;
 
 /// An exact tracer that is fast: for view, bent and shadow rays of renderers.
 ///
 /// # Guarantee
 ///
-/// The answer is exact up to rounding in `f64`, like that of [`cell_walk`](super::cell_walk): at a hit the height
-/// residual `|H(t) - f(u, v)|` is at most [`Self::ERROR`], no earlier point of the path is deeper than that below the
-/// surface, and neither is any point of a path that is said to miss, for paths that stay within 4096 cells of the origin
-/// (in proportion beyond). So the hit's `t` is off by at most `ERROR / |g'(t)|` to first order, and hit and miss can only be taken
-/// for each other where the path's clearance or depth is below `ERROR`.
+/// The answer is exact up to rounding in `f64`, like that of [`cell_walk`](super::cell_walk). With [`Self::ERROR`] as `e`,
+/// for paths within 4096 cells of the origin of the texture (in proportion beyond):
 ///
-/// Where that comes from: every quantity of the `f32` search is a position relative to the cell where the ray
-/// begins, or a height. Each position goes through at most six roundings of numbers no larger than twice the search
-/// window of `m` cells, so it is wrong by less than `6 · 2m · 2⁻²⁴ < m 2⁻²⁰` cells; nodes are grown by that much on each side. Each height
-/// goes through at most eight roundings of numbers no larger than 2, and nodes are raised by `2⁻²⁰`. So no node is passed
-/// over that the path touches; a needless visit is all that rounding can cause. Cells are then solved in `f64` by the
-/// formula of the cell walk, whose residual is a few units of `2⁻⁵³` times the number of cells from the origin.
+/// * at a hit `|H(t) - f(u, v)| <= e`, unless the path begins below the surface,
+/// * no point before the hit, or of a path that misses, is deeper than `e` below the surface.
+///
+/// So `t` is wrong by at most `e / |g'(t)|` to first order, and hit and miss are taken for each other only where the
+/// least gap of the path is within `e` of 0.
+///
+/// Where that comes from: the search runs in `f32`, but on nodes that are grown and raised by more than the rounding of
+/// places and heights can amount to, so that no node is passed over that the path touches; a needless visit is all that
+/// rounding can cause. The cells that are left are solved in `f64` by the formula of the cell walk, between limits that
+/// neighbouring cells compute alike. What remains is the rounding of a place in cells, `2⁻⁵³` times its distance from
+/// the origin, on a surface that rises by at most 1 a cell.
 ///
 /// # Cost
 ///
-/// [`Self::new`] is one parallel pass over the map. The hierarchy owns its copy of the heights: 6.25 bytes a texel for tiles of 5 x 5 texels
-/// (4 x 4 cells and their far edge) and 0.28 for the maxima of tiles and of 4 x 4 such nodes, level by level. Tracing does not allocate.
-/// One read is one block of sixteen nodes or one cell.
+/// [`Self::new`] is one parallel pass over the map. The tracer owns what it needs, 6.8 bytes a texel: tiles of
+/// 5 x 5 heights for 4 x 4 cells, which are read as one piece, and the maxima of tiles and of 4 x 4 such nodes, level by
+/// level. Tracing does not allocate. A read is a block of sixteen nodes or a cell.
 #[derive(Clone, Debug)]
 pub struct FastTracer {
     hierarchy: Hierarchy,
-    size: [u32; 2],
+    sides: [u32; 2],
     wrap: Wrap,
+    /// Where tile 0 begins, in cells.
+    first_edge: f64,
+    /// Cells of the domain before the map's cell 0.
+    extra: f64,
     /// The least and the greatest texel.
     lowest: f64,
     highest: f64,
@@ -55,22 +64,30 @@ impl FastTracer {
 
     /// Builds the hierarchy of a map.
     pub fn new(map: &HeightMap) -> Self {
-        let size = [map.width(), map.height()];
-        let domain = match map.wrap() {
-            Wrap::Repeat => Domain { cells: size.map(|side| side as usize), first: 0 },
-            Wrap::Clamp | Wrap::Mirror => Domain { cells: size.map(|side| side as usize + 1), first: -1 },
-        };
-        let hierarchy = Hierarchy::new(map, domain);
+        let sides = [map.width(), map.height()];
+        let extra = usize::from(map.wrap() != Wrap::Repeat);
+        let cells = sides.map(|side| side as usize + extra);
+        let hierarchy = Hierarchy::new(map, Domain { cells, first: -(extra as i64) });
         let lowest = map.texels().iter().copied().fold(1.0, f32::min);
         let highest = map.texels().iter().copied().fold(0.0, f32::max);
-        Self { hierarchy, size, wrap: map.wrap(), lowest: f64::from(lowest), highest: f64::from(highest) }
+        Self {
+            hierarchy,
+            sides,
+            wrap: map.wrap(),
+            first_edge: Axis::first_edge(map.wrap()),
+            extra: extra as f64,
+            lowest: f64::from(lowest),
+            highest: f64::from(highest),
+        }
     }
 
     /// The first hit of a path. Its clearance is 0 for every miss: it is not looked for.
     pub fn trace(&self, path: &Path) -> ExactHit {
         let mut reads = 0;
         match self.search(path, &mut reads) {
-            Outcome::Hit { t, cell, gap, slope } => ExactHit::at(path, t, cell, gap, slope, reads),
+            Outcome::Hit { t, column, row, gap, slope } => {
+                ExactHit::at(path, t, [column, row], gap, slope, reads)
+            }
             Outcome::Miss => ExactHit::miss(reads, 0.0),
             Outcome::GivenUp { t } => self.given_up(path, t, reads),
         }
@@ -82,45 +99,50 @@ impl FastTracer {
         matches!(self.search(path, &mut 0), Outcome::Hit { .. })
     }
 
+    #[inline(always)]
     fn search(&self, path: &Path, reads: &mut u32) -> Outcome {
-        if !is_traceable(self.size, path) {
+        if !is_traceable(self.sides, path) {
             return Outcome::Miss;
         }
+        if path.h[2] != 0.0 {
+            return self.search_bent(path, reads);
+        }
+        let [h0, h1, _] = path.h;
+        if h0 > self.highest && h1 >= 0.0 {
+            return Outcome::Miss;
+        }
+        // The part between the map's lowest and highest texel. For a level path both are infinite, of opposite sign.
+        let per_height = 1.0 / h1;
+        let top = (self.highest + Self::MARGIN - h0) * per_height;
+        let bottom = (self.lowest - Self::MARGIN - h0) * per_height;
+        let mut from = greater(lesser(top, bottom), 0.0);
+        let mut to = lesser(greater(top, bottom), path.exit);
+        if h0 < self.lowest {
+            (from, to) = (0.0, 0.0);
+        }
+        if from > to || from == f64::INFINITY {
+            return Outcome::Miss;
+        }
+        self.search_piece(path, from, to, reads)
+    }
+
+    #[inline(never)]
+    fn search_bent(&self, path: &Path, reads: &mut u32) -> Outcome {
         if path.h[0] < self.lowest {
             return self.search_piece(path, 0.0, 0.0, reads);
-        }
-        if path.h[2] == 0.0 {
-            return match self.clip(path) {
-                Some([t0, t1]) => self.search_piece(path, t0, t1, reads),
-                None => Outcome::Miss,
-            };
         }
         let turn = -path.h[1] / (2.0 * path.h[2]);
         for (after, from, to) in [(false, 0.0, turn.min(path.exit)), (true, turn.max(0.0), path.exit)] {
             if from <= to
-                && let Some([t0, t1]) = self.clip_bent(path.h, after, from, to)
+                && let Some([from, to]) = self.clip_bent(path.h, after, from, to)
             {
-                match self.search_piece(path, t0, t1, reads) {
+                match self.search_piece(path, from, to, reads) {
                     Outcome::Miss => {}
                     found => return found,
                 }
             }
         }
         Outcome::Miss
-    }
-
-    /// The part of a straight path between the map's lowest and highest texel.
-    fn clip(&self, path: &Path) -> Option<[f64; 2]> {
-        let [h0, h1, _] = path.h;
-        if h0 > self.highest && h1 >= 0.0 {
-            return None;
-        }
-        // For a level path these are infinite, with the sign that says on which side it is.
-        let top = (self.highest + Self::MARGIN - h0) / h1;
-        let bottom = (self.lowest - Self::MARGIN - h0) / h1;
-        let from = top.min(bottom).max(0.0);
-        let to = top.max(bottom).min(path.exit);
-        (from <= to).then_some([from, to])
     }
 
     /// The part between the map's lowest and highest texel of a bent path before or after its turning point.
@@ -143,26 +165,78 @@ impl FastTracer {
         let (first, last) = if falls { (top, bottom) } else { (None, top) };
         let from = first.map_or(from, |t| t.max(from));
         let to = last.map_or(to, |t| t.min(to));
-        (from <= to).then_some([from, to])
+        (from <= to && from.is_finite()).then_some([from, to])
     }
 
-    /// Searches the tiles of the texture that a piece of a path goes through. Its height must be monotone.
+    /// Searches a piece of a path over which the height is monotone.
+    #[inline(always)]
     fn search_piece(&self, path: &Path, t0: f64, t1: f64, reads: &mut u32) -> Outcome {
-        let size = self.size.map(f64::from);
-        let place = [path.uv[0] * size[0] - 0.5, path.uv[1] * size[1] - 0.5];
-        let speed = [path.duv[0] * size[0], path.duv[1] * size[1]];
-        let travel = speed[0].abs().max(speed[1].abs());
-        let mut end = t1;
-        let mut given_up = false;
-        if (t1 - t0) * travel > MAX_TRAVEL {
-            end = t0 + MAX_TRAVEL / travel;
-            given_up = true;
-        } else if t1.is_infinite() {
-            // Neither the place nor the height changes.
-            end = t0;
+        let [w, h] = [f64::from(self.sides[0]), f64::from(self.sides[1])];
+        let place = [path.uv[0] * w - 0.5, path.uv[1] * h - 0.5];
+        let speed = [path.duv[0] * w, path.duv[1] * h];
+        let travel = greater(speed[0].abs(), speed[1].abs());
+        let is_short = (t1 - t0) * travel <= MAX_TRAVEL && t1 < f64::INFINITY;
+        if !is_short {
+            return self.search_long(path, [place, speed], t0, t1, reads);
         }
-        let (ray, rate) = Ray::new(place, speed, path.h, t0, end);
-        let mut axes = [0, 1].map(|k| Axis::at(self.wrap, self.size[k], ray.start[k]));
+        let (mut ray, unit) = Ray::new(place, speed, path.h, t0, t1);
+        // A renderer's rays mostly stay in one tile.
+        let begin = ray.start;
+        let end = ray.place_at(ray.length);
+        let tile_x = self.common_tile(begin[0], end[0], w);
+        let tile_y = self.common_tile(begin[1], end[1], h);
+        let (Some(tile_x), Some(tile_y)) = (tile_x, tile_y) else {
+            return self.search_tiles(path, &ray, [t0, unit], reads);
+        };
+        let shift = [self.extra - tile_x * w, self.extra - tile_y * h];
+        ray.start = [begin[0] + shift[0], begin[1] + shift[1]];
+        match traverse::trace(&self.hierarchy, &ray, reads) {
+            None => Outcome::Miss,
+            Some(CellHit { s, gap, slope, cell }) => {
+                let [column, row] =
+                    [i64::from(cell[0]) - shift[0] as i64, i64::from(cell[1]) - shift[1] as i64];
+                Outcome::Hit { t: lesser(t0 + s * unit, path.exit), column, row, gap, slope: slope / unit }
+            }
+        }
+    }
+
+    /// The tile that holds two places on an axis with that many texels, if one does and its texels are not mirrored.
+    #[inline(always)]
+    fn common_tile(&self, a: f64, b: f64, side: f64) -> Option<f64> {
+        let (low, high) = (lesser(a, b) - self.first_edge, greater(a, b) - self.first_edge);
+        if low >= 0.0 && high <= side {
+            return Some(0.0);
+        }
+        let tile = (low / side).floor();
+        (self.wrap == Wrap::Repeat && high <= (tile + 1.0) * side).then_some(tile)
+    }
+
+    /// Searches a piece that is longer than the longest way, or endless.
+    #[inline(never)]
+    fn search_long(
+        &self,
+        path: &Path,
+        [place, speed]: [[f64; 2]; 2],
+        t0: f64,
+        t1: f64,
+        reads: &mut u32,
+    ) -> Outcome {
+        let travel = speed[0].abs().max(speed[1].abs());
+        // A path without end that does not move has nothing beyond its start.
+        let end = if travel > 0.0 { t0 + MAX_TRAVEL / travel } else { t0 };
+        let (ray, unit) = Ray::new(place, speed, path.h, t0, end);
+        match self.search_tiles(path, &ray, [t0, unit], reads) {
+            Outcome::Miss if travel > 0.0 && path.at(end)[2].min(path.at(t1)[2]) <= self.highest => {
+                Outcome::GivenUp { t: end }
+            }
+            found => found,
+        }
+    }
+
+    /// Searches the tiles of the texture that a ray goes through, one after the other. `s` is `t - origin` in that unit.
+    #[inline(never)]
+    fn search_tiles(&self, path: &Path, ray: &Ray, [origin, unit]: [f64; 2], reads: &mut u32) -> Outcome {
+        let mut axes = [0, 1].map(|k| Axis::at(self.wrap, self.sides[k], ray.start[k]));
         let mut from = 0.0;
         loop {
             let leave = [0, 1].map(|k| axes[k].leave(ray.start[k], ray.step[k], ray.per_cell[k]));
@@ -170,31 +244,32 @@ impl FastTracer {
             let to = first.min(ray.length).max(from);
             let part = ray.inside(&axes, from, to);
             if let Some(CellHit { s, gap, slope, cell }) = traverse::trace(&self.hierarchy, &part, reads) {
-                let s = from + s;
-                let cell = [0, 1].map(|k| axes[k].cell(cell[k], ray.start[k] + ray.step[k] * s));
-                return Outcome::Hit { t: (t0 + s / rate).min(path.exit), cell, gap, slope: slope * rate };
+                let place = ray.place_at(from + s);
+                let [column, row] = [0, 1].map(|k| axes[k].cell(i64::from(cell[k]), place[k]));
+                let t = (origin + (from + s) * unit).min(path.exit);
+                return Outcome::Hit { t, column, row, gap, slope: slope / unit };
             }
-            if first >= ray.length {
-                break;
+            let goes_on = first < ray.length;
+            if !goes_on {
+                return Outcome::Miss;
             }
             let axis = usize::from(leave[1] < leave[0]);
             axes[axis].advance(ray.step[axis]);
             from = to;
         }
-        if given_up { Outcome::GivenUp { t: end } } else { Outcome::Miss }
     }
 
     /// The last point of a path that was given up.
     fn given_up(&self, path: &Path, t: f64, reads: u32) -> ExactHit {
         let [u, v, h] = path.at(t);
-        let place = [u * f64::from(self.size[0]) - 0.5, v * f64::from(self.size[1]) - 0.5];
-        let still = Ray::new(place, [0.0; 2], [h, 0.0, 0.0], 0.0, 0.0).0;
-        let axes = [0, 1].map(|k| Axis::at(self.wrap, self.size[k], place[k]));
+        let place = [u * f64::from(self.sides[0]) - 0.5, v * f64::from(self.sides[1]) - 0.5];
+        let (still, _) = Ray::new(place, [0.0; 2], [h, 0.0, 0.0], 0.0, 0.0);
+        let axes = [0, 1].map(|k| Axis::at(self.wrap, self.sides[k], place[k]));
         let local = still.inside(&axes, 0.0, 0.0).start;
-        let cell = local.map(|place| place.max(0.0) as usize);
-        let within = [local[0] - cell[0] as f64, local[1] - cell[1] as f64];
-        let corners = self.hierarchy.corners(cell[0], cell[1]);
-        let clearance = Gap::in_cell(corners, within, [0.0; 2], [h, 0.0, 0.0]).c[0];
+        let cell = local.map(|place| place.max(0.0) as u32);
+        let within = [local[0] - f64::from(cell[0]), local[1] - f64::from(cell[1])];
+        let gap = Gap::in_cell(self.hierarchy.corners(cell), within, [0.0; 2], [h, 0.0, 0.0]);
+        let clearance = gap.c[0];
         let hit = Hit { found: true, exhausted: true, uv: [u, v], height: h - clearance, t, reads };
         ExactHit { hit, cell: [0; 2], slope: 0.0, clearance }
     }
@@ -202,7 +277,7 @@ impl FastTracer {
 
 /// What a search ends with.
 enum Outcome {
-    Hit { t: f64, cell: [i64; 2], gap: f64, slope: f64 },
+    Hit { t: f64, column: i64, row: i64, gap: f64, slope: f64 },
     Miss,
     GivenUp { t: f64 },
 }

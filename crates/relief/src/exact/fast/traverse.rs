@@ -2,8 +2,8 @@
 
 use glam::Vec4;
 
-use super::hierarchy::{BLOCK, Hierarchy, Level, TILE_TEXELS, cell_maxima, corners};
-use super::ray::Ray;
+use super::hierarchy::{BLOCK, Hierarchy, Tile};
+use super::ray::{Ray, greater, lesser};
 use crate::exact::patch::Gap;
 
 /// A hit in the domain of the hierarchy.
@@ -16,33 +16,60 @@ pub(super) struct CellHit {
     /// Derivative of the gap by `s`.
     pub slope: f64,
     /// The cell.
-    pub cell: [i64; 2],
+    pub cell: [u32; 2],
 }
 
-/// How far nodes are grown, as a share of the window's side, and raised: see the guarantee of the tracer. Smaller values
-/// lose hits, larger ones cost time.
-const SLACK: f32 = 1.0 / (1 << 20) as f32;
+/// How far nodes are grown, as a share of the window's side. Smaller values lose hits, larger ones cost time.
+///
+/// Every place goes through 3 roundings and 2 more a level, of which there are at most 11, and none is further from the
+/// ray's start than the window's side: so it is wrong by less than `25 · 2⁻²⁴` of that side.
+const GROWTH: f32 = 1.0 / (1 << 18) as f32;
 
-/// No reciprocal in the `f32` search is larger. A smaller bound would move shallow rays by more than the slack.
-const MOST_PER_CELL: f64 = (1u64 << 40) as f64;
+/// How far nodes are raised. Smaller values lose hits, larger ones cost time.
+///
+/// Every height goes through at most 8 roundings of numbers up to 2.
+const RAISE: f32 = 1.0 / (1 << 20) as f32;
 
-/// Levels 4, 16, 64 ... up to the longest side of a map, and one to spare.
-const MAX_LEVELS: usize = 12;
+/// Stands for the infinite reciprocal of the slope of a level ray.
+const MOST_PER_HEIGHT: f64 = (1u64 << 62) as f64;
 
-/// Traces a ray that falls (or is level) or rises all the way.
-#[inline]
+/// Levels of 4, 16, 64 ... cells up to the longest side of a map, and some to spare.
+const MAX_LEVELS: usize = 16;
+
+/// The cell at the corner of a node.
+#[inline(always)]
+fn edge(node: [u32; 2], level: usize) -> [i32; 2] {
+    [(node[0] << (2 * level + 2)) as i32, (node[1] << (2 * level + 2)) as i32]
+}
+
+/// Cells along the side of a node.
+#[inline(always)]
+fn size(level: usize) -> f32 {
+    (1i32 << (2 * level + 2)) as f32
+}
+
+/// Traces a ray that falls all the way, or rises, or is level.
+#[inline(always)]
 pub(super) fn trace(hierarchy: &Hierarchy, ray: &Ray, reads: &mut u32) -> Option<CellHit> {
+    let bent = ray.height[2] != 0.0;
     let falls = ray.height[1] + ray.length * ray.height[2] < 0.0;
-    match (falls, ray.height[2] != 0.0) {
-        (true, false) => Search::<true, false>::new(hierarchy, ray).run(reads),
-        (false, false) => Search::<false, false>::new(hierarchy, ray).run(reads),
-        (true, true) => Search::<true, true>::new(hierarchy, ray).run(reads),
-        (false, true) => Search::<false, true>::new(hierarchy, ray).run(reads),
+    let crosswise = (ray.per_cell[0] < 0.0) != (ray.per_cell[1] < 0.0);
+    match (bent, falls, crosswise) {
+        (false, true, false) => Search::<false, true, false>::new(hierarchy, ray).run(reads),
+        (false, true, true) => Search::<false, true, true>::new(hierarchy, ray).run(reads),
+        (false, false, false) => Search::<false, false, false>::new(hierarchy, ray).run(reads),
+        (false, false, true) => Search::<false, false, true>::new(hierarchy, ray).run(reads),
+        (true, true, false) => Search::<true, true, false>::new(hierarchy, ray).run(reads),
+        (true, true, true) => Search::<true, true, true>::new(hierarchy, ray).run(reads),
+        (true, false, false) => Search::<true, false, false>::new(hierarchy, ray).run(reads),
+        (true, false, true) => Search::<true, false, true>::new(hierarchy, ray).run(reads),
     }
 }
 
-/// The search for one ray. All places are in cells from the cell where the ray begins.
-struct Search<'a, const FALLS: bool, const BENT: bool> {
+/// The search for one ray. Places in `f32` are in cells from the cell where the ray begins.
+///
+/// `CROSSWISE` says that the ray goes left and down, or right and up.
+struct Search<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> {
     hierarchy: &'a Hierarchy,
     ray: &'a Ray,
     /// The cell where the ray begins, and where in it.
@@ -52,22 +79,37 @@ struct Search<'a, const FALLS: bool, const BENT: bool> {
     per_cell: [f32; 2],
     /// `s` by which nodes are grown.
     slack: [f32; 2],
-    /// `s` from a block's first edge to the near and the far edge of each of its four nodes, for nodes of one cell. Rows are
-    /// in the order in which they are loaded.
-    near: [Vec4; 2],
-    far: [Vec4; 2],
+    /// `s` from a block's first edge to that of each of its four columns and rows, for nodes of one cell.
+    columns: Vec4,
+    rows: Vec4,
+    /// The height, lowered by [`RAISE`], and the reciprocal of its slope.
     height: [f32; 3],
+    per_height: f32,
     length: f32,
     start_level: usize,
-    /// Rows are loaded last first, and bits are visited from the highest: see [`Self::next_node`].
-    upside_down: bool,
+    /// The ray goes left.
     backward: bool,
 }
 
-impl<'a, const FALLS: bool, const BENT: bool> Search<'a, FALLS, BENT> {
-    #[inline]
+/// `s` at the first edges, left or top, of a block's columns and rows.
+struct Edges {
+    columns: Vec4,
+    rows: Vec4,
+}
+
+impl Edges {
+    /// `s` at the first edges of the node in a column and row of the block.
+    #[inline(always)]
+    fn of(&self, [column, row]: [u32; 2]) -> [f32; 2] {
+        let (columns, rows) = (self.columns.to_array(), self.rows.to_array());
+        [columns[column as usize % BLOCK], rows[row as usize % BLOCK]]
+    }
+}
+
+impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, BENT, FALLS, CROSSWISE> {
+    #[inline(always)]
     fn new(hierarchy: &'a Hierarchy, ray: &'a Ray) -> Self {
-        let travel = (ray.length * ray.step[0].abs().max(ray.step[1].abs())) as f32;
+        let travel = (ray.length * greater(ray.step[0].abs(), ray.step[1].abs())) as f32;
         let top = hierarchy.levels().len() - 1;
         // The finest level at which a window of 4 x 4 nodes holds the whole ray, wherever in its node it begins.
         let mut start_level = 0;
@@ -76,165 +118,187 @@ impl<'a, const FALLS: bool, const BENT: bool> Search<'a, FALLS, BENT> {
             start_level += 1;
             node *= BLOCK as f32;
         }
-        let origin = ray.start.map(|start| start as i32);
-        let within = [0, 1].map(|k| (ray.start[k] - f64::from(origin[k])) as f32);
-        let per_cell = ray.per_cell.map(|inverse| inverse.clamp(-MOST_PER_CELL, MOST_PER_CELL) as f32);
-        let slack = per_cell.map(|inverse| inverse.abs() * node * BLOCK as f32 * SLACK);
-        let backward = per_cell[0] < 0.0;
-        let upside_down = backward != (per_cell[1] < 0.0);
-        let lanes = [
-            Vec4::new(0.0, 1.0, 2.0, 3.0),
-            if upside_down { Vec4::new(3.0, 2.0, 1.0, 0.0) } else { Vec4::new(0.0, 1.0, 2.0, 3.0) },
-        ];
-        let edge = |k: usize, far: bool| {
-            let offset = if (per_cell[k] < 0.0) != far { 1.0 } else { 0.0 };
-            (lanes[k] + Vec4::splat(offset)) * per_cell[k]
-        };
-        let height = ray.height.map(|h| h as f32);
+        let origin = [ray.start[0] as i32, ray.start[1] as i32];
+        let within =
+            [(ray.start[0] - f64::from(origin[0])) as f32, (ray.start[1] - f64::from(origin[1])) as f32];
+        let per_cell = [ray.per_cell[0] as f32, ray.per_cell[1] as f32];
+        let grow = node * (BLOCK as f32 * GROWTH);
+        let lanes = Vec4::new(0.0, 1.0, 2.0, 3.0);
+        let per_height = (1.0 / (ray.height[1] + 0.0)).clamp(-MOST_PER_HEIGHT, MOST_PER_HEIGHT);
         Self {
             hierarchy,
             ray,
             origin,
             within,
             per_cell,
-            slack,
-            near: [edge(0, false), edge(1, false)],
-            far: [edge(0, true), edge(1, true)],
-            height: [height[0] - SLACK, height[1], height[2]],
-            length: ray.length as f32 * (1.0 + SLACK),
+            slack: [per_cell[0].abs() * grow, per_cell[1].abs() * grow],
+            columns: lanes * Vec4::splat(per_cell[0]),
+            rows: lanes * Vec4::splat(per_cell[1]),
+            height: [ray.height[0] as f32 - RAISE, ray.height[1] as f32, ray.height[2] as f32],
+            per_height: per_height as f32,
+            length: ray.length as f32 * (1.0 + GROWTH),
             start_level,
-            upside_down,
-            backward,
+            backward: per_cell[0] < 0.0,
         }
     }
 
     fn run(&self, reads: &mut u32) -> Option<CellHit> {
         let levels = self.hierarchy.levels();
-        let mut masks = [0u32; MAX_LEVELS];
-        let mut corners = [[0usize; 2]; MAX_LEVELS];
-        let mut level = self.start_level.min(MAX_LEVELS - 1);
-        let mut corner = self.window_corner(&levels[level], level);
-        let mut mask = self.block(&levels[level], level, corner);
+        let start = self.start_level;
+        let window = self.window_corner(levels[start].sides, start);
+        // What is left of the blocks above the one being searched.
+        let mut masks = [0u16; MAX_LEVELS];
+        let mut level = start;
+        let mut corner = window;
+        let mut edges = self.edges(self.begin(window, level), size(level));
+        let mut mask = self.touched(&levels[level].window(window), &edges, size(level));
         *reads += 1;
         loop {
             while mask == 0 {
-                if level == self.start_level {
+                if level >= start {
                     return None;
                 }
                 level += 1;
-                (mask, corner) = (masks[level], corners[level]);
+                mask = u32::from(masks[level % MAX_LEVELS]);
+                let parent = [corner[0] >> 2, corner[1] >> 2];
+                corner = if level == start { window } else { [parent[0] & !3, parent[1] & !3] };
+                edges = self.edges(self.begin(corner, level), size(level));
             }
-            let node = self.next_node(&mut mask);
-            let [column, row] = [corner[0] + node[0], corner[1] + node[1]];
+            let [column, row] = self.take_first(&mut mask);
+            let node = [corner[0] + column, corner[1] + row];
+            let begin = edges.of([column, row]);
             if level == 0 {
-                if let Some(hit) = self.tile(column, row, reads) {
-                    return Some(hit);
+                let hit = self.tile(node, begin, reads);
+                if hit.is_some() {
+                    return hit;
                 }
                 continue;
             }
-            (masks[level], corners[level]) = (mask, corner);
+            masks[level % MAX_LEVELS] = mask as u16;
             level -= 1;
-            corner = [column * BLOCK, row * BLOCK];
-            mask = self.block(&levels[level], level, corner);
+            corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
+            edges = self.edges(begin, size(level));
+            mask = self.touched(levels[level].block(node)?, &edges, size(level));
             *reads += 1;
         }
     }
 
-    /// The first node of the window of 4 x 4 nodes that reaches from the ray's start along its direction.
-    #[inline]
-    fn window_corner(&self, level: &Level, index: usize) -> [usize; 2] {
-        let most = [level.columns - BLOCK, level.rows - BLOCK];
-        [0, 1].map(|k| {
-            let node = (self.origin[k].max(0) as usize) >> (2 * index + 2);
-            let first = if self.per_cell[k] < 0.0 { node.saturating_sub(BLOCK - 1) } else { node };
-            first.min(most[k])
-        })
+    /// `s` at the first edges, left and top, of the node at a column and row of a level.
+    #[inline(always)]
+    fn begin(&self, node: [u32; 2], level: usize) -> [f32; 2] {
+        let [left, top] = edge(node, level);
+        [
+            ((left - self.origin[0]) as f32 - self.within[0]) * self.per_cell[0],
+            ((top - self.origin[1]) as f32 - self.within[1]) * self.per_cell[1],
+        ]
     }
 
-    /// Which nodes of a block the ray touches: bit `4 r + c` for column `c` of the `r`-th row loaded.
-    #[inline]
-    fn block(&self, level: &Level, index: usize, corner: [usize; 2]) -> u32 {
-        let shift = 2 * index + 2;
-        let edge = corner.map(|node| (node << shift) as i32);
-        self.touched(level.window(corner[0], corner[1], self.upside_down), edge, (1u32 << shift) as f32)
-    }
-
-    /// Which of 4 x 4 nodes, `size` cells wide and with the first one's corner at `edge`, the ray touches.
-    #[inline]
-    fn touched(&self, maxima: [Vec4; BLOCK], edge: [i32; 2], size: f32) -> u32 {
-        let base = [0, 1].map(|k| ((edge[k] - self.origin[k]) as f32 - self.within[k]) * self.per_cell[k]);
-        let enter_x = (self.near[0] * size + Vec4::splat(base[0] - self.slack[0])).max(Vec4::ZERO);
-        let leave_x =
-            (self.far[0] * size + Vec4::splat(base[0] + self.slack[0])).min(Vec4::splat(self.length));
-        let enter_y = (self.near[1] * size + Vec4::splat(base[1] - self.slack[1])).to_array();
-        let leave_y = (self.far[1] * size + Vec4::splat(base[1] + self.slack[1])).to_array();
-        let [h0, h1, h2] = self.height.map(Vec4::splat);
-        let mut mask = 0;
-        for k in 0..BLOCK {
-            let enter = enter_x.max(Vec4::splat(enter_y[k]));
-            let leave = leave_x.min(Vec4::splat(leave_y[k]));
-            let s = if FALLS { leave } else { enter };
-            let height = if BENT { h0 + s * (h1 + s * h2) } else { h0 + s * h1 };
-            let touched = enter.cmple(leave) & height.cmple(maxima[k]);
-            mask |= touched.bitmask() << (4 * k);
+    /// `s` at the first edges of the four columns and rows of a block of nodes that are `size` cells wide.
+    #[inline(always)]
+    fn edges(&self, begin: [f32; 2], size: f32) -> Edges {
+        let size = Vec4::splat(size);
+        Edges {
+            columns: Vec4::splat(begin[0]) + self.columns * size,
+            rows: Vec4::splat(begin[1]) + self.rows * size,
         }
-        mask
+    }
+
+    /// The window of 4 x 4 nodes that reaches from the node of a cell along the ray.
+    #[inline(always)]
+    fn window_corner(&self, sides: [u32; 2], level: usize) -> [u32; 2] {
+        let corner = |k: usize| {
+            let node = (self.origin[k].max(0) as u32) >> (2 * level + 2);
+            let first = if self.per_cell[k] < 0.0 { node.saturating_sub(BLOCK as u32 - 1) } else { node };
+            first.min(sides[k] - BLOCK as u32)
+        };
+        [corner(0), corner(1)]
+    }
+
+    /// Which of 4 x 4 nodes, `size` cells wide and with those edges, the ray touches. Column `c` of row `r` is bit
+    /// `4 r + c`, or `4 (3 - r) + c` for a crosswise ray.
+    #[inline(always)]
+    fn touched(&self, maxima: &[Vec4; BLOCK], edges: &Edges, size: f32) -> u32 {
+        let near_and_far = |k: usize| {
+            let across = size * self.per_cell[k];
+            (across.min(0.0) - self.slack[k], across.max(0.0) + self.slack[k])
+        };
+        let ((near_x, far_x), (near_y, far_y)) = (near_and_far(0), near_and_far(1));
+        let enter_x = (edges.columns + Vec4::splat(near_x)).max(Vec4::ZERO);
+        let leave_x = (edges.columns + Vec4::splat(far_x)).min(Vec4::splat(self.length));
+        let enter_y = edges.rows + Vec4::splat(near_y);
+        let leave_y = edges.rows + Vec4::splat(far_y);
+        let [h0, h1, h2] = self.height;
+        let row = |k: usize, enter_y: f32, leave_y: f32| {
+            let enter = enter_x.max(Vec4::splat(enter_y));
+            let leave = leave_x.min(Vec4::splat(leave_y));
+            let touched = if BENT {
+                let s = if FALLS { leave } else { enter };
+                let height = Vec4::splat(h0) + s * (Vec4::splat(h1) + s * Vec4::splat(h2));
+                enter.cmple(leave) & height.cmple(maxima[k])
+            } else {
+                // Where the ray is as high as the node.
+                let level = (maxima[k] - Vec4::splat(h0)) * Vec4::splat(self.per_height);
+                if FALLS { level.max(enter).cmple(leave) } else { enter.cmple(level.min(leave)) }
+            };
+            touched.bitmask() << (4 * if CROSSWISE { BLOCK - 1 - k } else { k })
+        };
+        row(0, enter_y.x, leave_y.x)
+            | row(1, enter_y.y, leave_y.y)
+            | row(2, enter_y.z, leave_y.z)
+            | row(3, enter_y.w, leave_y.w)
     }
 
     /// Takes the node that the ray comes to first out of a mask: its column and row in the block.
     ///
-    /// A ray that goes right and down comes to the nodes in the order of their bits. One that goes left and up comes
-    /// to them in the reverse order, and the two other directions do so when the rows are loaded upside down.
-    #[inline]
-    fn next_node(&self, mask: &mut u32) -> [usize; 2] {
+    /// A ray that goes right and down comes to the nodes in the order of their bits, and one that goes left and up in the
+    /// reverse order; for crosswise rays the rows of the mask are upside down, so that the same holds.
+    #[inline(always)]
+    fn take_first(&self, mask: &mut u32) -> [u32; 2] {
         let bit = if self.backward { 31 - mask.leading_zeros() } else { mask.trailing_zeros() };
         *mask ^= 1 << bit;
-        let row = (bit >> 2) ^ if self.upside_down { 3 } else { 0 };
-        [(bit & 3) as usize, row as usize]
+        [bit & 3, (bit >> 2) ^ if CROSSWISE { 3 } else { 0 }]
     }
 
     /// The first hit in a tile.
-    #[inline]
-    fn tile(&self, column: usize, row: usize, reads: &mut u32) -> Option<CellHit> {
-        let tile = self.hierarchy.tile(column, row)?;
-        let [left, top] = [column * BLOCK, row * BLOCK];
-        let mut mask = self.touched(cell_maxima(tile, self.upside_down), [left as i32, top as i32], 1.0);
+    #[inline(always)]
+    fn tile(&self, node: [u32; 2], begin: [f32; 2], reads: &mut u32) -> Option<CellHit> {
+        let tile = self.hierarchy.tile(node)?;
+        let corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
+        let mut mask = self.touched(&tile.cell_maxima(), &self.edges(begin, 1.0), 1.0);
         *reads += 1;
         while mask != 0 {
-            let [c, r] = self.next_node(&mut mask);
+            let cell = self.take_first(&mut mask);
             *reads += 1;
-            if let Some(hit) = self.cell(tile, [c, r], [left + c, top + r]) {
-                return Some(hit);
+            let hit = self.cell(tile, corner, cell);
+            if hit.is_some() {
+                return hit;
             }
         }
         None
     }
 
-    /// The hit in one cell, in `f64`.
-    #[inline]
-    fn cell(
-        &self,
-        tile: &[f32; TILE_TEXELS * TILE_TEXELS],
-        in_tile: [usize; 2],
-        cell: [usize; 2],
-    ) -> Option<CellHit> {
+    /// The hit in one cell of a tile, in `f64`. Cells that share an edge compute the same `s` for it.
+    #[inline(always)]
+    fn cell(&self, tile: &Tile, corner: [u32; 2], in_tile: [u32; 2]) -> Option<CellHit> {
         let ray = self.ray;
-        let (mut enter, mut leave) = (0.0f64, ray.length);
-        let corner = cell.map(|cell| cell as f64);
-        for (k, corner) in corner.into_iter().enumerate() {
-            let [low, high] = [corner, corner + 1.0].map(|edge| (edge - ray.start[k]) * ray.per_cell[k]);
-            let [near, far] = if ray.per_cell[k] < 0.0 { [high, low] } else { [low, high] };
-            enter = enter.max(near);
-            leave = leave.min(far);
-        }
+        let cell = [corner[0] + in_tile[0], corner[1] + in_tile[1]];
+        let (x, y) = (f64::from(cell[0]), f64::from(cell[1]));
+        let crossings = |k: usize, edge: f64| {
+            let (low, high) =
+                ((edge - ray.start[k]) * ray.per_cell[k], (edge + 1.0 - ray.start[k]) * ray.per_cell[k]);
+            (lesser(low, high), greater(low, high))
+        };
+        let ((near_x, far_x), (near_y, far_y)) = (crossings(0, x), crossings(1, y));
+        let enter = greater(greater(near_x, near_y), 0.0);
+        let leave = lesser(lesser(far_x, far_y), ray.length);
         if enter > leave {
             return None;
         }
-        let from = [0, 1].map(|k| ray.start[k] + ray.step[k] * enter - corner[k]);
-        let gap = Gap::in_cell(corners(tile, in_tile[0], in_tile[1]), from, ray.step, ray.height_at(enter));
+        let [place_x, place_y] = ray.place_at(enter);
+        let gap =
+            Gap::in_cell(tile.corners(in_tile), [place_x - x, place_y - y], ray.step, ray.height_at(enter));
         let tau = gap.first_root(leave - enter)?;
-        let s = enter + tau;
         let depth = if tau > 0.0 { 0.0 } else { gap.c[0] };
-        Some(CellHit { s, gap: depth, slope: gap.slope(tau), cell: cell.map(|cell| cell as i64) })
+        Some(CellHit { s: enter + tau, gap: depth, slope: gap.slope(tau), cell })
     }
 }
