@@ -25,11 +25,20 @@ impl Failure {
         Failure::Work(message.to_string())
     }
 
+    /// A command line that clap refused: what is wrong, without the advice on how the command is used.
+    pub fn unparsed(error: &clap::Error) -> Self {
+        let text = error.render().to_string();
+        let text = text.strip_prefix("error: ").unwrap_or(&text);
+        let end =
+            ["\n\nUsage:", "\n\nFor more information"].into_iter().filter_map(|end| text.find(end)).min();
+        Failure::usage(&text[..end.unwrap_or(text.len())])
+    }
+
     /// Says it once, on the standard error, and gives the exit code.
     pub fn report(self, json: bool) -> ExitCode {
-        let (message, code) = match self {
-            Failure::Usage(message) => (message, 2),
-            Failure::Work(message) => (message, 1),
+        let (message, code) = match &self {
+            Failure::Usage(message) => (message.trim_end(), 2),
+            Failure::Work(message) => (message.trim_end(), 1),
             Failure::ReaderGone => return ExitCode::SUCCESS,
         };
         if json {

@@ -4,6 +4,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use failure::Failure;
+
 mod commands;
 mod failure;
 mod progress;
@@ -29,7 +31,13 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.use_stderr() && std::env::args_os().any(|argument| argument == "--json") => {
+            return Failure::unparsed(&error).report(true);
+        }
+        Err(error) => error.exit(),
+    };
     let (result, json) = match &arguments.command {
         Command::Render(arguments) => (commands::render::run(arguments), arguments.json),
         Command::Inspect(arguments) => (commands::inspect::run(arguments), arguments.json),

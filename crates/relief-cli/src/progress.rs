@@ -7,18 +7,30 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 /// Steps of a bar: finer than any terminal is wide.
 const STEPS: u64 = 1000;
 
-/// A progress bar for one piece of work.
+/// How often what is shown moves on.
+const TICK: Duration = Duration::from_millis(200);
+
+/// What is shown of one piece of work, until it is dropped.
 pub struct Progress(ProgressBar);
 
 impl Progress {
     /// A bar that says what is done; hidden with `quiet`, and where the standard error is no terminal.
-    pub fn new(what: &'static str, quiet: bool) -> Self {
+    pub fn bar(what: &'static str, quiet: bool) -> Self {
+        Self::styled(what, quiet, Some(STEPS), "{msg} {wide_bar} {percent:>3} % {eta} left")
+    }
+
+    /// The same for work of which nobody knows how much is done.
+    pub fn spinner(what: &'static str, quiet: bool) -> Self {
+        Self::styled(what, quiet, None, "{msg} {spinner} {elapsed}")
+    }
+
+    fn styled(what: &'static str, quiet: bool, steps: Option<u64>, template: &str) -> Self {
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let bar = ProgressBar::with_draw_target(Some(STEPS), target).with_message(what);
-        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} % {eta} left") {
+        let bar = ProgressBar::with_draw_target(steps, target).with_message(what);
+        if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style);
         }
-        bar.enable_steady_tick(Duration::from_millis(200));
+        bar.enable_steady_tick(TICK);
         Self(bar)
     }
 

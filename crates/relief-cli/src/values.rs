@@ -51,7 +51,8 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
 pub fn setting(text: &str) -> Result<(String, f64), String> {
     let wrong = || "write it as STAGE.NAME=NUMBER, as in search.steps=64".to_owned();
     let (key, value) = text.split_once('=').ok_or_else(wrong)?;
-    Ok((key.trim().to_owned(), value.trim().parse().map_err(|_| wrong())?))
+    let [value] = finite([value.trim().parse().map_err(|_| wrong())?])?;
+    Ok((key.trim().to_owned(), value))
 }
 
 #[cfg(test)]
@@ -69,7 +70,7 @@ mod tests {
         for bad in ["", "800", "800x", "x600", "-1x5", "99999999999x1", "8.5x6"] {
             assert!(size(bad).is_err(), "{bad}");
         }
-        for bad in ["", "search.steps", "search.steps=", "search.steps=many"] {
+        for bad in ["", "search.steps", "search.steps=", "search.steps=many", "search.steps=nan"] {
             assert!(setting(bad).is_err(), "{bad}");
         }
     }

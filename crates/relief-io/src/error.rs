@@ -27,6 +27,9 @@ pub enum ReadProblem {
     /// The path is a folder.
     #[error("is a folder: give a file")]
     Folder,
+    /// The path is a pipe, a device or the like.
+    #[error("is no regular file: save what it gives to a file first")]
+    NoFile,
     /// The file has no bytes.
     #[error("is empty")]
     Empty,
@@ -55,7 +58,9 @@ pub enum ReadProblem {
     Map(#[from] HeightMapError),
     /// Reading would take more memory than allowed.
     #[error(
-        "{width}x{height} texels need {needed} bytes of memory, {limit} are allowed: make the file smaller or raise the limit"
+        "{width}x{height} texels need {} MiB of memory, {} MiB are allowed: make the file smaller or raise --max-memory",
+        needed.div_ceil(1 << 20),
+        limit >> 20
     )]
     TooMuchMemory {
         /// Width in texels.
@@ -93,7 +98,7 @@ pub enum ReadProblem {
     #[error("{0}")]
     UnknownChannel(UnknownName),
     /// There are several channels and none was chosen.
-    #[error("has the channels {}: choose one with --channel", channels.join(", "))]
+    #[error("has the channels {}: choose one with --channel", relief::registry::listed(channels))]
     ChooseChannel {
         /// The channels.
         channels: Vec<String>,
@@ -101,7 +106,7 @@ pub enum ReadProblem {
     /// The three channels of the picture differ, so that none of them is clearly the height.
     #[error(
         "is a picture in colour (texel ({column}, {row}) is not grey); its channels are {}: choose one with --channel",
-        channels.join(", ")
+        relief::registry::listed(channels)
     )]
     NotGrey {
         /// The channels.
@@ -112,7 +117,7 @@ pub enum ReadProblem {
         row: u32,
     },
     /// The channels are none of a picture.
-    #[error("has the channels {}, which make no {what}", channels.join(", "))]
+    #[error("has the channels {}, which make no {what}", relief::registry::listed(channels))]
     NoColour {
         /// What was wanted: a picture or a normal map.
         what: &'static str,

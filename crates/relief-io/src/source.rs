@@ -184,8 +184,13 @@ impl Source {
         bytes_per_texel: u64,
         max_bytes: u64,
     ) -> Result<Self, ReadProblem> {
-        if std::fs::metadata(path)?.is_dir() {
+        let kind = std::fs::metadata(path)?;
+        if kind.is_dir() {
             return Err(ReadProblem::Folder);
+        }
+        // A pipe would block, a device has no length: formats are told apart by what can be read twice.
+        if !kind.is_file() {
+            return Err(ReadProblem::NoFile);
         }
         let mut file = File::open(path)?;
         let file_len = file.metadata()?.len();

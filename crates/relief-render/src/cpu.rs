@@ -26,15 +26,15 @@ pub fn render(
         let point = [x as f32 + 0.5, y as f32 + 0.5];
         shade(&resources, job.triangles, base, sides, tracer, point).unwrap_or_else(uncovered)
     };
-    let pixels = (0..job.height)
-        .into_par_iter()
-        .flat_map_iter(|y| {
-            let row: Vec<PixelOut> = (0..job.width).map(|x| pixel(x, y)).collect();
-            let rows = done.fetch_add(1, Ordering::Relaxed) + 1;
-            progress(rows as f32 / job.height as f32);
-            row
-        })
-        .collect();
+    let mut pixels = vec![uncovered(); job.width as usize * job.height as usize];
+    // A picture without columns has no rows to go through either.
+    pixels.par_chunks_mut(job.width.max(1) as usize).enumerate().for_each(|(y, row)| {
+        for (shaded, x) in row.iter_mut().zip(0..) {
+            *shaded = pixel(x, y as u32);
+        }
+        let rows = done.fetch_add(1, Ordering::Relaxed) + 1;
+        progress(rows as f32 / job.height as f32);
+    });
     Rendering { width: job.width, height: job.height, pixels }
 }
 

@@ -3,16 +3,16 @@
 use std::time::{Duration, Instant};
 
 use relief::exact::FastTracer;
-use relief::registry::Guarantee;
-use relief_shaders::{Selection, SelectionError};
+use relief_shaders::Selection;
 
 use crate::cpu;
 #[cfg(feature = "gpu")]
 use crate::gpu::{AdapterChoice, Gpu, GpuError};
 use crate::job::Rendering;
+use crate::method::{MethodError, select};
 use crate::prepare::Prepared;
 use crate::raycast::RayCaster;
-use crate::scene::{BackendChoice, MethodChoice, MethodNames, Sampling, Scene};
+use crate::scene::{BackendChoice, Sampling, Scene};
 
 /// A finished picture and how it came about.
 #[derive(Clone, Debug)]
@@ -36,17 +36,7 @@ pub struct Rendered {
 pub enum RenderError {
     /// The method, search, refinement or a setting is not available.
     #[error(transparent)]
-    Selection(#[from] SelectionError),
-    /// The pair cannot be used for the rays of this scene.
-    #[error(
-        "{stage} '{name}' is impossible for view rays: choose another; `relief methods` lists what each can do"
-    )]
-    Impossible {
-        /// "search" or "refinement".
-        stage: &'static str,
-        /// The variant.
-        name: &'static str,
-    },
+    Method(#[from] MethodError),
     /// The CPU was asked for the sampling that only GPUs have.
     #[error(
         "sampling 'fast' uses a GPU's texture sampler, which the CPU backend does not have{0}: use --sampling exact"
@@ -59,27 +49,6 @@ pub enum RenderError {
     #[cfg(feature = "gpu")]
     #[error(transparent)]
     Gpu(#[from] GpuError),
-}
-
-/// The stages that a scene's method names, with its settings.
-///
-/// # Errors
-///
-/// When a name is unknown, a setting does not exist or is out of range, or the pair cannot trace view rays.
-pub fn select(choice: &MethodChoice) -> Result<Selection, RenderError> {
-    let mut selection = match &choice.names {
-        MethodNames::Method(name) => Selection::method(name)?,
-        MethodNames::Pair { search, refine } => Selection::pair(search, refine)?,
-    };
-    for (key, &value) in &choice.settings {
-        selection.set(key, value)?;
-    }
-    for (stage, entry) in [("search", selection.search), ("refinement", selection.refine)] {
-        if entry.guarantee.view == Guarantee::Impossible {
-            return Err(RenderError::Impossible { stage, name: entry.name });
-        }
-    }
-    Ok(selection)
 }
 
 /// Renders a scene. `progress` is told the finished part, from 0 to 1, from any thread.
@@ -139,8 +108,20 @@ fn choose(scene: &Scene) -> Result<Chosen, RenderError> {
         BackendChoice::Auto => match Gpu::new(AdapterChoice::Real) {
             Ok(gpu) => Ok(Chosen::Gpu { gpu, reason: Some("a GPU was found".to_owned()) }),
             Err(_) if fast => Err(RenderError::FastOnCpu(", and no GPU was found")),
-            Err(error) => Ok(Chosen::Cpu { reason: Some(error.to_string()) }),
+            Err(error) => Ok(Chosen::Cpu { reason: Some(why_not(&error)) }),
         },
+    }
+}
+
+/// Why there is no GPU, to someone who did not ask for one.
+#[cfg(feature = "gpu")]
+fn why_not(error: &GpuError) -> String {
+    match error {
+        GpuError::NoAdapter { found, .. } if found.is_empty() => "no GPU was found".to_owned(),
+        GpuError::NoAdapter { found, .. } => {
+            format!("no hardware GPU was found, only {}, which --backend gpu takes", found.join(" and "))
+        }
+        other => other.to_string(),
     }
 }
 
@@ -149,6 +130,7 @@ fn choose(scene: &Scene) -> Result<Chosen, RenderError> {
     match scene.backend() {
         BackendChoice::Gpu => Err(RenderError::NoGpuBackend),
         _ if scene.sampling() == Sampling::Fast => Err(RenderError::FastOnCpu("")),
-        _ => Ok(Chosen::Cpu { reason: None }),
+        BackendChoice::Auto => Ok(Chosen::Cpu { reason: Some("this build has no GPU backend".to_owned()) }),
+        BackendChoice::Cpu => Ok(Chosen::Cpu { reason: None }),
     }
 }

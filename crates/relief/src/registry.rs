@@ -126,7 +126,7 @@ pub fn find<'a>(kind: &'static str, entries: &'a [Entry], name: &str) -> Result<
 
 /// A name that nothing has, with the nearest name that something has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown {kind} '{name}'{}; known: {}", nearest.as_ref().map(|n| format!(": did you mean '{n}'?")).unwrap_or_default(), known.join(", "))]
+#[error("unknown {kind} '{name}'{}; known: {}", nearest.as_ref().map(|n| format!(": did you mean '{n}'?")).unwrap_or_default(), listed(known))]
 pub struct UnknownName {
     /// What was asked for: "search", "method" and so on.
     pub kind: &'static str,
@@ -150,6 +150,17 @@ impl UnknownName {
             .map(|(_, candidate)| candidate.clone());
         Self { kind, name: name.to_owned(), nearest, known }
     }
+}
+
+/// The most names that an error lists.
+const MOST_NAMES: usize = 24;
+
+/// Names between commas; of very many only the first, and how many more there are.
+pub fn listed(names: &[String]) -> String {
+    let shown = names.len().min(MOST_NAMES);
+    let rest = names.len() - shown;
+    let text = names[..shown].join(", ");
+    if rest == 0 { text } else { format!("{text} and {rest} more") }
 }
 
 /// Levenshtein distance in characters; a name longer than any of ours is cut first, so that hostile input stays cheap.
@@ -179,5 +190,13 @@ mod tests {
         assert_eq!(nearest("paralax").as_deref(), Some("parallax"));
         assert_eq!(nearest("relif").as_deref(), Some("relief"));
         assert_eq!(nearest("zzzzzzzzz"), None);
+    }
+
+    #[test]
+    fn very_many_names_are_not_all_listed() {
+        let names: Vec<String> = (0..10_000).map(|k| format!("band{k}")).collect();
+        assert_eq!(listed(&names[..2]), "band0, band1");
+        let said = listed(&names);
+        assert!(said.len() < 400 && said.ends_with(" more"), "{said}");
     }
 }

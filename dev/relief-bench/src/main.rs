@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 mod accuracy;
+mod trace;
 
 #[derive(Parser)]
 #[command(
@@ -20,11 +21,14 @@ struct Arguments {
 enum Command {
     /// How near every method comes to the truth, and whether the survey's order holds
     Accuracy(accuracy::Arguments),
+    /// Rays a second of the exact tracer, beside other tracers and two other programs
+    Trace(trace::Arguments),
 }
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Accuracy(arguments) => accuracy::run(&arguments),
+        Command::Trace(arguments) => trace::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,18 +1,19 @@
 //! `relief inspect`: what is in a height map.
 
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use relief_io::{
-    Convention, Detection, GreenSign, HISTOGRAM_BINS, HeightOptions, SourceInfo, Tiling, Values, detect,
-    inspect, read_height, read_normal_map,
+    Convention, DEFAULT_MAX_BYTES, Detection, GreenSign, HISTOGRAM_BINS, HeightOptions, SourceInfo, Tiling,
+    Values, detect, inspect, read_height, read_normal_map,
 };
 use relief_render::scene::ByteSize;
 use serde_json::{Value, json};
 
-use super::maps::HeightArguments;
+use super::maps::FileArguments;
 use crate::failure::Failure;
+use crate::progress::Progress;
 
 /// What `relief inspect` is given.
 #[derive(Args)]
@@ -26,25 +27,25 @@ pub struct Arguments {
     #[arg(long)]
     pub json: bool,
     /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
-    #[arg(long, value_name = "SIZE")]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<ByteSize>,
     #[command(flatten)]
-    reading: HeightArguments,
+    reading: FileArguments,
 }
 
 /// Reads and prints.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let options = arguments.reading.options(arguments.max_memory);
-    let info = inspect(&arguments.file, &options).map_err(Failure::work)?;
-    let detection = match &arguments.normal {
-        None => None,
-        Some(path) => {
-            // The convention is what is asked for, so the height is read as it stands.
-            let plain = HeightOptions { convention: Convention::Height, ..options };
-            let height = read_height(&arguments.file, &plain).map_err(Failure::work)?;
-            let normals = read_normal_map(path, GreenSign::PlusY, plain.max_bytes).map_err(Failure::work)?;
-            Some(detect(&height, &normals))
-        }
+    let options = HeightOptions {
+        channel: arguments.reading.channel.clone(),
+        raw: arguments.reading.raw,
+        fill: arguments.reading.fill,
+        max_bytes: arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0),
+        ..HeightOptions::default()
+    };
+    let (info, detection) = {
+        let _reading = Progress::spinner("reading", arguments.json);
+        let info = inspect(&arguments.file, &options).map_err(Failure::work)?;
+        (info, arguments.normal.as_deref().map(|path| detection(arguments, &options, path)).transpose()?)
     };
     let mut out = io::stdout().lock();
     if arguments.json {
@@ -54,6 +55,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     print(&mut out, arguments, &info, detection.as_ref())?;
     Ok(())
 }
+
+/// What the height map, read as it stands, and its normal map say of each other.
+fn detection(arguments: &Arguments, options: &HeightOptions, normal: &Path) -> Result<Detection, Failure> {
+    let height = read_height(&arguments.file, options).map_err(Failure::work)?;
+    let left = options.max_bytes.saturating_sub(4 * u64::from(height.width()) * u64::from(height.height()));
+    let normals = read_normal_map(normal, GreenSign::PlusY, left).map_err(Failure::work)?;
+    Ok(detect(&height, &normals))
+}
+
+/// The most channels that are listed one by one.
+const MOST_CHANNELS: usize = 24;
 
 fn print(
     out: &mut impl Write,
@@ -69,8 +81,11 @@ fn print(
         info.width,
         info.height
     )?;
-    for channel in &info.channels {
+    for channel in info.channels.iter().take(MOST_CHANNELS) {
         writeln!(out, "  channel     {} ({})", channel.name, channel.sample)?;
+    }
+    if let Some(more) = info.channels.len().checked_sub(MOST_CHANNELS).filter(|&more| more > 0) {
+        writeln!(out, "  channel     and {more} more")?;
     }
     if let Some([u, v]) = info.texel_size_m {
         writeln!(out, "  texel       {u:.6} m x {v:.6} m")?;
@@ -167,7 +182,7 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
         })
     });
     json!({
-        "file": arguments.file, "format": info.format.name(), "width": info.width, "height": info.height,
+        "file": arguments.file.display().to_string(), "format": info.format.name(), "width": info.width, "height": info.height,
         "channels": channels, "nodata": info.nodata_value, "texel_size_m": info.texel_size_m, "values": values,
         "detection": detection,
     })

@@ -1,48 +1,19 @@
 //! How a height map is to be read: the flags that commands share.
 
 use clap::Args;
-use relief::Wrap;
-use relief_io::{Convention, DEFAULT_MAX_BYTES, HeightOptions, RawLayout};
-use relief_render::scene::ByteSize;
-
-use crate::values;
+use relief_io::RawLayout;
 
 /// How the height map's file is read.
 #[derive(Args)]
 #[command(next_help_heading = "Reading the height map")]
-pub struct HeightArguments {
-    /// Channel that holds the height: r, g, b, a, y, or an EXR channel's name
+pub struct FileArguments {
+    /// Channel that holds the height: r, g, b, a, y, or an EXR channel's name [default: the only one, or the grey]
     #[arg(long, value_name = "NAME")]
     pub channel: Option<String>,
-    /// The file holds depth: white is deep
-    #[arg(long)]
-    pub depth: bool,
-    /// Values that become heights 0 and 1 [default: integers 0 and their type's maximum, floats their least and
-    /// greatest]
-    #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true)]
-    pub range: Option<[f64; 2]>,
     /// Size and byte order of a headerless 16-bit file, as in 403x344,le
     #[arg(long, value_name = "WxH,le|be")]
     pub raw: Option<RawLayout>,
-    /// Fill texels without a value (nodata, NaN, infinite) from their surroundings; without it they are an error
+    /// Fill texels without a value (nodata, NaN, infinite) from their surroundings [default: they are an error]
     #[arg(long)]
     pub fill: bool,
-    /// How the maps go on beyond their edges: repeat, clamp or mirror [default: repeat]
-    #[arg(long, value_name = "WRAP")]
-    pub wrap: Option<Wrap>,
-}
-
-impl HeightArguments {
-    /// The reader's options.
-    pub fn options(&self, max_memory: Option<ByteSize>) -> HeightOptions {
-        HeightOptions {
-            channel: self.channel.clone(),
-            convention: if self.depth { Convention::Depth } else { Convention::Height },
-            range: self.range,
-            raw: self.raw,
-            fill: self.fill,
-            wrap: self.wrap.unwrap_or_default(),
-            max_bytes: max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0),
-        }
-    }
 }

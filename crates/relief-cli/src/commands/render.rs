@@ -5,15 +5,18 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use relief::Wrap;
 use relief_io::{GreenSign, PngColour};
 use relief_render::mesh::Builtin;
 use relief_render::picture;
-use relief_render::scene::{BackendChoice, ByteSize, Sampling, Scene, SceneError, SceneSpec, read_scene};
+use relief_render::scene::{
+    BackendChoice, ByteSize, Sampling, Scene, SceneError, SceneSpec, ValueError, ValueProblem, read_scene,
+};
 use relief_render::{RenderError, Rendered};
 use relief_shaders::METHODS;
 use serde_json::json;
 
-use super::maps::HeightArguments;
+use super::maps::FileArguments;
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::values;
@@ -25,16 +28,17 @@ use crate::values;
     relief render --height map.exr --method occlusion --set search.steps=64 --aov map-aov.exr -o map.png\n\n\
     `relief methods` lists methods, searches and refinements with their settings.")]
 pub struct Arguments {
-    /// Scene file; paths in it are relative to it
+    /// Scene file (TOML): its keys are named like the flags, which override it; paths in it are relative to it
     scene: Option<PathBuf>,
     /// Picture to write
     #[arg(short, long, value_name = "FILE.png")]
     output: PathBuf,
-    /// Write hit, uv, height, P, N, depth and reads of every pixel, too
+    /// Write numbers of every pixel, too, as 32-bit float channels: hit (1 or 0), uv.x and uv.y, height (0 to 1), P.x,
+    /// P.y and P.z (position), N.x, N.y and N.z (normal), depth (along the view axis) and reads
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
     /// Width and height of the picture in pixels [default: 800x600]
-    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    #[arg(long, value_name = "WxH", value_parser = values::size, allow_hyphen_values = true)]
     size: Option<[u32; 2]>,
     /// Print one JSON object about the picture
     #[arg(long)]
@@ -43,7 +47,7 @@ pub struct Arguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     height: Option<PathBuf>,
-    /// Colour map
+    /// Colour map, in sRGB [default: the material alone]
     #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
     color: Option<PathBuf>,
     /// Tangent-space normal map [default: normals from the height map]
@@ -68,15 +72,24 @@ pub struct Arguments {
     #[arg(long, help_heading = "Maps and mesh")]
     two_sided: bool,
     #[command(flatten)]
-    reading: HeightArguments,
+    file: FileArguments,
+    /// The file holds depth: white is deep
+    #[arg(long, help_heading = "Reading the height map")]
+    depth: bool,
+    /// Values that become heights 0 and 1 [default: of integers 0 and their type's maximum, of floats their least and
+    /// greatest]
+    #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true, help_heading = "Reading the height map")]
+    range: Option<[f64; 2]>,
+    /// How the maps go on beyond their edges: repeat, clamp or mirror [default: repeat]
+    #[arg(long, value_name = "WRAP", help_heading = "Reading the height map")]
+    wrap: Option<Wrap>,
 
-    /// Method [default: exact]
     #[arg(long, value_name = "NAME", conflicts_with_all = ["search", "refine"], help_heading = "Method", help = method_help())]
     method: Option<String>,
-    /// Search, in place of a method
+    /// Search, together with --refine in place of a method
     #[arg(long, value_name = "NAME", help_heading = "Method")]
     search: Option<String>,
-    /// Refinement, in place of a method
+    /// Refinement, together with --search in place of a method
     #[arg(long, value_name = "NAME", help_heading = "Method")]
     refine: Option<String>,
     /// Setting of the search or the refinement, as in search.steps=64; may be repeated
@@ -89,7 +102,7 @@ pub struct Arguments {
     /// Point looked at [default: 0,0,0]
     #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
     target: Option<[f64; 3]>,
-    /// Vertical field of view [default: 40]
+    /// Vertical field of view in degrees [default: 40]
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help_heading = "Camera and light")]
     fov: Option<f64>,
     /// Direction toward a directional light [default: 0.5,0.8,0.3]
@@ -104,7 +117,7 @@ pub struct Arguments {
     #[arg(long, value_name = "exact|fast", help_heading = "Machine")]
     sampling: Option<Sampling>,
     /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
-    #[arg(long, value_name = "SIZE", help_heading = "Machine")]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true, help_heading = "Machine")]
     max_memory: Option<ByteSize>,
 }
 
@@ -115,15 +128,18 @@ fn method_help() -> String {
 
 /// Renders and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    check_outputs(arguments)?;
     let flags = arguments.flags();
     let spec = match &arguments.scene {
         Some(path) => read_scene(path).map_err(Failure::work)?.overridden_by(flags),
         None => flags,
     };
-    let scene = spec.load().map_err(|error| arguments.of_scene(error))?;
+    check_outputs(arguments, &spec)?;
+    let scene = {
+        let _reading = Progress::spinner("reading", arguments.json);
+        spec.load().map_err(of_scene)?
+    };
     let rendered = {
-        let progress = Progress::new("rendering", arguments.json);
+        let progress = Progress::bar("rendering", arguments.json);
         relief_render::render(&scene, &|part| progress.show(part))
             .map_err(|error| arguments.of_render(error))?
     };
@@ -137,12 +153,12 @@ impl Arguments {
         let given = |flag: bool| flag.then_some(true);
         SceneSpec {
             height: self.height.clone(),
-            channel: self.reading.channel.clone(),
-            depth: given(self.reading.depth),
-            range: self.reading.range,
-            raw: self.reading.raw,
-            fill: given(self.reading.fill),
-            wrap: self.reading.wrap,
+            channel: self.file.channel.clone(),
+            depth: given(self.depth),
+            range: self.range,
+            raw: self.file.raw,
+            fill: given(self.file.fill),
+            wrap: self.wrap,
             scale: self.scale,
             bias: self.bias,
             color: self.color.clone(),
@@ -167,20 +183,9 @@ impl Arguments {
         }
     }
 
-    /// A value that cannot be used came from the flags, since a scene file's values are checked when it is read.
-    fn of_scene(&self, error: SceneError) -> Failure {
-        match error {
-            SceneError::Value(_) | SceneError::NoHeightMap => Failure::usage(error),
-            other => Failure::work(other),
-        }
-    }
-
-    /// A method that does not exist is the command line's fault when the command line named it.
+    /// A sampling that the backend does not have is the command line's fault when the command line named one of them.
     fn of_render(&self, error: RenderError) -> Failure {
-        let named =
-            self.method.is_some() || self.search.is_some() || self.refine.is_some() || !self.set.is_empty();
         match error {
-            RenderError::Selection(_) | RenderError::Impossible { .. } if named => Failure::usage(error),
             RenderError::FastOnCpu(_) if self.sampling.is_some() || self.backend.is_some() => {
                 Failure::usage(error)
             }
@@ -189,23 +194,43 @@ impl Arguments {
     }
 }
 
-/// Names that end wrongly and folders that do not exist are found before the work, not after it.
-fn check_outputs(arguments: &Arguments) -> Result<(), Failure> {
+/// A value that cannot be used came from the flags, since a scene file's values are checked when it is read.
+fn of_scene(error: SceneError) -> Failure {
+    match error {
+        SceneError::Value(ValueError { key, problem: ValueProblem::Needs(other) }) => {
+            Failure::Usage(format!("--{key}: needs --{other} as well"))
+        }
+        SceneError::Value(error) => Failure::Usage(format!("--{error}")),
+        SceneError::NoHeightMap => Failure::usage(error),
+        other => Failure::work(other),
+    }
+}
+
+/// Outputs that cannot be written, and those that would replace what is read, are found before the work, not after it.
+fn check_outputs(arguments: &Arguments, spec: &SceneSpec) -> Result<(), Failure> {
     let outputs = [(Some(&arguments.output), "png", "--output"), (arguments.aov.as_ref(), "exr", "--aov")];
+    let inputs = [&arguments.scene, &spec.height, &spec.color, &spec.normal];
     for (path, extension, flag) in outputs {
         let Some(path) = path else { continue };
+        let name = path.display();
         let fits = path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension));
         if !fits {
-            let name = path.display();
             return Err(Failure::Usage(format!("{flag} {name}: give it a name that ends in .{extension}")));
         }
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         if !folder.is_dir() {
-            let name = path.display();
-            return Err(Failure::Work(format!(
-                "{name} cannot be written: there is no folder {}",
-                folder.display()
-            )));
+            let folder = folder.display();
+            return Err(Failure::Work(format!("{name}: cannot be written: there is no folder {folder}")));
+        }
+        if path.is_dir() {
+            return Err(Failure::Work(format!("{name}: cannot be written: it is a folder")));
+        }
+        // A path that does not exist has no canonical form, and is no input.
+        let place = path.canonicalize().ok();
+        let is_same = |input: &&PathBuf| place.is_some() && input.canonicalize().ok() == place;
+        if let Some(input) = inputs.into_iter().flatten().find(is_same) {
+            let input = input.display();
+            return Err(Failure::Usage(format!("{flag} {name}: would replace {input}, which is read")));
         }
     }
     Ok(())
@@ -234,8 +259,10 @@ fn report(arguments: &Arguments, rendered: &Rendered) -> Result<(), Failure> {
     let seconds = elapsed.as_secs_f64();
     let mut out = io::stdout().lock();
     if arguments.json {
+        // Names that are no Unicode have no exact form in JSON.
+        let name = |path: &Path| path.display().to_string();
         let about = json!({
-            "output": arguments.output, "aov": arguments.aov, "width": rendering.width, "height": rendering.height,
+            "output": name(&arguments.output), "aov": arguments.aov.as_deref().map(name), "width": rendering.width, "height": rendering.height,
             "backend": backend, "device": device, "reason": reason, "seconds": seconds,
             "search": selection.search.name, "refine": selection.refine.name,
             "covered": covered, "exhausted": exhausted, "mean_reads": mean,
@@ -252,6 +279,12 @@ fn report(arguments: &Arguments, rendered: &Rendered) -> Result<(), Failure> {
     )?;
     if let Some(reason) = reason {
         writeln!(out, "backend auto chose the {backend}: {reason}")?;
+    }
+    if covered == 0 {
+        writeln!(
+            out,
+            "no pixel shows the surface: check --eye, --target and --fov; backs show with --two-sided only"
+        )?;
     }
     if exhausted > 0 {
         writeln!(

@@ -5,6 +5,7 @@ use crate::camera::CameraError;
 use crate::light::LightError;
 use crate::material::MaterialError;
 use crate::mesh::MeshError;
+use crate::method::MethodError;
 use relief::HeightMapError;
 use relief_io::ReadError;
 use std::path::PathBuf;
@@ -13,7 +14,7 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
     /// The scene file cannot be read.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: cannot be read: {source}", path.display())]
     Io {
         /// The scene file.
         path: PathBuf,
@@ -49,7 +50,8 @@ pub enum SceneError {
     Read(#[from] ReadError),
     /// The picture would take more memory than allowed.
     #[error(
-        "a picture of {width}x{height} needs {needed} bytes of memory, {limit} are allowed: make it smaller or raise the limit with --max-memory"
+        "a picture of {width}x{height} pixels needs {} MiB of memory, {limit} are allowed: make it smaller or raise the limit with --max-memory",
+        mebibytes(*needed)
     )]
     TooMuchMemory {
         /// Width in pixels.
@@ -61,6 +63,32 @@ pub enum SceneError {
         /// Bytes that may be used.
         limit: ByteSize,
     },
+    /// The height map can be read, and rendering it would take more memory than allowed.
+    #[error(
+        "{}: rendering {width}x{height} texels needs {} MiB of memory, {} MiB of the {limit} allowed are left for them: use a smaller map or picture, or raise the limit with --max-memory",
+        path.display(), mebibytes(*needed), left / BYTES_PER_MEBIBYTE
+    )]
+    TooMuchToTrace {
+        /// The height map.
+        path: PathBuf,
+        /// Width in texels.
+        width: u32,
+        /// Height in texels.
+        height: u32,
+        /// Bytes that the map and what is built on it need.
+        needed: u64,
+        /// Bytes that the picture leaves for it.
+        left: u64,
+        /// Bytes that may be used in all.
+        limit: ByteSize,
+    },
+}
+
+const BYTES_PER_MEBIBYTE: u64 = 1 << 20;
+
+/// For people: no less than what is needed.
+fn mebibytes(bytes: u64) -> u64 {
+    bytes.div_ceil(BYTES_PER_MEBIBYTE)
 }
 
 /// A value that cannot be used, with its key: the flag of the same name, or the key in the scene file.
@@ -116,6 +144,9 @@ pub enum ValueProblem {
     /// The displacement is impossible.
     #[error(transparent)]
     HeightMap(#[from] HeightMapError),
+    /// The method, search, refinement or a setting is not available.
+    #[error(transparent)]
+    Method(#[from] Box<MethodError>),
 }
 
 impl ValueProblem {

@@ -31,15 +31,16 @@ pub fn read_scene(path: &Path) -> Result<SceneSpec, SceneError> {
 }
 
 fn read_text(path: &Path) -> io::Result<String> {
-    let mut text = String::new();
-    File::open(path)?.take(MAX_FILE_BYTES + 1).read_to_string(&mut text)?;
-    if text.len() as u64 > MAX_FILE_BYTES {
-        return Err(io::Error::new(
-            io::ErrorKind::FileTooLarge,
-            "too long for a scene: is it another kind of file?",
-        ));
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        let what = "it is too long for a scene; a height map is given with --height";
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, what));
     }
-    Ok(text)
+    String::from_utf8(bytes).map_err(|_| {
+        let what = "it holds no text, which scenes are; a height map is given with --height";
+        io::Error::new(io::ErrorKind::InvalidData, what)
+    })
 }
 
 /// The line, counted from 1, where a top-level key has its value.

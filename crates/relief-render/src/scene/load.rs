@@ -2,14 +2,17 @@
 
 use super::builder::{DEFAULT_EYE, DEFAULT_FOV};
 use super::error::{SceneError, ValueError, ValueProblem};
-use super::{ByteSize, LightSpec, MethodChoice, MethodNames, Scene, SceneBuilder, SceneSpec};
+use super::{ByteSize, LightSpec, MAX_IMAGE_SIDE, MethodChoice, MethodNames, Scene, SceneBuilder, SceneSpec};
 use crate::camera::{Camera, CameraError};
 use crate::light::{Light, LightError};
 use crate::material::Material;
 use crate::mesh::Mesh;
+use crate::method::{MethodError, select};
 use glam::{DVec3, Vec2, Vec3};
 use relief::HeightMap;
 use relief_io::{Convention, HeightOptions};
+use relief_shaders::SelectionError;
+use std::path::Path;
 
 /// The memory that maps and picture may take when nothing else is said.
 pub const DEFAULT_MAX_MEMORY: ByteSize = ByteSize(4 << 30);
@@ -17,11 +20,23 @@ pub const DEFAULT_MAX_MEMORY: ByteSize = ByteSize(4 << 30);
 /// Memory that rendering takes for a pixel: its results on the GPU, their copy, and the picture to be written.
 const BYTES_PER_PIXEL: u64 = 192;
 
+/// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy or what a GPU
+/// holds of it.
+const BYTES_PER_HEIGHT: u64 = 4 + 7;
+
 /// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the first part.
 const NORMAL_BYTES: [u64; 2] = [12, 16];
 
 /// The displacement between heights 0 and 1 when nothing else is said, in metres.
 const DEFAULT_SCALE_M: f64 = 0.05;
+
+/// The largest length and coordinate in metres, a million kilometres. The shaders multiply four of them in `f32`: much
+/// larger ones overflow there, and the picture would be empty without a word.
+const MAX_METRES: f64 = 1e9;
+
+/// The most tiles along an axis, and its inverse the fewest. Beyond it `f32` does not tell the texels of a tile apart, and
+/// much farther it overflows.
+const MAX_TILES: f32 = 1e6;
 
 /// What of a description needs no file, completed and checked.
 struct Parts {
@@ -53,8 +68,8 @@ impl SceneSpec {
     ///
     /// # Errors
     ///
-    /// When there is no height map, a value is out of range, a file cannot be read, or maps and picture need more than
-    /// `max_memory`, which is found out before that memory is taken.
+    /// When there is no height map, a value is out of range, a method is not available, a file cannot be read, or maps and
+    /// picture need more than `max_memory`, which is found out before that memory is taken.
     pub fn load(&self) -> Result<Scene, SceneError> {
         let parts = self.parts()?;
         let height = self.height.as_ref().ok_or(SceneError::NoHeightMap)?;
@@ -69,7 +84,7 @@ impl SceneSpec {
             max_bytes: left,
         };
         let height_map = relief_io::read_height(height, &options)?;
-        left = left.saturating_sub(4 * u64::from(height_map.width()) * u64::from(height_map.height()));
+        left = self.memory_beside_the_map(height, &height_map, left)?;
         let mut builder = self.builder(parts, height_map)?;
         if let Some(path) = &self.color {
             let color = relief_io::read_picture(path, left)?;
@@ -97,15 +112,32 @@ impl SceneSpec {
         limit.0.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })
     }
 
+    /// What is left for colours and normals once there is room for a height map and what is built on it.
+    fn memory_beside_the_map(&self, path: &Path, map: &HeightMap, left: u64) -> Result<u64, SceneError> {
+        let (width, height) = (map.width(), map.height());
+        let needed = BYTES_PER_HEIGHT * u64::from(width) * u64::from(height);
+        left.checked_sub(needed).ok_or_else(|| {
+            let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
+            SceneError::TooMuchToTrace { path: path.to_owned(), width, height, needed, left, limit }
+        })
+    }
+
     fn parts(&self) -> Result<Parts, ValueError> {
         let scale_m = self.scale.unwrap_or(DEFAULT_SCALE_M);
-        if !(scale_m >= 0.0 && scale_m.is_finite()) {
-            let must = "finite and not negative";
-            return Err(ValueProblem::Number { value: scale_m, must }.of("scale"));
+        if !(0.0..=MAX_METRES).contains(&scale_m) {
+            return Err(ValueProblem::Number { value: scale_m, must: "from 0 to 1e9 metres" }.of("scale"));
         }
         let bias_m = self.bias.unwrap_or(-scale_m);
-        if !bias_m.is_finite() {
-            return Err(ValueProblem::Number { value: bias_m, must: "finite" }.of("bias"));
+        check_metres("bias", &[bias_m])?;
+        check_metres("eye", self.eye.as_ref().map_or(&[], |eye| eye))?;
+        check_metres("target", self.target.as_ref().map_or(&[], |target| target))?;
+        for position in self.lights.iter().flatten().filter_map(|light| light.position.as_ref()) {
+            check_metres("lights", position)?;
+        }
+        if let Some([width, height]) = self.size
+            && ![width, height].iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))
+        {
+            return Err(ValueProblem::Size { width, height }.of("size"));
         }
         if let Some([low, high]) = self.range
             && !(low.is_finite() && high.is_finite() && low < high)
@@ -118,6 +150,11 @@ impl SceneSpec {
             self.mesh.unwrap_or_default().build().map_err(|error| ValueProblem::from(error).of("mesh"))?;
         let mesh = match self.tile {
             Some(tile) => {
+                let possible = 1.0 / MAX_TILES..=MAX_TILES;
+                if let Some(&value) = tile.iter().find(|tiles| !possible.contains(tiles)) {
+                    let must = "from 1e-6 to 1e6";
+                    return Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"));
+                }
                 mesh.tiled(Vec2::from(tile)).map_err(|error| ValueProblem::from(error).of("tile"))?
             }
             None => mesh,
@@ -212,7 +249,30 @@ impl SceneSpec {
             (None, None, Some(_)) => return Err(ValueProblem::Needs("search").of("refine")),
             (Some(_), _, _) => return Err(ValueProblem::Excludes("search and refine").of("method")),
         };
-        Ok(MethodChoice { names, settings: self.set.clone() })
+        let choice = MethodChoice { names, settings: self.set.clone() };
+        select(&choice).map_err(|error| {
+            let key = key_of(&error);
+            ValueProblem::from(Box::new(error)).of(key)
+        })?;
+        Ok(choice)
+    }
+}
+
+/// The key whose value a method fails by.
+fn key_of(error: &MethodError) -> &'static str {
+    let stage = match error {
+        MethodError::Selection(SelectionError::Unknown(unknown)) => unknown.kind,
+        MethodError::Selection(_) => "set",
+        MethodError::Impossible { stage, .. } => stage,
+    };
+    if stage == "refinement" { "refine" } else { stage }
+}
+
+/// Refuses lengths and coordinates that `f32` cannot reckon with.
+fn check_metres(key: &'static str, lengths_m: &[f64]) -> Result<(), ValueError> {
+    match lengths_m.iter().find(|length| !(-MAX_METRES..=MAX_METRES).contains(*length)) {
+        Some(&value) => Err(ValueProblem::Number { value, must: "from -1e9 to 1e9 metres" }.of(key)),
+        None => Ok(()),
     }
 }
 

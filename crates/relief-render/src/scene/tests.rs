@@ -166,6 +166,18 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         ("search = 'linear'", "search"),
         ("refine = 'binary'", "refine"),
         ("set.search.steps = inf", "set"),
+        ("method = 'relif'", "method"),
+        ("search = 'lineer'\nrefine = 'none'", "search"),
+        ("refine = 'nun'\nsearch = 'linear'", "refine"),
+        ("set.search.stepz = 4", "set"),
+        ("set.limit.search = 4", "set"),
+        ("scale = 1e300", "scale"),
+        ("bias = -1e10", "bias"),
+        ("eye = [1e30, 0, 0]", "eye"),
+        ("target = [0, nan, 0]", "target"),
+        ("lights = [{ position = [0, 1e30, 0] }]", "lights"),
+        ("tile = [1e30, 1]", "tile"),
+        ("tile = [1, 1e-30]", "tile"),
     ];
     for (text, expected) in impossible {
         match read(&format!("# scene\n\n{text}\n")).expect_err(text) {
@@ -281,6 +293,15 @@ fn missing_maps_and_too_large_ones_are_refused() {
     let Err(SceneError::Read(error)) = with(20_000) else { panic!("the picture fits, the map does not") };
     assert!(matches!(error.problem, relief_io::ReadProblem::TooMuchMemory { width: 128, height: 128, .. }));
     assert!(with(64 << 20).is_ok());
+    // Reading fits at 8 bytes a texel; the map and what is built on it, 11 bytes a texel, do not.
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let large = folder.path().join("large.pgm");
+    fs::write(&large, [&b"P5 300 300 255\n"[..], &[7; 300 * 300]].concat()).expect("a temporary file");
+    let map = SceneSpec { height: Some(large), max_memory: Some(ByteSize(10 * 300 * 300)), ..tight.clone() };
+    let Err(SceneError::TooMuchToTrace { width, needed, left, .. }) = map.load() else {
+        panic!("there is room to read the map, but not to render it")
+    };
+    assert!(width == 300 && needed > left);
     let vast = SceneSpec { size: Some([MAX_IMAGE_SIDE; 2]), ..tight };
     assert!(matches!(vast.load(), Err(SceneError::TooMuchMemory { .. })));
 }

@@ -1,0 +1,10 @@
+//! What the tests share.
+
+// Each test binary compiles this module and uses a part of it.
+#![allow(dead_code)]
+
+pub mod aov;
+pub mod command;
+pub mod files;
+pub mod maps;
+pub mod reference;

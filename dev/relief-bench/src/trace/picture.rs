@@ -1,0 +1,163 @@
+//! The same picture as the other renderer's: view ray, smooth normal, one shadow ray a hit, Lambert's light.
+
+use std::path::Path as FilePath;
+
+use glam::{DVec2, DVec3};
+use rayon::ThreadPool;
+use rayon::prelude::*;
+use relief::HeightMap;
+use relief::exact::FastTracer;
+use relief_io::{PngColour, write_png8};
+use relief_render::camera::Camera;
+
+use super::view::{Ground, SCALE_M, SIZE, camera, sun};
+
+/// Light that reaches every point, and light of the sun, as shares of white.
+pub const AMBIENT: f64 = 0.15;
+/// See [`AMBIENT`].
+pub const DIFFUSE: f64 = 0.85;
+
+/// Rows that a thread takes at a time.
+const ROWS: usize = 8;
+
+/// A picture in linear light, row by row from the top.
+pub struct Picture {
+    /// One value a pixel, white is 1.
+    pub grey: Vec<f32>,
+    /// How many shadow rays were traced: one a hit.
+    pub shadow_rays: usize,
+}
+
+/// What is rendered.
+pub struct Stage<'a> {
+    map: &'a HeightMap,
+    tracer: &'a FastTracer,
+    ground: Ground,
+    camera: Camera,
+    sun: DVec3,
+}
+
+impl<'a> Stage<'a> {
+    /// The one view of a map.
+    pub fn new(map: &'a HeightMap, tracer: &'a FastTracer) -> Result<Self, String> {
+        let camera = camera().map_err(|error| error.to_string())?;
+        Ok(Self { map, tracer, ground: Ground::of(map), camera, sun: sun() })
+    }
+
+    /// Renders on the threads of a pool.
+    pub fn render(&self, pool: &ThreadPool) -> Picture {
+        let width = SIZE[0] as usize;
+        let mut grey = vec![0.0f32; width * SIZE[1] as usize];
+        let bands = grey.par_chunks_mut(ROWS * width).enumerate().map(|(band, pixels)| {
+            let mut shadow_rays = 0;
+            for (at, pixel) in pixels.iter_mut().enumerate() {
+                let (x, y) = (at % width, band * ROWS + at / width);
+                if let Some(light) = self.light(x as u32, y as u32) {
+                    *pixel = light as f32;
+                    shadow_rays += 1;
+                }
+            }
+            shadow_rays
+        });
+        let shadow_rays = pool.install(|| bands.sum());
+        Picture { grey, shadow_rays }
+    }
+
+    #[inline]
+    fn light(&self, x: u32, y: u32) -> Option<f64> {
+        let ray = self.camera.ray(x, y, SIZE[0], SIZE[1]);
+        let path = self.ground.path(ray.origin, ray.direction)?;
+        let hit = self.tracer.trace(&path).hit;
+        if !hit.found {
+            return None;
+        }
+        let to_sun = self.ground.path_to_sun(Ground::point(hit.uv, hit.height), self.sun);
+        let shadowed = to_sun.is_some_and(|path| self.tracer.is_blocked(&path));
+        let facing = if shadowed { 0.0 } else { smooth_normal(self.map, hit.uv).dot(self.sun).max(0.0) };
+        Some(AMBIENT + DIFFUSE * facing)
+    }
+}
+
+/// The unit normal between those at the texels around, which are of central differences.
+fn smooth_normal(map: &HeightMap, uv: [f64; 2]) -> DVec3 {
+    let size = [map.width(), map.height()];
+    let place = [0, 1].map(|axis| uv[axis] * f64::from(size[axis]) - 0.5);
+    let cell = place.map(|place| place.floor() as i64);
+    let [fx, fy] = [0, 1].map(|axis| place[axis] - cell[axis] as f64);
+    // Three texels before the cell to two after it, along both axes.
+    let [columns, rows] =
+        [0, 1].map(|axis| [-1, 0, 1, 2].map(|by| map.wrap().index(cell[axis] + by, size[axis]) as usize));
+    let texels = rows.map(|row| {
+        let row = &map.texels()[row * size[0] as usize..];
+        columns.map(|column| f64::from(row[column]))
+    });
+    let slope = |i: usize, j: usize| {
+        DVec2::new(texels[j][i + 1] - texels[j][i - 1], texels[j + 1][i] - texels[j - 1][i])
+    };
+    let top = slope(1, 1).lerp(slope(2, 1), fx);
+    let bottom = slope(1, 2).lerp(slope(2, 2), fx);
+    let metres = DVec2::new(f64::from(size[0]), f64::from(size[1])) * (SCALE_M / 2.0);
+    let slope = top.lerp(bottom, fy) * metres;
+    DVec3::new(-slope.x, 1.0, -slope.y).normalize()
+}
+
+/// Writes a picture as an sRGB PNG.
+pub fn write(path: &FilePath, grey: &[f32]) -> Result<(), String> {
+    let bytes: Vec<u8> = grey.iter().map(|&grey| srgb_byte(grey)).collect();
+    write_png8(path, SIZE[0], SIZE[1], PngColour::Grey, &bytes).map_err(|error| error.to_string())
+}
+
+/// A linear value as an sRGB byte (IEC 61966-2-1).
+fn srgb_byte(linear: f32) -> u8 {
+    let linear = linear.clamp(0.0, 1.0);
+    let curved = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+    (curved * 255.0).round() as u8
+}
+
+/// Pixels by which one picture is moved over the other to see whether they show the same view.
+const SHIFTS: i64 = 2;
+
+/// Mean absolute difference of two pictures, white is 1, and the shift of whole pixels at which it is least.
+pub fn difference(one: &[f32], other: &[f32]) -> (f64, [i64; 2]) {
+    let [width, height] = SIZE.map(i64::from);
+    let shifted = |[right, down]: [i64; 2]| {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for y in SHIFTS..height - SHIFTS {
+            for x in SHIFTS..width - SHIFTS {
+                let (at, beside) = (y * width + x, (y + down) * width + x + right);
+                sum += f64::from((one[at as usize] - other[beside as usize]).abs());
+                count += 1.0;
+            }
+        }
+        sum / count
+    };
+    let shifts = (-SHIFTS..=SHIFTS).flat_map(|down| (-SHIFTS..=SHIFTS).map(move |right| [right, down]));
+    let least = shifts.map(|shift| (shifted(shift), shift)).min_by(|a, b| a.0.total_cmp(&b.0));
+    (shifted([0, 0]), least.map_or([0, 0], |(_, shift)| shift))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use relief::Wrap;
+
+    #[test]
+    fn the_normal_of_a_ramp_is_the_ramps() {
+        let ramp = HeightMap::from_fn(20, 10, Wrap::Clamp, |i, j| 0.02 * i as f32 + 0.03 * j as f32);
+        let normal = smooth_normal(&ramp.expect("a valid size"), [0.47, 0.61]);
+        let expected = DVec3::new(-0.02 * 20.0 * SCALE_M, 1.0, -0.03 * 10.0 * SCALE_M).normalize();
+        assert!((normal - expected).length() < 1e-6, "{normal} instead of {expected}");
+    }
+
+    #[test]
+    fn a_moved_picture_is_noticed() {
+        let [width, height] = SIZE.map(|side| side as usize);
+        let pixel = |x: usize, y: usize| ((x * 7 + y * 13) % 101) as f32 / 101.0;
+        let picture = |right: usize| -> Vec<f32> {
+            (0..width * height).map(|at| pixel(at % width + right, at / width)).collect()
+        };
+        assert_eq!(difference(&picture(0), &picture(0)), (0.0, [0, 0]));
+        let (difference, shift) = difference(&picture(0), &picture(1));
+        assert!(difference > 0.05 && shift == [-1, 0], "{difference} at {shift:?}");
+    }
+}
