@@ -2,6 +2,7 @@
 
 use relief::{HeightMap, HeightMapError};
 
+use crate::kind::BITS;
 use crate::{Cancelled, Kind, Metric, Progress, Settings, Sink, SinkError, Source, quantise};
 
 /// Why there is no baked map.
@@ -26,7 +27,7 @@ pub enum BakeError {
     },
 }
 
-/// Bakes a map of that kind into a sink. Kinds that are stored in `bits` are baked from heights of so many bits.
+/// Bakes a map of that kind into a sink. Kinds with the parameter [`BITS`] are baked from heights of so many bits.
 ///
 /// # Errors
 ///
@@ -39,7 +40,7 @@ pub fn bake(
     progress: &Progress,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
-    let bits = settings.iter().find(|(name, _)| *name == "bits").map_or(0, |(_, bits)| bits as u32);
+    let bits = kind.params.iter().position(|param| *param == BITS).map_or(0, |place| settings.count(place));
     let decoded = if bits == 0 { None } else { Some(quantise::heights(map, bits)?) };
     let source = Source { map: decoded.as_ref().unwrap_or(map), metric };
     (kind.bake)(&source, settings, progress, sink)

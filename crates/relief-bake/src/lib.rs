@@ -1,6 +1,6 @@
 //! From a height map to every map that displacement mapping methods read.
 //!
-//! [`kind`] lists the map kinds, one file each. A bake takes a [`Source`], which is a height map and the [`Metric`] that it
+//! [`mod@kind`] lists the map kinds, one file each. A bake takes a [`Source`], which is a height map and the [`Metric`] that it
 //! is laid out in, and the kind's [`Settings`], and hands its [`Texture`]s to a [`Sink`] slice by slice, so that a volume
 //! need not fit in memory. [`Collected`] is the sink that keeps them.
 //!
@@ -9,8 +9,10 @@
 //! to the safe side.
 
 mod bake;
+pub mod from_normals;
 pub mod kind;
 mod metric;
+pub mod photometric;
 mod progress;
 pub mod quantise;
 mod settings;

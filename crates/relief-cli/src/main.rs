@@ -26,6 +26,8 @@ enum Command {
     Render(Box<commands::render::Arguments>),
     /// Say what is in a height map: size, depth, range, used levels, histogram, whether it tiles
     Inspect(commands::inspect::Arguments),
+    /// Bake a height map into the maps that methods read: cones, normals, horizons and more
+    Bake(Box<commands::bake::Arguments>),
     /// List every method, search and refinement with its parameters and guarantees
     Methods(commands::methods::Arguments),
 }
@@ -41,6 +43,7 @@ fn main() -> ExitCode {
     let (result, json) = match &arguments.command {
         Command::Render(arguments) => (commands::render::run(arguments), arguments.json),
         Command::Inspect(arguments) => (commands::inspect::run(arguments), arguments.json),
+        Command::Bake(arguments) => (commands::bake::run(arguments), arguments.json),
         Command::Methods(arguments) => (commands::methods::run(arguments), arguments.json),
     };
     match result {

@@ -4,15 +4,10 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use exr::block::UncompressedBlock;
-use exr::block::writer::ChunksWriter;
-use exr::meta::header::{Header, LayerAttributes};
-use exr::meta::{BlockDescription, MetaData};
-use exr::prelude::{ChannelDescription, Compression, LineOrder, SampleType, SmallVec, Text};
 use png::{BitDepth, ColorType, Encoder, EncodingError};
 use relief::HeightMap;
 
-use crate::{WriteError, WriteProblem};
+use crate::{Metadata, WriteError, WriteProblem, write_exr_rows};
 
 /// Writes a file so that, at any moment, either its old content or all of its new content is there.
 ///
@@ -31,7 +26,7 @@ pub fn write_atomically(
 }
 
 /// As [`write_atomically`], for encoders that seek and that fail in ways of their own.
-fn write_file(
+pub(crate) fn write_file(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<&File>) -> Result<(), WriteProblem>,
 ) -> Result<(), WriteError> {
@@ -105,7 +100,9 @@ pub fn write_png8(
         PngColour::Rgba => ColorType::Rgba,
     };
     write_file(path, |out| {
-        write_png(out, [width, height], colour, BitDepth::Eight, |png| png.write_all(samples))
+        write_png(out, [width, height], colour, BitDepth::Eight, &Metadata::default(), |png| {
+            png.write_all(samples)
+        })
     })
 }
 
@@ -118,23 +115,32 @@ pub fn write_png8(
 pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Result<(), WriteError> {
     check_length(width, height, 1, samples.len()).map_err(|problem| problem.at(path))?;
     write_file(path, |out| {
-        write_png(out, [width, height], ColorType::Grayscale, BitDepth::Sixteen, |png| {
-            let mut row_bytes = Vec::with_capacity(2 * width as usize);
-            for row in samples.chunks_exact(width as usize) {
-                row_bytes.clear();
-                row_bytes.extend(row.iter().flat_map(|sample| sample.to_be_bytes()));
-                png.write_all(&row_bytes)?;
-            }
-            Ok(())
-        })
+        write_png(
+            out,
+            [width, height],
+            ColorType::Grayscale,
+            BitDepth::Sixteen,
+            &Metadata::default(),
+            |png| {
+                let mut row_bytes = Vec::with_capacity(2 * width as usize);
+                for row in samples.chunks_exact(width as usize) {
+                    row_bytes.clear();
+                    row_bytes.extend(row.iter().flat_map(|sample| sample.to_be_bytes()));
+                    png.write_all(&row_bytes)?;
+                }
+                Ok(())
+            },
+        )
     })
 }
 
-fn write_png(
+/// Writes a PNG of bytes as the format has them, with metadata in `iTXt` chunks before them.
+pub(crate) fn write_png(
     out: &mut BufWriter<&File>,
     [width, height]: [u32; 2],
     colour: ColorType,
     depth: BitDepth,
+    metadata: &Metadata,
     rows: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), WriteProblem> {
     let problem = |error| match error {
@@ -144,6 +150,9 @@ fn write_png(
     let mut encoder = Encoder::new(out, width, height);
     encoder.set_color(colour);
     encoder.set_depth(depth);
+    for (key, value) in metadata.iter() {
+        encoder.add_itxt_chunk(key.to_owned(), value.to_owned()).map_err(problem)?;
+    }
     let mut writer = encoder.write_header().map_err(problem)?;
     let mut stream = writer.stream_writer().map_err(problem)?;
     rows(&mut stream)?;
@@ -167,65 +176,14 @@ pub fn write_exr(
     height: u32,
     channels: &[(&str, &[f32])],
 ) -> Result<(), WriteError> {
-    let channels = check_channels(width, height, channels).map_err(|problem| problem.at(path))?;
-    write_file(path, |out| write_exr_blocks(out, [width as usize, height as usize], &channels))
-}
-
-fn check_channels<'a>(
-    width: u32,
-    height: u32,
-    channels: &[(&'a str, &'a [f32])],
-) -> Result<Vec<(&'a str, &'a [f32])>, WriteProblem> {
-    let mut sorted = channels.to_vec();
-    sorted.sort_by_key(|(name, _)| *name);
-    if sorted.is_empty() {
-        return Err(WriteProblem::NotStorable("an EXR file needs at least one channel".into()));
+    for (_, samples) in channels {
+        check_length(width, height, 1, samples.len()).map_err(|problem| problem.at(path))?;
     }
-    if let Some(pair) = sorted.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-        return Err(WriteProblem::NotStorable(format!("the channel '{}' is given twice", pair[0].0)));
-    }
-    for (name, samples) in &sorted {
-        if !(1..=255).contains(&name.len()) || !name.bytes().all(|byte| (b' '..=b'~').contains(&byte)) {
-            let must = "an EXR channel's name has 1 to 255 printable ASCII characters";
-            return Err(WriteProblem::NotStorable(format!("{must}, this one is '{name}'")));
-        }
-        check_length(width, height, 1, samples.len())?;
-    }
-    Ok(sorted)
-}
-
-fn write_exr_blocks(
-    out: &mut BufWriter<&File>,
-    [width, height]: [usize; 2],
-    channels: &[(&str, &[f32])],
-) -> Result<(), WriteProblem> {
-    let descriptions: SmallVec<[ChannelDescription; 5]> = channels
-        .iter()
-        .map(|(name, _)| ChannelDescription::new(Text::new_or_panic(name), SampleType::F32, false))
-        .collect();
-    let header = Header::new(Text::from(""), (width, height), descriptions)
-        .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)
-        .with_attributes(LayerAttributes::default());
-    let written = exr::block::write(out, [header].into_iter().collect(), true, |meta: MetaData, chunks| {
-        let list = &meta.headers[0].channels;
-        let blocks = meta.collect_ordered_block_data(|block| {
-            UncompressedBlock::collect_block_data_from_lines(list, block, |line| {
-                let start = line.location.position.y() * width + line.location.position.x();
-                let samples = &channels[line.location.channel].1[start..start + line.location.sample_count];
-                for (bytes, sample) in line.value.chunks_exact_mut(4).zip(samples) {
-                    bytes.copy_from_slice(&sample.to_ne_bytes());
-                }
-            })
-        });
-        let mut compressor = chunks.sequential_blocks_compressor(&meta);
-        for (index, block) in blocks {
-            compressor.compress_block(index, block)?;
-        }
+    let names: Vec<&str> = channels.iter().map(|(name, _)| *name).collect();
+    write_exr_rows(path, width, height, &names, &Metadata::default(), &mut |row, texels| {
+        let start = row.row as usize * width as usize;
+        texels.copy_from_slice(&channels[row.channel].1[start..start + width as usize]);
         Ok(())
-    });
-    written.map_err(|error| match error {
-        exr::error::Error::Io(error) => WriteProblem::Io(error),
-        other => WriteProblem::NotStorable(other.to_string()),
     })
 }
 

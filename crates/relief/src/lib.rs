@@ -20,6 +20,6 @@ pub use found::{Found, FoundState};
 pub use height_map::{HeightMap, HeightMapError, MAX_SIDE, MAX_TEXELS};
 pub use hit::Hit;
 pub use path::{Path, PathMetric};
-pub use pyramid::MaxPyramid;
+pub use pyramid::{MaxPyramid, MinPyramid};
 pub use tangent_frame::{TangentFrame, TangentFrameError};
 pub use wrap::Wrap;

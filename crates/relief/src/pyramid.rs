@@ -1,7 +1,10 @@
-//! The maximum pyramid over the dual cells of a height map.
+//! The maximum and the minimum pyramid over the dual cells of a height map.
 //!
 //! Tevs, Ihrke and Seidel 2008 ("Maximum mipmaps") and the pyramids of quadtree displacement mapping take maxima over
 //! texels, which does not bound the bilinear surface between them. Here level 0 holds the maxima over dual cells.
+
+use std::convert::Infallible;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
@@ -25,6 +28,13 @@ pub struct MaxPyramid {
     levels: Vec<Level>,
 }
 
+/// Lower bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells: [`MaxPyramid`] with lowest for highest.
+/// Levels, sizes and the cells that a node covers are the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MinPyramid {
+    levels: Vec<Level>,
+}
+
 #[derive(Clone, Debug, PartialEq)]
 struct Level {
     width: u32,
@@ -35,22 +45,18 @@ struct Level {
 impl MaxPyramid {
     /// The pyramid of a map. Rows are built in parallel; the result does not depend on the number of threads.
     pub fn new(map: &HeightMap) -> Self {
-        let (width, height) = (map.width(), map.height());
-        let mut nodes = vec![0.0; width as usize * height as usize];
-        nodes.par_chunks_mut(width as usize).enumerate().for_each(|(row, nodes)| {
-            for (column, node) in nodes.iter_mut().enumerate() {
-                *node = map.cell(column as i64, row as i64).into_iter().fold(0.0, f32::max);
-            }
-        });
-        let mut level = Level { width, height, nodes };
-        let mut levels = Vec::new();
-        while level.nodes.len() > 1 {
-            let above = level.halved();
-            levels.push(level);
-            level = above;
-        }
-        levels.push(level);
-        Self { wrap: map.wrap(), levels }
+        let Ok(pyramid) = Self::try_new(map, |_| Ok::<(), Infallible>(()));
+        pyramid
+    }
+
+    /// The pyramid of a map, unless `at`, which is told the finished part from any thread every few milliseconds, wants to
+    /// stop.
+    ///
+    /// # Errors
+    ///
+    /// The first error of `at`.
+    pub fn try_new<E: Send>(map: &HeightMap, at: impl Fn(f32) -> Result<(), E> + Sync) -> Result<Self, E> {
+        Ok(Self { wrap: map.wrap(), levels: levels(map, higher, at)? })
     }
 
     /// The number of levels, at least 1.
@@ -110,20 +116,141 @@ impl MaxPyramid {
     }
 }
 
-impl Level {
-    fn halved(&self) -> Self {
-        let (width, height) = (self.width.div_ceil(2), self.height.div_ceil(2));
-        let mut nodes = vec![0.0; width as usize * height as usize];
-        let below = self.width as usize;
-        nodes.par_chunks_mut(width as usize).enumerate().for_each(|(row, nodes)| {
-            let rows = &self.nodes[2 * row * below..(2 * row + 2).min(self.height as usize) * below];
-            for pair in rows.chunks(below) {
-                for (node, children) in nodes.iter_mut().zip(pair.chunks(2)) {
-                    *node = children.iter().copied().fold(*node, f32::max);
-                }
+impl MinPyramid {
+    /// The pyramid of a map. Rows are built in parallel; the result does not depend on the number of threads.
+    pub fn new(map: &HeightMap) -> Self {
+        let Ok(pyramid) = Self::try_new(map, |_| Ok::<(), Infallible>(()));
+        pyramid
+    }
+
+    /// The pyramid of a map, unless `at` wants to stop: see [`MaxPyramid::try_new`].
+    ///
+    /// # Errors
+    ///
+    /// The first error of `at`.
+    pub fn try_new<E: Send>(map: &HeightMap, at: impl Fn(f32) -> Result<(), E> + Sync) -> Result<Self, E> {
+        Ok(Self { levels: levels(map, lower, at)? })
+    }
+
+    /// The number of levels, at least 1.
+    pub fn levels(&self) -> usize {
+        self.levels.len()
+    }
+
+    /// Width and height of a level in nodes; `None` for a level that does not exist.
+    pub fn size(&self, level: usize) -> Option<[u32; 2]> {
+        self.levels.get(level).map(|level| [level.width, level.height])
+    }
+
+    /// The nodes of a level, row by row; empty for a level that does not exist.
+    pub fn nodes(&self, level: usize) -> &[f32] {
+        self.levels.get(level).map_or(&[], |level| &level.nodes)
+    }
+
+    /// The lowest point of the surface.
+    pub fn lowest(&self) -> f32 {
+        self.levels.last().map_or(0.0, |top| top.nodes[0])
+    }
+}
+
+/// The higher of two heights, neither of which is NaN: one instruction, where `f32::max` takes several.
+fn higher(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// The lower of two heights.
+fn lower(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// Nodes that are built between two calls of `at`: well below a millisecond of work.
+const NODES_A_CALL: usize = 1 << 18;
+
+/// All levels, where a node is the `pick` of what it covers. The two finest are built together, while their rows are cached.
+fn levels<E: Send>(
+    map: &HeightMap,
+    pick: impl Fn(f32, f32) -> f32 + Copy + Sync,
+    at: impl Fn(f32) -> Result<(), E> + Sync,
+) -> Result<Vec<Level>, E> {
+    let mut finest = Level::empty(map.width(), map.height());
+    let mut next = finest.empty_half();
+    let (width, half) = (finest.width as usize, next.width as usize);
+    let pairs = (NODES_A_CALL / (2 * width)).max(1);
+    let done = AtomicUsize::new(0);
+    let texels = finest.nodes.len();
+    finest
+        .nodes
+        .par_chunks_mut(2 * width * pairs)
+        .zip(next.nodes.par_chunks_mut(half * pairs))
+        .enumerate()
+        .try_for_each(|(band, (nodes, above))| {
+        for (pair, (nodes, above)) in nodes.chunks_mut(2 * width).zip(above.chunks_mut(half)).enumerate() {
+            for (row, nodes) in nodes.chunks_mut(width).enumerate() {
+                pick_cells(map, 2 * (band * pairs + pair) + row, nodes, pick);
             }
-        });
-        Self { width, height, nodes }
+            pick_children(nodes, width, above, pick);
+        }
+        let done = done.fetch_add(nodes.len(), Ordering::Relaxed) + nodes.len();
+        at(done as f32 / texels as f32)
+    })?;
+    let mut levels = if finest.nodes.len() > 1 { vec![finest, next] } else { vec![finest] };
+    while let Some(top) = levels.last()
+        && top.nodes.len() > 1
+    {
+        let above = top.halved(pick);
+        levels.push(above);
+    }
+    Ok(levels)
+}
+
+/// One row of level 0.
+fn pick_cells(map: &HeightMap, row: usize, nodes: &mut [f32], pick: impl Fn(f32, f32) -> f32) {
+    let texels = |row: u32| {
+        let start = row as usize * nodes.len();
+        &map.texels()[start..start + nodes.len()]
+    };
+    let wrapped = |index: usize, size: u32| map.wrap().index(index as i64, size);
+    let (top, bottom) = (texels(row as u32), texels(wrapped(row + 1, map.height())));
+    let last = nodes.len() - 1;
+    let beyond = wrapped(nodes.len(), map.width()) as usize;
+    nodes[last] = pick(pick(top[last], top[beyond]), pick(bottom[last], bottom[beyond]));
+    let lines = top.iter().zip(&top[1..]).zip(bottom.iter().zip(&bottom[1..]));
+    for (node, ((h00, h10), (h01, h11))) in nodes.iter_mut().zip(lines) {
+        *node = pick(pick(*h00, *h10), pick(*h01, *h11));
+    }
+}
+
+/// A row of nodes from the one or two rows below it.
+fn pick_children(rows: &[f32], below: usize, nodes: &mut [f32], pick: impl Fn(f32, f32) -> f32) {
+    let (top, bottom) = rows.split_at(below);
+    let bottom = if bottom.is_empty() { top } else { bottom };
+    for (node, (a, b)) in nodes.iter_mut().zip(top.chunks_exact(2).zip(bottom.chunks_exact(2))) {
+        *node = pick(pick(a[0], a[1]), pick(b[0], b[1]));
+    }
+    if below % 2 == 1 {
+        nodes[below / 2] = pick(top[below - 1], bottom[below - 1]);
+    }
+}
+
+impl Level {
+    fn empty(width: u32, height: u32) -> Self {
+        Self { width, height, nodes: vec![0.0; width as usize * height as usize] }
+    }
+
+    fn empty_half(&self) -> Self {
+        Self::empty(self.width.div_ceil(2), self.height.div_ceil(2))
+    }
+
+    fn halved(&self, pick: impl Fn(f32, f32) -> f32 + Copy + Sync) -> Self {
+        let mut above = self.empty_half();
+        let (below, width) = (self.width as usize, above.width as usize);
+        above
+            .nodes
+            .par_chunks_mut(width)
+            .zip(self.nodes.par_chunks(2 * below))
+            .with_min_len((NODES_A_CALL / width).max(1) / 16 + 1)
+            .for_each(|(nodes, rows)| pick_children(rows, below, nodes, pick));
+        above
     }
 }
 
@@ -223,6 +350,36 @@ mod tests {
                 assert!(first_escape(&map, &pyramid).is_some(), "{wrap}, level {level}");
             }
         }
+    }
+
+    #[test]
+    fn minima_mirror_maxima() {
+        for wrap in Wrap::ALL {
+            for (width, height) in SIZES {
+                // Multiples of 2⁻²⁴, so that 1 - h is exact.
+                let map = rough(width, height, wrap);
+                let upside_down: Vec<f32> = map.texels().iter().map(|texel| 1.0 - texel).collect();
+                let upside_down = HeightMap::new(width, height, upside_down, wrap).expect("a valid map");
+                let (min, max) = (MinPyramid::new(&map), MaxPyramid::new(&upside_down));
+                assert_eq!(min.levels(), max.levels());
+                for level in 0..min.levels() {
+                    assert_eq!(min.size(level), max.size(level));
+                    let mirrored: Vec<f32> = max.nodes(level).iter().map(|node| 1.0 - node).collect();
+                    assert_eq!(min.nodes(level), mirrored, "{wrap} {width}x{height}, level {level}");
+                }
+                assert_eq!(min.lowest(), 1.0 - max.highest());
+            }
+        }
+    }
+
+    #[test]
+    fn a_build_that_is_not_wanted_ends_with_the_error() {
+        let map = rough(600, 700, Wrap::Repeat);
+        assert_eq!(
+            MaxPyramid::try_new(&map, |part| if part > 0.5 { Err("stop") } else { Ok(()) }),
+            Err("stop")
+        );
+        assert!(MinPyramid::try_new(&map, |_| Ok::<(), ()>(())).is_ok());
     }
 
     #[test]

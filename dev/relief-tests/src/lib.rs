@@ -2,11 +2,14 @@
 //! compares one tracer with another. Never published.
 
 pub mod accuracy;
+pub mod brute;
 pub mod claims;
 pub mod judge;
 pub mod maps;
+pub mod probes;
 pub mod rays;
 pub mod rng;
+pub mod search;
 
 use std::path::PathBuf;
 

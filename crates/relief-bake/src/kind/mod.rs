@@ -1,5 +1,17 @@
 //! The map kinds, one file each. A new one is a file here and its name in the list below.
 
+pub mod bent_normal;
+pub mod cone;
+pub mod dilation_erosion;
+pub mod distance;
+pub mod frustum;
+pub mod horizon;
+pub mod normal;
+pub mod occlusion;
+pub mod pyramid;
+pub mod relaxed_cone;
+pub mod visibility;
+
 use relief::registry::{Param, Source as Publication, UnknownName};
 
 use crate::{BakeError, Progress, Settings, Sink, Source};
@@ -40,7 +52,19 @@ impl Kind {
 }
 
 /// All kinds.
-pub const KINDS: &[Kind] = &[];
+pub const KINDS: &[Kind] = &[
+    normal::KIND,
+    pyramid::KIND,
+    dilation_erosion::KIND,
+    cone::KIND,
+    relaxed_cone::KIND,
+    distance::KIND,
+    frustum::KIND,
+    horizon::KIND,
+    occlusion::KIND,
+    bent_normal::KIND,
+    visibility::KIND,
+];
 
 /// The kind of that name.
 ///
@@ -64,3 +88,8 @@ pub const BITS: Param = Param {
     default: 0.0,
     integer: true,
 };
+
+/// The same for kinds whose promise has no side: heights are not quantised first, so that an 8-bit normal map, say, is made
+/// from the heights as they are.
+pub const BITS_TO_NEAREST: Param =
+    Param { summary: "bits of the stored values, rounded to the nearest: 8 or 16, 0 for floats", ..BITS };

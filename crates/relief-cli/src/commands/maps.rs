@@ -1,7 +1,11 @@
 //! How a height map is to be read: the flags that commands share.
 
 use clap::Args;
-use relief_io::RawLayout;
+use relief::Wrap;
+use relief_io::{Convention, DEFAULT_MAX_BYTES, HeightOptions, RawLayout};
+use relief_render::scene::ByteSize;
+
+use crate::values;
 
 /// How the height map's file is read.
 #[derive(Args)]
@@ -16,4 +20,38 @@ pub struct FileArguments {
     /// Fill texels without a value (nodata, NaN, infinite) from their surroundings [default: they are an error]
     #[arg(long)]
     pub fill: bool,
+}
+
+/// How a height map is made of what the file holds.
+#[derive(Args)]
+#[command(next_help_heading = "Reading the height map")]
+pub struct HeightArguments {
+    /// How the file is read.
+    #[command(flatten)]
+    pub file: FileArguments,
+    /// The file holds depth: white is deep
+    #[arg(long)]
+    pub depth: bool,
+    /// Values that become heights 0 and 1 [default: of integers 0 and their type's maximum, of floats their least and
+    /// greatest]
+    #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true)]
+    pub range: Option<[f64; 2]>,
+    /// How the maps go on beyond their edges: repeat, clamp or mirror [default: repeat]
+    #[arg(long, value_name = "WRAP")]
+    pub wrap: Option<Wrap>,
+}
+
+impl HeightArguments {
+    /// The reader's options.
+    pub fn options(&self, max_memory: Option<ByteSize>) -> HeightOptions {
+        HeightOptions {
+            channel: self.file.channel.clone(),
+            convention: if self.depth { Convention::Depth } else { Convention::Height },
+            range: self.range,
+            raw: self.file.raw,
+            fill: self.file.fill,
+            wrap: self.wrap.unwrap_or_default(),
+            max_bytes: max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0),
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! The subcommands, one file each.
 
+pub mod bake;
 pub mod inspect;
 pub mod maps;
 pub mod methods;

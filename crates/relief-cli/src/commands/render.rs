@@ -5,7 +5,6 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use relief::Wrap;
 use relief_io::{GreenSign, PngColour};
 use relief_render::mesh::Builtin;
 use relief_render::picture;
@@ -16,7 +15,7 @@ use relief_render::{RenderError, Rendered};
 use relief_shaders::METHODS;
 use serde_json::json;
 
-use super::maps::FileArguments;
+use super::maps::HeightArguments;
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::values;
@@ -72,17 +71,7 @@ pub struct Arguments {
     #[arg(long, help_heading = "Maps and mesh")]
     two_sided: bool,
     #[command(flatten)]
-    file: FileArguments,
-    /// The file holds depth: white is deep
-    #[arg(long, help_heading = "Reading the height map")]
-    depth: bool,
-    /// Values that become heights 0 and 1 [default: of integers 0 and their type's maximum, of floats their least and
-    /// greatest]
-    #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true, help_heading = "Reading the height map")]
-    range: Option<[f64; 2]>,
-    /// How the maps go on beyond their edges: repeat, clamp or mirror [default: repeat]
-    #[arg(long, value_name = "WRAP", help_heading = "Reading the height map")]
-    wrap: Option<Wrap>,
+    reading: HeightArguments,
 
     #[arg(long, value_name = "NAME", conflicts_with_all = ["search", "refine"], help_heading = "Method", help = method_help())]
     method: Option<String>,
@@ -153,12 +142,12 @@ impl Arguments {
         let given = |flag: bool| flag.then_some(true);
         SceneSpec {
             height: self.height.clone(),
-            channel: self.file.channel.clone(),
-            depth: given(self.depth),
-            range: self.range,
-            raw: self.file.raw,
-            fill: given(self.file.fill),
-            wrap: self.wrap,
+            channel: self.reading.file.channel.clone(),
+            depth: given(self.reading.depth),
+            range: self.reading.range,
+            raw: self.reading.file.raw,
+            fill: given(self.reading.file.fill),
+            wrap: self.reading.wrap,
             scale: self.scale,
             bias: self.bias,
             color: self.color.clone(),

@@ -1,0 +1,183 @@
+//! Real transforms of a plane that turn differences between neighbours into products.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+
+use crate::{Cancelled, Progress};
+
+/// Lines that a thread transforms, and columns that it transposes, together.
+const LINES: usize = 16;
+
+/// A plane goes on beyond its edges tiled, or mirrored half a sample beyond the last one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Border {
+    Tiled,
+    Mirrored,
+}
+
+/// The transform of lines of one length: of Hartley when they are tiled, of cosines (DCT-II) when they are mirrored. Both
+/// are real and made from one real FFT.
+pub(super) struct LineTransform {
+    border: Border,
+    length: usize,
+    forward: Arc<dyn RealToComplex<f64>>,
+    back: Arc<dyn ComplexToReal<f64>>,
+    /// `exp(-iπk / 2N)`.
+    quarter_turns: Vec<Complex<f64>>,
+}
+
+/// What transforming a line takes.
+struct Room {
+    line: Vec<f64>,
+    spectrum: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+}
+
+impl LineTransform {
+    pub fn new(length: usize, border: Border) -> Self {
+        let mut planner = RealFftPlanner::new();
+        let turn = |k: usize| Complex::from_polar(1.0, -PI * k as f64 / (2.0 * length as f64));
+        let (forward, back) = (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
+        Self { border, length, forward, back, quarter_turns: (0..=length / 2).map(turn).collect() }
+    }
+
+    /// The angle by which a wave of index `k` turns from sample to sample.
+    pub fn turn(&self, k: usize) -> f64 {
+        match self.border {
+            Border::Tiled => 2.0 * PI * k as f64 / self.length as f64,
+            Border::Mirrored => PI * k as f64 / self.length as f64,
+        }
+    }
+
+    /// Whether central differences of the wave of index `k` vanish: the constant one, and in a tiled line of even length the
+    /// one that changes its sign from sample to sample.
+    pub fn is_invisible(&self, k: usize) -> bool {
+        k == 0 || (self.border == Border::Tiled && 2 * k == self.length)
+    }
+
+    /// Transforms every line of a plane, or back.
+    pub fn lines(&self, plane: &mut [f64], back: bool, progress: &Progress) -> Result<(), Cancelled> {
+        let room = || Room {
+            line: vec![0.0; self.length],
+            spectrum: self.forward.make_output_vec(),
+            scratch: vec![
+                Complex::default();
+                self.forward.get_scratch_len().max(self.back.get_scratch_len())
+            ],
+        };
+        let blocks = plane.len().div_ceil(self.length * LINES) as f32;
+        plane.par_chunks_mut(self.length * LINES).enumerate().try_for_each_init(
+            room,
+            |room, (block, lines)| {
+                progress.at(block as f32 / blocks)?;
+                for line in lines.chunks_mut(self.length) {
+                    match (self.border, back) {
+                        (Border::Tiled, false) => self.hartley(line, 1.0, room),
+                        (Border::Tiled, true) => self.hartley(line, 1.0 / self.length as f64, room),
+                        (Border::Mirrored, false) => self.cosines(line, room),
+                        (Border::Mirrored, true) => self.cosines_back(line, room),
+                    }
+                }
+                Ok(())
+            },
+        )
+    }
+
+    fn fft(&self, room: &mut Room) {
+        self.forward
+            .process_with_scratch(&mut room.line, &mut room.spectrum, &mut room.scratch)
+            .expect("the buffers have the plan's lengths");
+    }
+
+    /// `H[k] = scale Σ x[n] (cos + sin)(2πkn/N)`; its own inverse with `scale = 1/N`.
+    fn hartley(&self, line: &mut [f64], scale: f64, room: &mut Room) {
+        room.line.copy_from_slice(line);
+        self.fft(room);
+        for (k, wave) in room.spectrum.iter().enumerate() {
+            line[k] = scale * (wave.re - wave.im);
+            line[(self.length - k) % self.length] = scale * (wave.re + wave.im);
+        }
+        // The constant and the alternating wave have no imaginary part, so that both assignments agree.
+    }
+
+    /// `C[k] = Σ x[n] cos(πk(2n+1)/2N)`, from an FFT of the even samples and then the odd ones backwards (Makhoul 1980).
+    fn cosines(&self, line: &mut [f64], room: &mut Room) {
+        for (n, &x) in line.iter().enumerate() {
+            let place = if n % 2 == 0 { n / 2 } else { self.length - 1 - n / 2 };
+            room.line[place] = x;
+        }
+        self.fft(room);
+        for (k, (wave, turn)) in room.spectrum.iter().zip(&self.quarter_turns).enumerate() {
+            let wave = wave * turn;
+            if k > 0 {
+                line[self.length - k] = -wave.im;
+            }
+            line[k] = wave.re;
+        }
+    }
+
+    fn cosines_back(&self, line: &mut [f64], room: &mut Room) {
+        for (k, (wave, turn)) in room.spectrum.iter_mut().zip(&self.quarter_turns).enumerate() {
+            let mirrored = if k > 0 { line[self.length - k] } else { 0.0 };
+            *wave = Complex::new(line[k], -mirrored) * turn.conj();
+            if k == 0 || 2 * k == self.length {
+                wave.im = 0.0;
+            }
+        }
+        self.back
+            .process_with_scratch(&mut room.spectrum, &mut room.line, &mut room.scratch)
+            .expect("the buffers have the plan's lengths and the ends are real");
+        let scale = 1.0 / self.length as f64;
+        for (n, x) in line.iter_mut().enumerate() {
+            let place = if n % 2 == 0 { n / 2 } else { self.length - 1 - n / 2 };
+            *x = scale * room.line[place];
+        }
+    }
+}
+
+/// Columns become rows: `to` gets those of a plane of rows of `width`.
+pub(super) fn transpose(from: &[f64], width: usize, to: &mut [f64]) {
+    let height = from.len() / width;
+    to.par_chunks_mut(height * LINES).enumerate().for_each(|(block, columns)| {
+        let first = block * LINES;
+        for (j, row) in from.chunks(width).enumerate() {
+            for (column, &value) in columns.chunks_mut(height).zip(&row[first..]) {
+                column[j] = value;
+            }
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn transforms_are_the_sums_that_they_stand_for_and_come_back() {
+        for length in [1usize, 2, 3, 4, 7, 12, 53] {
+            for border in [Border::Tiled, Border::Mirrored] {
+                let line: Vec<f64> = (0..length).map(|n| ((n * n * 7 + 3) % 11) as f64 - 4.0).collect();
+                let transform = LineTransform::new(length, border);
+                let mut waves = line.clone();
+                transform.lines(&mut waves, false, &Progress::none()).expect("nobody cancels");
+                for (k, wave) in waves.iter().enumerate() {
+                    let basis = |n: usize| match border {
+                        Border::Tiled => {
+                            let angle = transform.turn(k) * n as f64;
+                            angle.cos() + angle.sin()
+                        }
+                        Border::Mirrored => (transform.turn(k) * (n as f64 + 0.5)).cos(),
+                    };
+                    let sum: f64 = line.iter().enumerate().map(|(n, x)| x * basis(n)).sum();
+                    assert!((wave - sum).abs() < 1e-10, "{border:?} {length}: wave {k} is {wave}, not {sum}");
+                }
+                transform.lines(&mut waves, true, &Progress::none()).expect("nobody cancels");
+                assert!(line.iter().zip(&waves).all(|(a, b)| (a - b).abs() < 1e-12), "{border:?} {length}");
+            }
+        }
+    }
+}

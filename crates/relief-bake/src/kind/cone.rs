@@ -1,0 +1,200 @@
+//! Cone maps: the widest empty cone over every texel.
+//!
+//! * Dummer, *Cone Step Mapping: An Iterative Ray-Heightfield Intersection Algorithm*, 2006.
+//! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008, section 4.3.5.
+//!
+//! Published cone maps bound the texels, not the bilinear surface between them, and only from texel centres. The cones here
+//! stand clear of the bilinear surface, and the default ones from any place in their texel; that, and how it is found, is
+//! Relief's own.
+
+mod apexes;
+mod encoding;
+mod search;
+mod slope;
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+use relief::registry::{Param, Source as Publication};
+use relief::{HeightMap, Wrap};
+
+pub(super) use self::apexes::{Apexes, Region};
+pub use self::encoding::{decode, encode};
+pub(super) use self::encoding::{ratio, texture};
+pub(super) use self::search::{Field, Node, Seen};
+use super::{BITS, Kind, Reach};
+use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
+
+/// From where the cones of a map are safe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConeApex {
+    /// From the surface at the texel's centre, as published. For searches that leave the cone's apex there, wherever in
+    /// the texel the ray is; a cone moved to the ray cuts the surface.
+    Centre,
+    /// From the surface at any place of the texel's square: for searches that move the apex to the ray and fetch the
+    /// nearest texel.
+    Footprint,
+    /// From the surface at any place of the squares of the texel and its eight neighbours: for searches that move the
+    /// apex and fetch through a bilinear filter.
+    Filtered,
+}
+
+impl ConeApex {
+    /// Every choice, in the order of the parameter's numbers.
+    pub const ALL: [ConeApex; 3] = [ConeApex::Centre, ConeApex::Footprint, ConeApex::Filtered];
+}
+
+const APEX: Param = Param {
+    name: "apex",
+    summary: "where the cones are safe from: 0 texel centre, 1 anywhere in the texel, 2 through a bilinear filter too",
+    unit: "",
+    min: 0.0,
+    max: 2.0,
+    default: 1.0,
+    integer: true,
+};
+
+/// The kind `cone`.
+pub const KIND: Kind = Kind {
+    name: "cone",
+    summary: "the widest cone that stands on a texel and holds no surface",
+    source: Publication {
+        paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU",
+        section: "4.3.5",
+    },
+    params: &[APEX, BITS],
+    guarantee: "for every point p of the surface in the texel's square (apex 0: at its centre) and every point q of it, \
+        q rises over p by at most their horizontal distance over the ratio; with apex 2 the same at every p for what a \
+        bilinear filter makes of the stored values there",
+    reach: |_| Reach::Everything,
+    bake,
+};
+
+/// The cone ratio of every texel, row by row: metres from the axis for each unit of texel height above the apex.
+///
+/// The metres are those of `metric.tile_m`; a height of 1 is the whole relief whatever `metric.scale_m` is, so the ratio
+/// outlives a change of scale. It is finite and not negative, is not limited to 1, and exceeds 1e12 texels over peaks,
+/// where nothing limits the cone.
+///
+/// # Guarantee
+///
+/// For every point `p` of the bilinear surface `f` over the apexes of a texel and every other point `q`, also outside of the
+/// map, `f(q) - f(p) ≤ |q - p| / ratio`, with `|q - p|` in metres. With [`ConeApex::Footprint`] the apexes of texel
+/// `(i, j)` are the closed square `[i, i + 1] x [j, j + 1]` in texture coordinates times size, which is where a fetch of the
+/// nearest texel gives it; on a border between squares both texels' cones are safe. With [`ConeApex::Centre`] it is the
+/// centre alone. The ratio is the supremum, less 1e-6 of it and what an error of 4e-15 of a height makes: no wider cone is
+/// safe.
+///
+/// [`ConeApex::Filtered`] is the least ratio of [`ConeApex::Footprint`] in the 3 by 3 texels around. A place of a texel's
+/// square is filtered from four texels of which each has that texel among its 3 by 3, so that each of the four values is
+/// safe, and so is any mean of them or of an increasing function of them. Filtering those of
+/// [`ConeApex::Centre`] is not safe, whatever function of the ratio is filtered; of [`ConeApex::Footprint`] nothing is proven.
+///
+/// # Proof
+///
+/// Let `R` be the square, `p` in `R`. (1) The mean slope from `p` to `q` is a mean of the mean slopes before and behind the
+/// point at which the segment leaves `R`. The first is at most the greatest `|∇f|` in `R`, whose square is convex in each
+/// of the four patches and so is greatest at a corner of its part in `R`. So `p` may be taken on the rim. (2) Move `p` along one
+/// of the eight pieces of the rim that lie within one patch, say along `y`, and `q` with it: `f(p)` is linear, `f(q)` is
+/// linear while `q` stays between two lines of vertices, and their distance is fixed, so the slope is greatest where `p`
+/// is an end of its piece or `q` is on an edge along `x`. In the latter case the rise is affine in `q.x` and
+/// `p.y` and the distance a norm of `(q.x - p.x, q.y - p.y)`: stationary inside only where the rise is
+/// linear in that vector, when it is the same towards the rim of the domain. So `p` is one of the eight ends, or `q` is
+/// a vertex. (3) From an end the supremum over a cell is at a vertex, on an edge, or at a stationary point inside; for a
+/// vertex it is inside a piece, or at its end. All of these are in closed form. (4) A node of the maximum pyramid is skipped only when its
+/// highest point over the lowest apex, at their least distance, is not steeper than what was found. (5) Under repeat all
+/// images that are near enough are looked at. Under clamp and mirror folding the plane onto the map keeps heights and brings no two points
+/// farther apart, so the steepest pairs are on the map itself.
+///
+/// # Errors
+///
+/// When it was cancelled.
+pub fn cone_ratios(
+    map: &HeightMap,
+    metric: &Metric,
+    apex: ConeApex,
+    progress: &Progress,
+) -> Result<Vec<f32>, Cancelled> {
+    let field = Field::new(map, metric.texel_m(map));
+    let region = if apex == ConeApex::Centre { Region::Centre } else { Region::Footprint };
+    let ratios = each_texel(&field, progress, |texel, seed, stack| {
+        let (slope2, next) = steepest(&field, texel, region, seed, stack);
+        (ratio(slope2, field.texel_m), next)
+    })?;
+    Ok(if apex == ConeApex::Filtered { least_around(map, &ratios) } else { ratios })
+}
+
+/// Computes a value for every texel, in parallel; each computation gets what the one to the left of it handed on, by
+/// which the result must not change.
+pub(super) fn each_texel<V: Send + Copy + Default>(
+    field: &Field,
+    progress: &Progress,
+    value: impl Fn([i64; 2], Option<[i64; 2]>, &mut Vec<Node>) -> (V, Option<[i64; 2]>) + Sync,
+) -> Result<Vec<V>, Cancelled> {
+    // Some hundred microseconds of work.
+    const RUN: usize = 256;
+    let width = field.map.width() as usize;
+    let mut values = vec![V::default(); field.map.texels().len()];
+    let (total, done) = (values.len() as f32, AtomicUsize::new(0));
+    values.par_chunks_mut(width).enumerate().try_for_each(|(row, values)| {
+        let (mut stack, mut seed) = (Vec::with_capacity(64), None);
+        for (run, values) in values.chunks_mut(RUN).enumerate() {
+            for (column, slot) in values.iter_mut().enumerate() {
+                let texel = [(run * RUN + column) as i64, row as i64];
+                (*slot, seed) = value(texel, seed, &mut stack);
+            }
+            let before = done.fetch_add(values.len(), Ordering::Relaxed);
+            progress.at((before + values.len()) as f32 / total)?;
+        }
+        Ok(())
+    })?;
+    Ok(values)
+}
+
+/// The squared slope of the steepest rise from an apex of the texel, and the cell that it rises to.
+fn steepest(
+    field: &Field,
+    texel: [i64; 2],
+    region: Region,
+    seed: Option<[i64; 2]>,
+    stack: &mut Vec<Node>,
+) -> (f64, Option<[i64; 2]>) {
+    let apexes = Apexes::new(field, texel, region);
+    let mut best = 0.0f64;
+    for offset in OWN_CELLS {
+        best = best.max(apexes.own_slope2(&field.cell(texel, offset)));
+    }
+    let images = field.map.wrap() == Wrap::Repeat;
+    let look = |seen: &Seen, best: &mut f64| apexes.raise(seen, false, best);
+    let found = field.visit(&apexes.viewer, images, &mut best, seed, stack, look);
+    (best, found.or(seed))
+}
+
+/// The cells around a texel's centre.
+pub(super) const OWN_CELLS: [[i64; 2]; 4] = [[-1, -1], [0, -1], [-1, 0], [0, 0]];
+
+/// The least value of each texel's 3 by 3 neighbourhood.
+fn least_around(map: &HeightMap, values: &[f32]) -> Vec<f32> {
+    let (width, height, wrap) = (map.width(), map.height(), map.wrap());
+    let mut least = vec![0.0; values.len()];
+    least.par_chunks_mut(width as usize).enumerate().for_each(|(row, least)| {
+        let rows = [-1, 0, 1].map(|by| wrap.index(row as i64 + by, height) as usize * width as usize);
+        for (column, least) in least.iter_mut().enumerate() {
+            let columns = [-1, 0, 1].map(|by| wrap.index(column as i64 + by, width) as usize);
+            let around = rows.iter().flat_map(|row| columns.iter().map(move |column| values[row + column]));
+            *least = around.fold(f32::INFINITY, f32::min);
+        }
+    });
+    least
+}
+
+fn bake(
+    source: &Source,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let (apex, bits) = (ConeApex::ALL[settings.count(0) as usize], settings.count(1));
+    let ratios = cone_ratios(source.map, &source.metric, apex, progress)?;
+    texture(&source.metric, source.map, "cone", ratios, bits, sink)
+}

@@ -1,0 +1,104 @@
+//! How cone ratios are stored.
+
+use relief::HeightMap;
+
+use crate::{BakeError, Channel, Metric, Rounding, Sink, Texture, quantise};
+
+/// What rounding of the closed forms, of the stored value and of its decoding in `f32` may add to a slope, relatively.
+const RELATIVE: f64 = 1e-6;
+/// What rounding may add to a rise, in heights.
+const RISE: f64 = 1e-15;
+/// No apex is nearer than this to a point that its own patch does not hold, in texels. Smaller would widen nothing.
+const NEAREST: f64 = 0.25;
+
+/// The ratio of a cone with that squared slope, rounded to the safe side.
+pub fn ratio(slope2: f64, texel_m: [f64; 2]) -> f32 {
+    let slope = slope2.sqrt() * (1.0 + RELATIVE) + RISE / (NEAREST * texel_m[0].min(texel_m[1]));
+    down((1.0 / slope).min(f64::from(f32::MAX)))
+}
+
+fn down(value: f64) -> f32 {
+    let near = value as f32;
+    if f64::from(near) > value { near.next_down().max(0.0) } else { near }
+}
+
+/// The ratio that is stored as √½: an eighth of the shorter side of the tile, in metres for each unit of height.
+fn half_ratio(metric: &Metric) -> f64 {
+    metric.tile_m[0].min(metric.tile_m[1]) / 8.0
+}
+
+/// The stored value of a ratio `m`: `sqrt(m / (m + half))`, rounded down and below 1. It increases with the ratio, has no
+/// greatest ratio, and spends its steps on ratios from a hundredth of `half` to ten times `half`.
+pub fn encode(ratio: f32, half: f64) -> f32 {
+    let ratio = f64::from(ratio);
+    let mut value = down((ratio / (ratio + half)).sqrt()).min(1f32.next_down());
+    while value > 0.0 && decode(value, half) > ratio {
+        value = value.next_down();
+    }
+    value
+}
+
+/// The ratio that a stored value `v` below 1 stands for: `half v² / (1 - v²)`, metres for each unit of height.
+pub fn decode(value: f32, half: f64) -> f64 {
+    let squared = f64::from(value) * f64::from(value);
+    half * squared / (1.0 - squared)
+}
+
+/// Hands ratios, encoded and rounded down to so many bits, to the sink.
+pub fn texture(
+    metric: &Metric,
+    map: &HeightMap,
+    channel: &'static str,
+    mut ratios: Vec<f32>,
+    bits: u32,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let half = half_ratio(metric);
+    for value in &mut ratios {
+        *value = quantise::unorm(encode(*value, half), bits, Rounding::Down);
+    }
+    sink.begin(&Texture {
+        name: "",
+        size: [map.width(), map.height(), 1],
+        mips: Vec::new(),
+        channels: vec![Channel { name: channel, range: [0.0, 1.0], rounding: Rounding::Down }],
+        notes: vec![
+            ("encoding", "ratio = half_ratio_m * v * v / (1 - v * v)".to_owned()),
+            ("half_ratio_m", format!("{half:?}")),
+            (
+                "unit",
+                "metres of tile_m from the axis for each unit of texel height above the apex".to_owned(),
+            ),
+            ("tile_m", format!("{:?} {:?}", metric.tile_m[0], metric.tile_m[1])),
+        ],
+    })?;
+    Ok(sink.slice(&[&ratios])?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stored_ratios_are_never_wider_and_lose_little() {
+        for k in -160..200 {
+            let ratio = 1.17f32.powi(k);
+            for bits in [0, 8, 16] {
+                let back = decode(quantise::unorm(encode(ratio, 0.125), bits, Rounding::Down), 0.125);
+                assert!(back <= f64::from(ratio) && back.is_finite(), "{ratio} came back as {back}");
+            }
+            if (0.002..1.0).contains(&ratio) {
+                let back = decode(quantise::unorm(encode(ratio, 0.125), 16, Rounding::Down), 0.125);
+                assert!(back > 0.999 * f64::from(ratio), "{ratio} came back as {back}");
+            }
+        }
+        assert_eq!(encode(0.0, 1.0), 0.0);
+        assert!(encode(f32::MAX, 1.0) < 1.0);
+    }
+
+    #[test]
+    fn a_flat_map_has_a_finite_cone() {
+        let widest = ratio(0.0, [0.01, 0.02]);
+        assert!(widest.is_finite() && widest > 1e11);
+    }
+}

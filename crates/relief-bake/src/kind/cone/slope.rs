@@ -1,0 +1,177 @@
+//! The steepest slope from an apex to a bilinear patch, in closed form.
+//!
+//! Everything is relative to an apex in metres; heights are texel heights. Slopes are squared, and a slope that does not
+//! rise counts as 0. Every value returned belongs to a pair of surface points (or to the limit of such pairs), so that
+//! rounding can lose a little of a supremum but never the order of it: the tops are flat.
+
+/// Squared slope of a rise over an offset.
+#[inline]
+pub(super) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
+    let rise = rise.max(0.0);
+    let squared = offset[0] * offset[0] + offset[1] * offset[1];
+    if squared > 0.0 { rise * rise / squared } else { 0.0 }
+}
+
+/// Squared slope to the steepest point strictly inside a segment, on which the rise is linear; 0 when that is at an end.
+///
+/// The segment runs along one axis from `from` to `to`, at distance `beside` along the other. The rise is `α + βs`, the
+/// slope `(α + βs) / sqrt(s² + beside²)` has one maximum where it is positive, at `s = β beside² / α`.
+#[inline]
+pub(super) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) -> f64 {
+    let beta = (rise[1] - rise[0]) / (to - from);
+    let alpha = rise[0] - beta * from;
+    let squared = beside * beside;
+    // s between the ends, multiplied out by α > 0. On the segment's own line the slope has no maximum but at an end.
+    let scaled = beta * squared;
+    if !(squared > 0.0 && alpha > 0.0 && from * alpha < scaled && scaled < to * alpha) {
+        return 0.0;
+    }
+    let s = scaled / alpha;
+    let top = (rise[0] + beta * (s - from)).max(0.0);
+    top * top / (s * s + squared)
+}
+
+/// One bilinear patch as seen from an apex.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Patch {
+    /// Corner `h00` in metres from the apex.
+    pub corner: [f64; 2],
+    /// Its size in metres.
+    pub size: [f64; 2],
+    /// Rises of the corners `h00 h10 h01 h11` above the apex.
+    pub rise: [f64; 4],
+}
+
+impl Patch {
+    /// Squared slope to the steepest critical point strictly inside the patch; 0 where there is none.
+    ///
+    /// With the rise `A + Bx + Cy + Dxy` the steepest point of the line `x = const` has the squared slope
+    /// `(C + Dx)² + (B + A/x)²`. Its derivative vanishes where `D²x⁴ + CDx³ - ABx - A² = 0`, and there `y = A / (Dx)`.
+    /// Along the ray from the apex the slope is `A/r + g + Dr sin cos`, which has a maximum only for `A < 0`. Then, for
+    /// `x > 0`, the quartic `P` is negative at 0 and positive far out, and the slope has a maximum only at a root at
+    /// which `P` falls. `P` is concave up to the point of inflection `x = -C / 2D` and convex behind it, so there is at
+    /// most one such root, and Newton's iteration from the point of inflection tends to it from one side.
+    pub fn inside(&self) -> f64 {
+        let [h00, h10, h01, h11] = self.rise;
+        let ([x0, y0], [ax, ay]) = (self.corner, self.size);
+        let twist = (h00 - h10) + (h11 - h01);
+        let d = twist / (ax * ay);
+        let (bx, by) = ((h10 - h00) / ax, (h01 - h00) / ay);
+        let a = h00 - bx * x0 - by * y0 + d * x0 * y0;
+        if a >= 0.0 || d == 0.0 {
+            return 0.0;
+        }
+        // Critical points lie on the hyperbola D x y = A: it must cross the patch.
+        let (x1, y1) = (x0 + ax, y0 + ay);
+        let products = [x0 * y0, x1 * y0, x0 * y1, x1 * y1].map(|product| d * product);
+        if products.iter().all(|&product| product > a) || products.iter().all(|&product| product < a) {
+            return 0.0;
+        }
+        let (b, c) = (bx - d * y0, by - d * x0);
+        let mut best = 0.0f64;
+        for sign in [1.0, -1.0] {
+            let (from, to) = if sign > 0.0 { (x0, x1) } else { (-x1, -x0) };
+            if to <= 0.0 {
+                continue;
+            }
+            let Some(x) = falling_root(a, sign * b, c, sign * d) else { continue };
+            let y = a / (sign * d * x);
+            if x > from && x < to && y > y0 && y < y1 {
+                let (u, v) = ((sign * x - x0) / ax, (y - y0) / ay);
+                let rise = h00 + (h10 - h00) * u + ((h01 - h00) + twist * u) * v;
+                best = best.max(to_point(rise, [x, y]));
+            }
+        }
+        best
+    }
+}
+
+/// The root `x > 0` of `D²x⁴ + CDx³ - ABx - A²` at which it falls, for `A < 0`.
+fn falling_root(a: f64, b: f64, c: f64, d: f64) -> Option<f64> {
+    let inflection = -c / (2.0 * d);
+    let value = |x: f64| ((d * d * x + c * d) * x * x - a * b) * x - a * a;
+    let slope = |x: f64| (4.0 * d * d * x + 3.0 * c * d) * x * x - a * b;
+    if !(inflection > 0.0 && slope(inflection) < 0.0) {
+        return None;
+    }
+    // Quadratic convergence; a root short of it by 1e-5 changes the slope by 1e-10, for the top is flat.
+    const STEPS: usize = 24;
+    let mut x = inflection;
+    for _ in 0..STEPS {
+        let fall = slope(x);
+        if fall >= 0.0 {
+            return None;
+        }
+        let step = value(x) / fall;
+        x -= step;
+        if x <= 0.0 {
+            return None;
+        }
+        if step.abs() <= 1e-9 * x {
+            break;
+        }
+    }
+    Some(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use relief_tests::rng::Rng;
+
+    use super::*;
+
+    #[test]
+    fn the_closed_forms_find_what_sampling_finds() {
+        // Deterministic patches around an apex, some of them with a critical point inside.
+        let mut inside = 0;
+        let mut rng = Rng::new(1);
+        for _ in 0..20_000 {
+            // A patch that touches a cone around the apex at a point of its inside.
+            let corner = [rng.between(-3.5, 2.5), rng.between(-3.5, 2.5)];
+            let size = [1.0, rng.between(0.5, 1.5)];
+            let touch = [0, 1].map(|axis: usize| corner[axis] + size[axis] * rng.unit());
+            let (far, slope) = (touch[0].hypot(touch[1]), rng.between(0.1, 1.0));
+            let lean = touch[0] * touch[1] / (far * far);
+            let d = -rng.between(0.0, 4.0) * slope / far * lean;
+            let rise = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|share: [f64; 2]| {
+                let by = [0, 1].map(|axis: usize| corner[axis] + size[axis] * share[axis] - touch[axis]);
+                slope * (far + (touch[0] * by[0] + touch[1] * by[1]) / far) + d * by[0] * by[1]
+            });
+            let patch = Patch { corner, size, rise };
+            let found = patch.inside();
+            inside += u32::from(found > 0.0);
+            let at = |u: f64, v: f64| {
+                let [h00, h10, h01, h11] = patch.rise;
+                let rise = (h00 * (1.0 - u) + h10 * u) * (1.0 - v) + (h01 * (1.0 - u) + h11 * u) * v;
+                let place = [patch.corner[0] + u * patch.size[0], patch.corner[1] + v * patch.size[1]];
+                if place[0].hypot(place[1]) < 1e-3 { 0.0 } else { to_point(rise, place) }
+            };
+            let surrounds_apex = patch.corner[0] < 0.0
+                && patch.corner[0] + patch.size[0] > 0.0
+                && patch.corner[1] < 0.0
+                && patch.corner[1] + patch.size[1] > 0.0;
+            if surrounds_apex {
+                continue;
+            }
+            const SIDE: usize = 24;
+            let line = |k: usize| k as f64 / SIDE as f64;
+            let (mut rim, mut core) = (0.0f64, 0.0f64);
+            for i in 0..=SIDE {
+                for side in [0.0, 1.0] {
+                    rim = rim.max(at(line(i), side)).max(at(side, line(i)));
+                }
+                for j in 1..SIDE {
+                    if i > 0 && i < SIDE {
+                        core = core.max(at(line(i), line(j)));
+                    }
+                }
+            }
+            assert!(
+                core <= rim.max(found) * 1.002 + 1e-12,
+                "{patch:?}: {core} inside, {rim} on the rim, {found}"
+            );
+        }
+        println!("{inside} patches have a critical point");
+        assert!(inside > 20, "only {inside} patches have a critical point");
+    }
+}

@@ -1,0 +1,307 @@
+//! Distance fields for sphere tracing: how far a ray may go from any point above the relief, in any direction.
+//!
+//! Szirmay-Kalos and Umenhoffer 2008, section 4.3.4, after Hart 1993 and Donnelly 2005. Danielsson's transform, which they
+//! use, is not exact; here each height slice is one exact two-dimensional transform (Felzenszwalb and Huttenlocher 2012).
+//!
+//! # What is stored
+//!
+//! A volume of `W x H x slices` voxels, to be read trilinearly at `(u, v, height)`, with the map's wrap along `u` and `v` and
+//! clamped along the height: voxel `(i, j, k)` has its centre over texel `(i, j)` at height `(k + ½) / slices`. A value is a
+//! length in metres of the [`Metric`], negative where the surface may be nearer than the voxels can tell.
+//!
+//! # Guarantee
+//!
+//! For every point `q` with a height of at least 0 (under `clamp` also outside of the footprint), the trilinear fetch at `q`
+//! is at most the distance from `q` to the bilinear surface, and not positive below it.
+//!
+//! *Proof.* Let `S` be the closed set on and below the bilinear surface, `d` the distance to it, `c` the eight voxel centres
+//! around `q` and `w` their trilinear weights, so that `q = Σ w c`.
+//!
+//! 1. *At a voxel centre* the transform gives the distance `b` to the union of boxes that stand on dual cells and reach up to
+//!    the highest of their four corners. A patch never rises above its corners, so `S` lies in the union and `b(c) ≤ d(c)`.
+//!    It is exact because the point of a dual cell that is nearest to a texel centre is one of the cell's corners: the least
+//!    over boxes is the least over texels `x` of `|c - x|² + max(0, z - h⁺(x))²`, with `h⁺` the highest of the 3x3 texels
+//!    around `x`, which are the corners of the four boxes that meet there. Texels beyond the edge of a clamped or mirrored
+//!    map need not be looked at, since each repeats the `h⁺` of one inside that is nearer, or a lower one.
+//! 2. *Between voxel centres*: let `s` be the point of `S` next to `q`. Then `b(c)² ≤ |c - s|²`, and
+//!    `Σ w |c - s|² = |q - s|² + Σ w |c - q|²`, where the last sum is `Σ over axes a² f (1 - f)` for the voxel's sides `a` and
+//!    the fractions `f` of `q` in it, thus at most `δ²` with `δ` half of the voxel's diagonal. So `Σ w b² ≤ d(q)² + δ²`.
+//! 3. *Stored* is `φ(b²)` with `φ(t) = (t - δ²) / δ` up to `t = 2δ²` and `sqrt(t - δ²)` above. `φ` rises and is concave (at
+//!    `2δ²` its slope falls from `1/δ` to `1/2δ`), so the fetch is `Σ w φ(b²) ≤ φ(Σ w b²) ≤ φ(d(q)² + δ²)`, which is `d(q)`
+//!    from `d(q) = δ` on and `d(q)²/δ ≤ d(q)` before. Far from the surface that costs `δ²/2d` only, where subtracting half of
+//!    the diagonal would cost `δ` everywhere.
+//! 4. *Ends of the volume*: `d` grows with the height, since a ball lifted out of `S` stays out of it. So the last slice is a
+//!    bound for all that is above it; and slice 0 holds `φ(0)`, the value at height 0, as the fetch between height 0 and its
+//!    centre needs, and that is below what its own centre would allow. Outside of a clamped footprint the fetch is that of
+//!    the nearest point of the border, and clamping coordinates takes `S` into itself and brings no two points further
+//!    apart.
+//! 5. *Rounding*: every stored value is lowered by `2^-19 (|value| + 6δ)`, more than what the `f32` of five roundings of
+//!    the square, of `φ` and of a trilinear interpolation in `f32` can add (neighbours differ by `4√2 δ` at most), and by
+//!    `δ/128`, the way between `q` and the point that a texture unit fetches for it when its weights have 8 bits.
+//!
+//! # Cost
+//!
+//! O(1) a voxel. Slices are made one after the other, each by all threads; the working set is three planes of `f32` beside
+//! the map (`h⁺`, one transform and the slice) and, for each thread, 16 lines.
+
+mod line;
+mod lower_envelope;
+mod window;
+
+use rayon::prelude::*;
+use relief::registry::{Param, Source as Publication};
+use relief::{HeightMap, Wrap};
+
+use self::line::Line;
+use super::{BITS, Kind, Reach};
+use crate::quantise::unorm;
+use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+
+/// The kind.
+pub const KIND: Kind = Kind {
+    name: "distance",
+    summary: "distance to the relief from every point above it, a volume, for sphere tracing",
+    source: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "4.3.4" },
+    params: &[SLICES, BITS],
+    guarantee: "a trilinear fetch is at most the distance to the bilinear surface, in the metres of the bake's metric",
+    reach: |_| Reach::Everything,
+    bake,
+};
+
+const SLICES: Param = Param {
+    name: "slices",
+    summary: "height slices of the volume",
+    unit: "slices",
+    min: 2.0,
+    max: 2048.0,
+    default: 64.0,
+    integer: true,
+};
+
+/// Lines that a thread transposes together: one cache line of `f32` from each column.
+const LINES: usize = 16;
+
+/// What stored values are lowered by, relative to themselves and six half diagonals. Smaller, rounding could break the bound.
+const ROUNDING: f32 = 1.0 / (1 << 19) as f32;
+
+/// Parts of the half diagonal that a texture unit's 8-bit weights may move the fetched point by: 1 of 128.
+const WEIGHTS: f32 = 1.0 / 128.0;
+
+/// What integers are lowered by before they are rounded down, in parts of the range: twice what scaling to the range and back
+/// can add in `f32`.
+const DECODING: f32 = 1.0 / (1 << 21) as f32;
+
+/// A distance field about to be made: what its slices share.
+#[derive(Debug)]
+pub struct DistanceField {
+    size: [u32; 3],
+    /// Whether the map is repeated beyond its edges.
+    repeats: bool,
+    /// The most texels that a distance is long, along `u` and `v`.
+    reach: [usize; 2],
+    /// The unit of all squares, so that they fit `f32` whatever the metric: the longest of texel and relief, in metres.
+    unit_m: f64,
+    /// Size of a texel along `u` and `v` and height of the relief, in that unit.
+    texel: [f64; 2],
+    scale: f64,
+    /// Half of a voxel's diagonal in that unit.
+    half_diagonal: f64,
+    /// The dilated heights `h⁺`, column by column.
+    tops: Vec<f32>,
+    /// The lowest of them.
+    lowest: f32,
+}
+
+impl DistanceField {
+    /// Prepares the field of a map in a metric, with that many height slices, at least one.
+    pub fn new(map: &HeightMap, metric: Metric, slices: u32) -> Self {
+        let slices = slices.max(1);
+        let texel_m = metric.texel_m(map);
+        let unit_m = texel_m[0].max(texel_m[1]).max(metric.scale_m);
+        let texel = texel_m.map(|side| side / unit_m);
+        let scale = metric.scale_m / unit_m;
+        let depth = scale / f64::from(slices);
+        let tops = dilated_columns(map);
+        let lowest = tops.par_iter().copied().reduce(|| 1.0, f32::min);
+        // No distance is longer than the way straight down.
+        let longest = (1.0 - f64::from(lowest)) * scale;
+        let reach = texel.map(|texel| (longest / texel).ceil() as usize);
+        let repeats = map.wrap() == Wrap::Repeat;
+        let half_diagonal = 0.5 * (texel[0] * texel[0] + texel[1] * texel[1] + depth * depth).sqrt();
+        let size = [map.width(), map.height(), slices];
+        Self { size, repeats, reach, unit_m, texel, scale, half_diagonal, tops, lowest }
+    }
+
+    /// Half of a voxel's diagonal in metres.
+    pub fn half_diagonal_m(&self) -> f64 {
+        self.half_diagonal * self.unit_m
+    }
+
+    /// What all values lie between, in metres.
+    pub fn range_m(&self) -> [f32; 2] {
+        let top = 1.0 - 0.5 / f64::from(self.size[2]);
+        let longest = (top - f64::from(self.lowest)).max(0.0) * self.scale;
+        let least = f64::from(self.stored(0.0)) * self.unit_m;
+        [(least * (1.0 + 1e-6)) as f32, (longest.max(self.half_diagonal) * self.unit_m) as f32]
+    }
+
+    /// Makes the slices from the lowest up and hands each over, its values in metres row by row from the top. Ends early
+    /// with the first error.
+    ///
+    /// # Errors
+    ///
+    /// When the bake is cancelled, or what `each` returns.
+    pub fn slices(
+        &self,
+        progress: &Progress,
+        mut each: impl FnMut(&mut [f32]) -> Result<(), BakeError>,
+    ) -> Result<(), BakeError> {
+        let texels = self.size[0] as usize * self.size[1] as usize;
+        let (mut columns, mut slice) = (vec![0.0; texels], vec![0.0; texels]);
+        let count = self.size[2];
+        for k in 0..count {
+            let progress = progress.piece(k as f32 / count as f32, (k + 1) as f32 / count as f32);
+            progress.at(0.0)?;
+            if k == 0 {
+                slice.fill(self.metres(0.0));
+            } else {
+                let level = (f64::from(k) + 0.5) / f64::from(count);
+                self.along_columns(level, &mut columns, &progress.piece(0.0, 0.5))?;
+                self.along_rows(&columns, &mut slice, &progress.piece(0.5, 1.0))?;
+            }
+            each(&mut slice)?;
+        }
+        Ok(progress.at(1.0)?)
+    }
+
+    /// Squared distances within each column at that height, column by column.
+    fn along_columns(&self, level: f64, columns: &mut [f32], progress: &Progress) -> Result<(), Cancelled> {
+        let height = self.size[1] as usize;
+        let blocks = self.size[0].div_ceil(LINES as u32) as f32;
+        let chunk = height * LINES;
+        columns.par_chunks_mut(chunk).zip(self.tops.par_chunks(chunk)).enumerate().try_for_each_init(
+            || Line::new(height, self.texel[1], self.reach[1], self.repeats),
+            |line, (block, (columns, tops))| {
+                progress.at(block as f32 / blocks)?;
+                for (column, tops) in columns.chunks_mut(height).zip(tops.chunks(height)) {
+                    for (sample, &top) in line.samples().iter_mut().zip(tops) {
+                        let gap = (level - f64::from(top)).max(0.0) * self.scale;
+                        *sample = (gap * gap) as f32;
+                    }
+                    line.transform(column);
+                }
+                Ok(())
+            },
+        )
+    }
+
+    /// The slice's values from the squared distances within columns.
+    fn along_rows(&self, columns: &[f32], slice: &mut [f32], progress: &Progress) -> Result<(), Cancelled> {
+        let [width, height] = [self.size[0] as usize, self.size[1] as usize];
+        let blocks = self.size[1].div_ceil(LINES as u32) as f32;
+        let line = || Line::new(width, self.texel[0], self.reach[0], self.repeats);
+        slice.par_chunks_mut(width * LINES).enumerate().try_for_each_init(
+            || (line(), vec![0.0f32; width * LINES]),
+            |(line, across), (block, rows)| {
+                progress.at(block as f32 / blocks)?;
+                let first = block * LINES;
+                for (i, column) in columns.chunks(height).enumerate() {
+                    let part = &column[first..height.min(first + LINES)];
+                    for (j, &value) in part.iter().enumerate() {
+                        across[j * width + i] = value;
+                    }
+                }
+                for (row, across) in rows.chunks_mut(width).zip(across.chunks(width)) {
+                    line.samples().copy_from_slice(across);
+                    line.transform(row);
+                    for value in row {
+                        *value = self.metres(*value);
+                    }
+                }
+                Ok(())
+            },
+        )
+    }
+
+    /// The stored value for a squared distance to the boxes, in metres.
+    #[inline]
+    fn metres(&self, squared: f32) -> f32 {
+        self.stored(squared) * self.unit_m as f32
+    }
+
+    /// The same in the field's unit: `φ` and what rounding takes.
+    #[inline]
+    fn stored(&self, squared: f32) -> f32 {
+        let half = self.half_diagonal as f32;
+        let over = squared - half * half;
+        let bound = if over <= half * half { over / half } else { over.sqrt() };
+        bound - ROUNDING * (bound.abs() + 6.0 * half) - WEIGHTS * half
+    }
+}
+
+/// The highest of the 3x3 texels around each texel, column by column.
+fn dilated_columns(map: &HeightMap) -> Vec<f32> {
+    let [width, height] = [map.width() as usize, map.height() as usize];
+    let wrapped = |at: usize, side: u32| {
+        let at = at as i64;
+        [map.wrap().index(at - 1, side) as usize, at as usize, map.wrap().index(at + 1, side) as usize]
+    };
+    let texels = map.texels();
+    let mut tops = vec![0.0; width * height];
+    tops.par_chunks_mut(height * LINES).enumerate().for_each_init(
+        || vec![[0.0f32; LINES]; height],
+        |across, (block, columns)| {
+            let first = block * LINES;
+            for (row, across) in texels.chunks(width).zip(across.iter_mut()) {
+                for (i, highest) in (first..width.min(first + LINES)).zip(across) {
+                    let [before, here, after] = wrapped(i, map.width());
+                    *highest = row[before].max(row[here]).max(row[after]);
+                }
+            }
+            for (place, column) in columns.chunks_mut(height).enumerate() {
+                for (j, top) in column.iter_mut().enumerate() {
+                    let [above, here, below] = wrapped(j, map.height());
+                    *top = across[above][place].max(across[here][place]).max(across[below][place]);
+                }
+            }
+        },
+    );
+    tops
+}
+
+fn bake(
+    source: &Source,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let (slices, bits) = (settings.count(0), settings.count(1));
+    let field = DistanceField::new(source.map, source.metric, slices);
+    let [low, high] = field.range_m();
+    if !(low.is_normal() && high.is_normal() && (high - low).is_normal()) {
+        let reason =
+            format!("distances of {low} to {high} m are beyond 32-bit floats; use another unit of length");
+        return Err(BakeError::Impossible { kind: KIND.name, reason });
+    }
+    sink.begin(&Texture {
+        name: "",
+        size: field.size,
+        mips: Vec::new(),
+        channels: vec![Channel { name: "distance", range: [low, high], rounding: Rounding::Down }],
+        notes: vec![
+            ("unit", "m".to_owned()),
+            ("slices", "centred at heights (k + 1/2) / slices".to_owned()),
+            ("half diagonal of a voxel", format!("{} m", field.half_diagonal_m())),
+        ],
+    })?;
+    field.slices(progress, |slice| {
+        if bits != 0 {
+            let span = high - low;
+            slice.par_iter_mut().for_each(|value| {
+                let part = (*value - low) / span - DECODING;
+                *value = low + span * unorm(part, bits, Rounding::Down);
+            });
+        }
+        Ok(sink.slice(&[slice])?)
+    })
+}

@@ -1,0 +1,59 @@
+//! The squared distance transform of a line by looking around, for distances of few samples.
+
+/// Samples that are looked around from together.
+const BLOCK: usize = 32;
+
+/// Steps between two looks at whether nothing nearer is left.
+const STRIDE: usize = 4;
+
+/// The steps that the mean block of a line would have to look to either side, at most.
+///
+/// `values` has a margin of `margin` samples at either end, `step_squared` is the squared distance between samples.
+pub fn mean_steps(values: &[f32], margin: usize, step_squared: f32) -> f32 {
+    let inner = &values[margin..values.len() - margin];
+    let steps = |block: &[f32]| (highest(block) / step_squared).sqrt().min(margin as f32);
+    inner.chunks(BLOCK).map(steps).sum::<f32>() / inner.len().div_ceil(BLOCK) as f32
+}
+
+/// `out[i] = min over k of values[margin + i + k] + step² k²` for `k` from `-margin` to `margin`.
+pub fn transform(values: &[f32], margin: usize, step_squared: f32, out: &mut [f32]) {
+    for (block, out) in out.chunks_mut(BLOCK).enumerate() {
+        let first = margin + block * BLOCK;
+        let Ok(whole) = <&mut [f32; BLOCK]>::try_from(&mut *out) else {
+            let mut best = [0.0; BLOCK];
+            let part = &mut best[..out.len()];
+            part.copy_from_slice(&values[first..first + part.len()]);
+            look_around(values, first, margin, step_squared, part);
+            out.copy_from_slice(part);
+            continue;
+        };
+        let mut best = [0.0; BLOCK];
+        best.copy_from_slice(&values[first..first + BLOCK]);
+        look_around(values, first, margin, step_squared, &mut best);
+        *whole = best;
+    }
+}
+
+/// Lowers `best` to the least over the samples around it, nearest first, until none that is left can be lower.
+#[inline(always)]
+fn look_around(values: &[f32], first: usize, margin: usize, step_squared: f32, best: &mut [f32]) {
+    let mut k = 1;
+    while k <= margin && step_squared * (k * k) as f32 <= highest(best) {
+        for k in k..=margin.min(k + STRIDE - 1) {
+            let rise = step_squared * (k * k) as f32;
+            let before = &values[first - k..first - k + best.len()];
+            let after = &values[first + k..first + k + best.len()];
+            for ((best, &before), &after) in best.iter_mut().zip(before).zip(after) {
+                let near = if before < after { before } else { after } + rise;
+                *best = if near < *best { near } else { *best };
+            }
+        }
+        k += STRIDE;
+    }
+}
+
+/// The highest of some values that are not negative.
+#[inline(always)]
+fn highest(values: &[f32]) -> f32 {
+    values.iter().fold(0.0, |most, &value| if value > most { value } else { most })
+}

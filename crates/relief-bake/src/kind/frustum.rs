@@ -1,0 +1,168 @@
+//! The quadrant frustum map: for every dual cell and each of four quadrants, the steepest empty frustum on its top.
+//!
+//! Published here first. It stands between pyramids (boxes of empty space; Tevs, Ihrke and Seidel 2008) and cone maps (Dummer
+//! 2006): a frustum is as wide as a cone, knows the direction as far as its quadrant, and its step is one division an axis.
+//!
+//! # What is stored
+//!
+//! For dual cell `c = (i, j)` its *top* `z`, the greatest of its four heights, and for each quadrant the *least slope* `S ≥ 0`, in
+//! heights a texel, such that over all of the quadrant the surface `f` is
+//!
+//! ```text
+//! f(x, y) ≤ z + S d(x, y),   d = max(distance of x from the cell's columns, distance of y from its rows)
+//! ```
+//!
+//! in texels. The quadrant that goes forward along both axes is `x ≥ i, y ≥ j`; backward along `x` it is `x ≤ i + 1`. A ray
+//! that is somewhere over the cell stays in the quadrant of its direction, to either side where it does not move along an axis.
+//! Lengths in metres do not come into it: the map is valid in any metric.
+//!
+//! # How a ray uses it
+//!
+//! While the ray is over the cell and above `z`, it is above the surface; where it sinks below `z` there, the cell's
+//! patch is solved. Let it leave the cell above `z`, at height `h0 + h1 t`, moving `v` texels along an axis a unit of `t`, and let
+//! `t_v` be where it leaves the cell along that axis. Then it is above the surface as far as it is above `z + S d`, which
+//! is until the least over the axes of
+//!
+//! ```text
+//! t = (h0 - z + S |v| t_v) / (S |v| - h1)
+//! ```
+//!
+//! without a limit on an axis whose denominator is not positive. For `d` is `max |v| (t - t_v)` over the axes that it has left; it
+//! is convex in `t`, the ray is linear (or bends down), so the gap is concave and cannot close and open again before. For a ray that bends
+//! up, with `h2 t²`, the limit is the first root of each axis' quadratic.
+//!
+//! # Guarantee
+//!
+//! *The inequality holds everywhere on the bilinear surface, in any wrap, for the values stored. In floats, `S` is above the least
+//! slope for which it does by less than its last bit and 2⁻⁴⁸; in `bits`, by less than a step.*
+//!
+//! Proof, for the quadrant forward along both axes; the others are its mirror images. Let `p, q` count columns and rows of
+//! texels from the cell's near corner, `d(p, q) = max(p, q, 1) - 1`, and call `h - z ≤ S d` the demand of a texel.
+//!
+//! 1. *Off the diagonal.* Over the cell `[p, p+1] x [q, q+1]` with `p > q`, `d` is `x - i - 1`, and with `p < q` it is
+//!    `y - j - 1`: linear over the cell. `f - z - S d` is then bilinear, so it is greatest at a corner: it is nowhere
+//!    positive just when the corners' demands are met.
+//! 2. *On the diagonal*, over `[k, k+1]²` with `k ≥ 1`, `d = k - 1 + max(u, v)` with `u, v` in `[0, 1]` is not bilinear, and corners
+//!    are not enough: the patch through corners that just meet their demands can pass it by `S/4`. On the triangle
+//!    `u ≥ v`, `d` is linear, and `f - z - S d` is `α + β u + γ v + δ u v`, whose second derivatives have the determinant `-δ² ≤ 0`:
+//!    it has no maximum inside, so it is greatest on an edge. Along the two outer edges it is linear, so the corners' demands settle
+//!    them. Along `u = v` it is a quadratic, and the least `S` for which that is nowhere positive has a closed form: see
+//!    `diagonal.rs`. The triangle `u ≤ v` shares that edge. So these two kinds of demand together are met just when the surface is
+//!    below the frustum.
+//! 3. *The cell itself.* Over it `d` is 0 and `f ≤ z`, as for every patch (see the kind `pyramid`).
+//! 4. *The quadrant is infinite, but its nearest images suffice.* The surface is the same at a point and at its images: under
+//!    `repeat` those moved by whole tiles along either axis, under `mirror` also those mirrored at the tiles' edges, under `clamp`
+//!    beyond the outermost texels those moved along the axis. Each is independent for the two axes, and `d`
+//!    does not fall as a point moves away along one. So of the images of a point that lie in the quadrant, the one nearest along both axes has the
+//!    least `d`, and where `f ≤ z + S d` holds there it holds at all, as `S ≥ 0`. Under `repeat` the nearest images lie in
+//!    `[i, i + W] x [j, j + H]`; under `mirror` in `[i, 2W - 1]` along `x`, which holds every column ahead and then those behind,
+//!    mirrored; under `clamp` in `[i, W - 1]`; rows likewise. The demands of the texels and the diagonal cells in these
+//!    are all that is searched for.
+//! 5. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by less than 2⁻⁵¹ of it; a diagonal's
+//!    is never below the true one. The greatest is raised by 2⁻⁵⁰ of it and rounded up to `f32`. The search passes over a node of
+//!    the pyramid only where its bound is below what is found already by more than the rounding of the comparison, so it returns
+//!    the greatest of all demands. Heights and tops are not rounded. With `bits`, heights are decoded from so many bits first, so the top is one
+//!    that is stored exactly; slopes are rounded up, to steps of a power of two over `2^bits - 1`.
+//!
+//! The half cells before texel 0 of a clamped or mirrored map, and all cells outside, are found by [`FrustumMap::at`]; that is
+//! proven there.
+
+mod ahead;
+mod diagonal;
+mod least_slopes;
+mod map;
+
+use relief::registry::{Param, Source as Publication};
+use relief::{HeightMap, MaxPyramid};
+
+use super::{BITS, Kind, Reach};
+use crate::{BakeError, Cancelled, Channel, Progress, Rounding, Settings, Sink, Source, Texture, quantise};
+
+pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
+
+/// The kind `frustum`.
+pub const KIND: Kind = Kind {
+    name: "frustum",
+    summary: "for every dual cell its top, and in each quadrant the least slope of an empty frustum on it",
+    source: Publication { paper: "Relief", section: "kind `frustum`" },
+    params: PARAMS,
+    guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \
+        texels; the stored slope is the least such, rounded up.",
+    reach: |_| Reach::Everything,
+    bake,
+};
+
+/// Place of the parameter `bits`.
+const BITS_PLACE: usize = 0;
+
+const PARAMS: &[Param] = &[BITS];
+
+/// The four quadrants in the order of the channels: whether they go forward along `u` and `v`.
+const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [false, false]];
+
+/// The frustum map of a height map: five times its size, and 4/3 more while it is made.
+///
+/// # Errors
+///
+/// When it is cancelled.
+pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, Cancelled> {
+    let begin = progress.piece(0.0, 0.02);
+    let top = MaxPyramid::try_new(map, |part| begin.at(part))?.nodes(0).to_vec();
+    let levels = least_slopes::Levels::new(map);
+    let slopes = |place: usize| {
+        let progress = progress.piece(0.02 + 0.245 * place as f32, 0.02 + 0.245 * (place + 1) as f32);
+        least_slopes::least_slopes(map, &top, &levels, QUADRANTS[place], &progress)
+    };
+    let slopes = [slopes(0)?, slopes(1)?, slopes(2)?, slopes(3)?];
+    Ok(FrustumMap::of_map(map, top, slopes))
+}
+
+fn bake(
+    source: &Source,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let bits = settings.count(BITS_PLACE);
+    let (top, mut slopes) = frustum_map(source.map, progress)?.into_planes();
+    let steepest = slopes.iter().flatten().copied().fold(0.0, f32::max);
+    let range = range_for(steepest);
+    if bits > 0 {
+        for slope in slopes.iter_mut().flatten() {
+            *slope = quantise::unorm(*slope / range, bits, Rounding::Up) * range;
+        }
+    }
+    let size = [source.map.width(), source.map.height(), 1];
+    let texels = "dual cells: texel (i, j) lies between the heights (i, j) and (i + 1, j + 1)".to_owned();
+    sink.begin(&Texture {
+        name: "top",
+        size,
+        mips: Vec::new(),
+        channels: vec![Channel { name: "top", range: [0.0, 1.0], rounding: Rounding::Up }],
+        notes: vec![("texels", texels.clone())],
+    })?;
+    sink.slice(&[&top])?;
+    let channel = |name| Channel { name, range: [0.0, range], rounding: Rounding::Up };
+    sink.begin(&Texture {
+        name: "slopes",
+        size,
+        mips: Vec::new(),
+        channels: ["right_down", "left_down", "right_up", "left_up"].map(channel).to_vec(),
+        notes: vec![
+            ("texels", texels),
+            ("slopes", "heights a texel, in the quadrant toward that side".to_owned()),
+        ],
+    })?;
+    sink.slice(&slopes.each_ref().map(Vec::as_slice))?;
+    Ok(())
+}
+
+/// The least power of two that is not below the steepest slope; 1 without one. Dividing by it and multiplying again is
+/// exact, so that what is rounded to the safe side stays there.
+fn range_for(steepest: f32) -> f32 {
+    let mut range = 2.0;
+    while range * 0.5 >= steepest && range > f32::MIN_POSITIVE {
+        range *= 0.5;
+    }
+    if steepest > 0.0 { range } else { 1.0 }
+}

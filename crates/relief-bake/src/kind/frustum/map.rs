@@ -1,0 +1,164 @@
+//! The frustum map as it is read.
+
+use relief::{HeightMap, HeightMapError, Wrap};
+
+/// Tops and least slopes of all dual cells: see the [module](super).
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrustumMap {
+    size: [u32; 2],
+    wrap: Wrap,
+    top: Vec<f32>,
+    slopes: [Vec<f32>; 4],
+}
+
+/// The frustum over one cell, in a quadrant, for a ray that is over the cell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frustum {
+    /// The top: above it a ray over the rectangle is above the surface.
+    pub top: f32,
+    /// The least slope, in heights a texel of Chebyshev distance from the rectangle.
+    pub slope: f32,
+    /// First column and row of the rectangle that the frustum stands on, in cells, not wrapped; minus infinity where it goes on
+    /// for ever.
+    pub low: [f64; 2],
+    /// Where the rectangle ends; infinity where it goes on for ever.
+    pub high: [f64; 2],
+}
+
+/// Why planes are no frustum map.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FrustumMapError {
+    /// The size is no map's.
+    #[error(transparent)]
+    Size(#[from] HeightMapError),
+    /// A plane has another number of cells than the map.
+    #[error("a frustum map of {cells} cells needs five planes of as many values, one has {given}")]
+    Length {
+        /// Cells of the map.
+        cells: usize,
+        /// Values of the plane.
+        given: usize,
+    },
+    /// A top or a slope is NaN, infinite or negative.
+    #[error("a top or a slope is {value}: it must be finite and not negative")]
+    Value {
+        /// The value.
+        value: f32,
+    },
+}
+
+/// Place of a quadrant among the four planes of slopes: forward along both axes, backward along `u`, along `v`, along both.
+pub fn quadrant(forward: [bool; 2]) -> usize {
+    usize::from(!forward[0]) + 2 * usize::from(!forward[1])
+}
+
+impl FrustumMap {
+    /// A frustum map of baked planes, row by row from the top: tops in heights, and slopes in heights a texel for the
+    /// quadrants in the order of [`quadrant`].
+    ///
+    /// # Errors
+    ///
+    /// When the size is no map's, a plane is too short or too long, or a value is negative or not finite.
+    pub fn new(
+        size: [u32; 2],
+        wrap: Wrap,
+        top: Vec<f32>,
+        slopes: [Vec<f32>; 4],
+    ) -> Result<Self, FrustumMapError> {
+        HeightMap::check_size(size[0], size[1])?;
+        let cells = size[0] as usize * size[1] as usize;
+        for plane in slopes.iter().chain([&top]) {
+            if plane.len() != cells {
+                return Err(FrustumMapError::Length { cells, given: plane.len() });
+            }
+            if let Some(&value) = plane.iter().find(|value| !(value.is_finite() && **value >= 0.0)) {
+                return Err(FrustumMapError::Value { value });
+            }
+        }
+        Ok(Self { size, wrap, top, slopes })
+    }
+
+    /// The planes of a map's cells, made for it.
+    pub(super) fn of_map(map: &HeightMap, top: Vec<f32>, slopes: [Vec<f32>; 4]) -> Self {
+        Self { size: [map.width(), map.height()], wrap: map.wrap(), top, slopes }
+    }
+
+    /// Tops of all cells, row by row.
+    pub fn top(&self) -> &[f32] {
+        &self.top
+    }
+
+    /// Least slopes of all cells in a quadrant, row by row.
+    pub fn slopes(&self, forward: [bool; 2]) -> &[f32] {
+        &self.slopes[quadrant(forward)]
+    }
+
+    /// The planes: tops, and slopes in the order of [`quadrant`].
+    pub fn into_planes(self) -> (Vec<f32>, [Vec<f32>; 4]) {
+        (self.top, self.slopes)
+    }
+
+    /// The frustum for a ray over a dual cell, which may lie outside of the map, that goes forward along the axes for which
+    /// `forward` says so.
+    ///
+    /// Cells outside are images of cells inside, moved or mirrored, and under `mirror` a mirrored cell has the quadrants of the other side.
+    /// Left over are the half cells before texel 0, between cell 0 and its image:
+    ///
+    /// * Under `clamp` the first and the last cell go on outward for ever, as their rectangles do. The surface out there is the
+    ///   surface at the outermost texel, `f(x, y) = f(0, y)`, and `(0, y)` is over cell 0's column. So both have the same
+    ///   distance, that along `y`, and the inequality at `(0, y)` is that at `(x, y)`.
+    /// * Under `mirror`, cell -1 from texel -1 to texel 0, both the same, is flat along the axis. A ray in it that goes toward cell 0 is given
+    ///   cell 0 with that half cell added to its rectangle, `[-1, 1]`; over it, too, `f(x, y) = f(0, y)`. A ray that goes
+    ///   the other way is given the mirror image of that.
+    pub fn at(&self, cell: [i64; 2], forward: [bool; 2]) -> Frustum {
+        let u = Folded::new(self.wrap, self.size[0], cell[0], forward[0]);
+        let v = Folded::new(self.wrap, self.size[1], cell[1], forward[1]);
+        let place = v.cell as usize * self.size[0] as usize + u.cell as usize;
+        Frustum {
+            top: self.top[place],
+            slope: self.slopes[quadrant([u.forward, v.forward])][place],
+            low: [u.low, v.low],
+            high: [u.high, v.high],
+        }
+    }
+}
+
+/// One axis of a cell outside of the map: which cell inside it is an image of.
+struct Folded {
+    cell: u32,
+    /// Whether forward along the axis is forward in the cell inside.
+    forward: bool,
+    low: f64,
+    high: f64,
+}
+
+impl Folded {
+    fn new(wrap: Wrap, size: u32, cell: i64, forward: bool) -> Self {
+        let side = i64::from(size);
+        let (low, high) = (cell as f64, cell as f64 + 1.0);
+        match wrap {
+            Wrap::Repeat => Self { cell: cell.rem_euclid(side) as u32, forward, low, high },
+            Wrap::Clamp => {
+                let inside = cell.clamp(0, side - 1);
+                Self {
+                    cell: inside as u32,
+                    forward,
+                    low: if inside == 0 { f64::NEG_INFINITY } else { inside as f64 },
+                    high: if inside == side - 1 { f64::INFINITY } else { inside as f64 + 1.0 },
+                }
+            }
+            Wrap::Mirror => {
+                let folded = cell.rem_euclid(2 * side);
+                if folded < side {
+                    Self { cell: folded as u32, forward, low, high }
+                } else if folded < 2 * side - 1 {
+                    Self { cell: (2 * side - 2 - folded) as u32, forward: !forward, low, high }
+                } else if forward {
+                    Self { cell: 0, forward: true, low, high: high + 1.0 }
+                } else {
+                    Self { cell: 0, forward: true, low: low - 1.0, high }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! Horizons: how high the relief stands around every texel.
+//!
+//! Max 1988, *Horizon mapping: shadows for bump-mapped surfaces*; Szirmay-Kalos and Umenhoffer 2008, section 6.1. The
+//! sweep is that of Timonen and Westerholm 2010, *Scalable height field self-shadowing*: one pass of sheared lines an
+//! azimuth, with an upper hull that grows towards the texels, O(1) a texel. Two things are added. The tangent is
+//! taken from the texel itself and not from the line that passes it; and the first [`NEAR_STEPS`] steps, where the
+//! half texel between the two matters, are not read from the line but from the texel's own ray, in closed form.
+//!
+//! # What is stored
+//!
+//! The sine of the elevation of the horizon about the base plane, in `[0, 1]`: `s / sqrt(1 + s²)`, where `s` is the
+//! greatest slope, in metres a metre, under which the texel's centre sees a point of the surface, and at least 0,
+//! because below the base plane there is no sky. Slice `k` of `N` looks at the azimuth `2πk / N`, in metres from `+u`
+//! towards `+v`; a direction `(x, y)` of the tangent plane in metres lies at `x / tile_m[0]`, `y / tile_m[1]` in
+//! texture coordinates.
+//!
+//! The surface goes on by its wrap: the ray looks beyond the edge of the map, also under clamp.
+//!
+//! # Guarantee
+//!
+//! Let one step along the ray be the way to the next column (row) of texel centres along the axis that it crosses
+//! faster, `l` its length in metres, `p <= 1` its way along the other axis in texels, and `G` the greatest difference
+//! of neighbouring texels along that other axis in metres. Then the stored slope `s` and the true one `S`, of all
+//! points up to the reach of `R` steps, satisfy
+//!
+//! `S - e <= s <= S' + e`, `e = G (1 + p) / (2 n l)`, `n = `[`NEAR_STEPS`],
+//!
+//! with `S'` the same for a reach of `2 R`, since a line is looked at up to where its last texel's reach ends. `R` is
+//! `tiles` times the map's side along the faster axis, at least 64. What lies beyond `R` is missed; it stands at most
+//! `scale_m / (R l)` high, as a slope. Under repeat nothing is missed where the way comes back to its texel within
+//! `R` steps: along both axes, and along the diagonals of a square map of square texels. The argument:
+//!
+//! * *Near*, up to `n` steps. In each dual cell the surface over the texel's own ray is quadratic, and the greatest
+//!   slope of a quadratic is known. That is exact up to `n / 2` steps. From there on only the ends of each cell are
+//!   looked at. Inside of it the surface is above the chord of the ends by at most `|d| p / 4`, where the twist `d`
+//!   of a cell is at most `2 G` (it is a difference of two differences along the other axis): `2 G p / 4`, seen from
+//!   at least `n / 2` steps away, is a slope of at most `G p / (n l)`, which is within `e`, as `p <= 1`.
+//! * *Far*, from `n` steps on. The line passes the texel at most half a texel beside its ray, where the surface is at
+//!   most `G / 2` higher or lower. Between the columns `c` and `c + 1` the surface at row `y` is `(1-τ) f(c, y) + τ
+//!   f(c+1, y)`; there the line has gone `pτ` rows since the first column and will go `p (1-τ)` to the second, so the
+//!   surface on it differs from the chord of the two samples by at most `2 τ (1-τ) p G <= p G / 2`. Seen over `n`
+//!   steps or more, both together are `e`. A tangent to the upper hull of the samples is the greatest slope towards
+//!   any point of their chords.
+//! * *Rounding.* Heights are in `[0, 1]` and lerped in `f32`; samples, hull and tangent each lose a few times 2⁻²³ of
+//!   a height over at least one step: at most `1e-5 scale_m / l` in all, for lines of up to 2¹⁴ texels.
+//!
+//! Where texels do not differ much from their neighbours, `e` is small, and where they do, the horizon is mostly near.
+//! With a relief of a tenth of the tile the error's median is below 0.001 degrees, its 95th percentile 0.2 to 0.4
+//! degrees on natural ground and 0.9 on white noise; it is largest for the shadows of lone spikes a texel wide.
+
+mod far;
+mod lines;
+mod near;
+
+use rayon::prelude::*;
+use relief::registry::{Param, Source as Publication};
+use relief::{HeightMap, Wrap};
+
+pub(super) use lines::{Direction, Lines, Rows, Stretch, unit_vector};
+
+use super::{BITS, Kind, Reach};
+use crate::quantise::unorm;
+use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+
+/// Steps that are read from the texel's own ray. More are nearer to the truth, as one over their number, and slower.
+pub const NEAR_STEPS: usize = 8;
+
+/// Rows that one task finishes together.
+pub(super) const BAND: usize = 32;
+
+/// How many azimuths.
+pub(super) const AZIMUTHS: Param = Param {
+    name: "azimuths",
+    summary: "directions along the base plane in which the horizon is looked for",
+    unit: "",
+    min: 4.0,
+    max: 256.0,
+    default: 16.0,
+    integer: true,
+};
+
+/// How far the horizon is looked for.
+pub(super) const TILES: Param = Param {
+    name: "tiles",
+    summary: "how far the horizon is looked for, in tiles",
+    unit: "tiles",
+    min: 1.0,
+    max: 16.0,
+    default: 1.0,
+    integer: true,
+};
+
+/// The kind.
+pub const KIND: Kind = Kind {
+    name: "horizon",
+    summary: "sine of the horizon's elevation in some azimuths, for shadows of any light",
+    source: Publication {
+        paper: "Max 1988; Timonen and Westerholm 2010; Szirmay-Kalos and Umenhoffer 2008",
+        section: "6.1",
+    },
+    params: &[AZIMUTHS, TILES, BITS],
+    guarantee: "for the bilinear surface, as slope: off by at most the difference of neighbouring texels over 8 steps' \
+                length; what is beyond the reach stands at most the scale over the reach high",
+    reach: |_| Reach::Everything,
+    bake,
+};
+
+/// Takes the number of an azimuth and the sines of the horizons there.
+pub type Take<'a> = dyn FnMut(u32, &[f32]) -> Result<(), BakeError> + 'a;
+
+/// The sines of the horizons' elevations in each of `azimuths` azimuths, handed out azimuth by azimuth, row by row
+/// from the top. `tiles` is the reach. See the [module](self) for their meaning and accuracy.
+///
+/// The working set is three maps of `f32` besides the input, whatever the number of azimuths. The time is in
+/// proportion to the texels, but for clamped maps that are much longer than wide: there, to the square of the long
+/// side.
+///
+/// # Errors
+///
+/// When the bake is cancelled, and what `take` returns.
+pub fn horizons(
+    map: &HeightMap,
+    metric: Metric,
+    azimuths: u32,
+    tiles: u32,
+    progress: &Progress,
+    take: &mut Take,
+) -> Result<(), BakeError> {
+    let rows = Rows::new(map);
+    let mut sheared = vec![0.0; map.texels().len()];
+    let mut sines = vec![0.0; map.texels().len()];
+    for azimuth in 0..azimuths {
+        let direction = Direction::azimuth(azimuth, azimuths, metric.texel_m(map));
+        let piece = progress.piece(azimuth as f32 / azimuths as f32, (azimuth + 1) as f32 / azimuths as f32);
+        let lines = rows.lines(&direction, rows.reach(&direction, tiles.max(1)));
+        far::slopes(&lines, NEAR_STEPS, &mut sheared, &piece)?;
+        let tilt = Tilt::new(metric.scale_m / direction.step_m);
+        finish(map, &direction, &lines, &sheared, tilt, &mut sines, &piece)?;
+        take(azimuth, &sines)?;
+    }
+    Ok(())
+}
+
+/// Turns slopes in heights a step into sines.
+#[derive(Clone, Copy)]
+struct Tilt(f32);
+
+impl Tilt {
+    /// Of a step over which a height of 1 is that slope. Beyond the limits every sine is 0 or 1 to rounding, and
+    /// squares would not fit in `f32`.
+    fn new(metres: f64) -> Self {
+        const MOST: f64 = 1e18;
+        Self(metres.clamp(1.0 / MOST, MOST) as f32)
+    }
+
+    #[inline]
+    fn sine(self, slope: f32) -> f32 {
+        let slope = (slope * self.0).max(0.0);
+        slope / (1.0 + slope * slope).sqrt()
+    }
+}
+
+/// Brings what is near and what is far together, row by row.
+fn finish(
+    map: &HeightMap,
+    direction: &Direction,
+    lines: &Lines,
+    sheared: &[f32],
+    tilt: Tilt,
+    sines: &mut [f32],
+    progress: &Progress,
+) -> Result<(), BakeError> {
+    let width = map.width() as usize;
+    let near = near::Near::new(direction, NEAR_STEPS);
+    sines.par_chunks_mut(BAND * width).enumerate().try_for_each(|(band, sines)| {
+        let (top, count) = (band * BAND, sines.len() / width);
+        progress.at(0.5 + 0.5 * top as f32 / map.height() as f32)?;
+        let padded = near::Padded::new(map, top, count, NEAR_STEPS + 1);
+        let plane = Plane { texels: sheared, stride: lines.length, offset: 0 };
+        let far = unshear(lines, direction.is_steep(), plane, [width, top, count]);
+        let (mut start, mut slopes) = (vec![0.0; width], vec![0.0; width]);
+        for (row, sines) in sines.chunks_exact_mut(width).enumerate() {
+            near.slopes(&padded, row, &mut start, &mut slopes);
+            for ((sine, near), far) in sines.iter_mut().zip(&slopes).zip(&far[row * (width + SKEW)..]) {
+                *sine = tilt.sine(near.max(*far));
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Texels by which rows of a band are longer than the map's, so that those of a map of a power of two do not all fall
+/// into the same cache lines.
+pub(super) const SKEW: usize = 16;
+
+/// A sheared map, slot by slot: that of position `p` in a slot is at `slot * stride + offset + p`.
+#[derive(Clone, Copy)]
+pub(super) struct Plane<'a> {
+    pub texels: &'a [f32],
+    pub stride: usize,
+    pub offset: usize,
+}
+
+/// A band of the map out of the sheared one, in rows of `width + SKEW`.
+pub(super) fn unshear(lines: &Lines, steep: bool, plane: Plane, [width, top, count]: [usize; 3]) -> Vec<f32> {
+    let mut band = vec![0.0; count * (width + SKEW)];
+    let position = |along: usize| if lines.reversed { lines.length - 1 - along } else { along };
+    if !steep {
+        for (row, band) in band.chunks_exact_mut(width + SKEW).enumerate() {
+            for (column, texel) in band[..width].iter_mut().enumerate() {
+                let p = position(column);
+                *texel = plane.texels[lines.slot(p, top + row) * plane.stride + plane.offset + p];
+            }
+        }
+        return band;
+    }
+    // Slot by slot, because a slot's texels of the band are side by side.
+    let places: Vec<(usize, usize)> =
+        (0..count).map(|row| position(top + row)).map(|p| (p, lines.slot(p, 0))).collect();
+    for (slot, texels) in plane.texels.chunks_exact(plane.stride).enumerate() {
+        for (row, (p, first)) in places.iter().enumerate() {
+            // Column 0 lies in slot `first`, and each further one in the next.
+            let column = if slot >= *first { slot - first } else { slot + lines.count - first };
+            band[row * (width + SKEW) + column] = texels[plane.offset + p];
+        }
+    }
+    band
+}
+
+/// Notes that say how the azimuths lie.
+pub(super) fn notes(source: &Source, azimuths: u32) -> Vec<(&'static str, String)> {
+    let wrap = match source.map.wrap() {
+        Wrap::Repeat => "repeat",
+        Wrap::Clamp => "clamp",
+        Wrap::Mirror => "mirror",
+    };
+    let [u, v] = source.metric.tile_m;
+    vec![
+        ("azimuths", format!("{azimuths}: 2 pi k / {azimuths}, in metres from +u towards +v")),
+        ("tile_m", format!("{u} {v}")),
+        ("scale_m", source.metric.scale_m.to_string()),
+        ("wrap", wrap.to_owned()),
+    ]
+}
+
+fn bake(
+    source: &Source,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
+    sink.begin(&Texture {
+        name: "",
+        size: [source.map.width(), source.map.height(), azimuths],
+        mips: Vec::new(),
+        channels: vec![Channel { name: "sine", range: [0.0, 1.0], rounding: Rounding::Nearest }],
+        notes: notes(source, azimuths),
+    })?;
+    horizons(source.map, source.metric, azimuths, tiles, progress, &mut |_, sines| {
+        if bits == 0 {
+            return Ok(sink.slice(&[sines])?);
+        }
+        let stored: Vec<f32> = sines.par_iter().map(|&sine| unorm(sine, bits, Rounding::Nearest)).collect();
+        Ok(sink.slice(&[&stored])?)
+    })
+}

@@ -1,0 +1,153 @@
+//! What is near: the ray of the texel itself, piece by piece, for every texel at once.
+
+use relief::HeightMap;
+
+use super::lines::Direction;
+
+/// A place on the ray where it crosses the line between two texels: `first + share * (second - first)`.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    first: [i64; 2],
+    second: [i64; 2],
+    share: f32,
+}
+
+/// The part of the ray in one dual cell, the same for every texel: the surface over it is `chord + bend (t - from) (t
+/// - to)`, `t` in steps.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    from: f32,
+    to: f32,
+    /// The dual cell, relative to the texel.
+    cell: [i64; 2],
+    end: Crossing,
+}
+
+/// The first steps of every texel's ray in a direction.
+pub(super) struct Near {
+    pieces: Vec<Piece>,
+    /// The product of the ray's steps: how much of a cell's twist bends the surface over the ray.
+    twist: f32,
+}
+
+/// Crossings nearer together than this, in steps, are one: through a corner.
+const CORNER: f64 = 1e-9;
+
+impl Near {
+    /// The pieces of the ray up to `steps` steps away.
+    pub fn new(direction: &Direction, steps: usize) -> Self {
+        let [x, y] = direction.step;
+        let crossings = |speed: f64| {
+            let count = (steps as f64 * speed.abs() + CORNER).floor() as u32;
+            (1..=count).map(move |k| f64::from(k) / speed.abs())
+        };
+        let mut ends: Vec<f64> = crossings(x).chain(crossings(y)).map(|t| t.min(steps as f64)).collect();
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|a, b| *a - *b < CORNER);
+        let mut from = 0.0;
+        let pieces = ends.into_iter().map(|to| {
+            let middle = 0.5 * (from + to);
+            let cell = [x, y].map(|speed| (speed * middle).floor() as i64);
+            let piece = Piece { from: from as f32, to: to as f32, cell, end: crossing([x * to, y * to]) };
+            from = to;
+            piece
+        });
+        Self { pieces: pieces.collect(), twist: (x * y) as f32 }
+    }
+
+    /// For every texel of a row of a [`Padded`] band the greatest slope, in heights a step, under which it sees its
+    /// ray.
+    ///
+    /// In a cell the surface over the ray is `a + b t + c t²` above the texel. Its slope `a/t + b + c t` is greatest
+    /// at an end, or, where `a` and `c` are negative, at `t = sqrt(a/c)`, where it is `b - 2 sqrt(a c)`. In the first
+    /// cell `a` is 0, and `b` the slope at the texel itself. Inside of cells beyond half of the way nothing is looked
+    /// for: see the bound in the kind's text.
+    pub fn slopes(&self, band: &Padded, row: usize, start: &mut [f32], slopes: &mut [f32]) {
+        let own = band.row(row, [0, 0]);
+        let inside = self.pieces.last().map_or(0.0, |last| 0.5 * last.to);
+        for (number, piece) in self.pieces.iter().enumerate() {
+            let Piece { from, to, cell: [i, j], end } = *piece;
+            let (first, second) = (band.row(row, end.first), band.row(row, end.second));
+            let height = |x: usize| first[x] + end.share * (second[x] - first[x]) - own[x];
+            let (over_to, over_length) = (1.0 / to, 1.0 / (to - from));
+            let corners =
+                [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]].map(|corner| band.row(row, corner));
+            let [h00, h10, h01, h11] = corners;
+            let bend = |x: usize| self.twist * (h00[x] - h10[x] - h01[x] + h11[x]);
+            if number == 0 {
+                for x in 0..slopes.len() {
+                    let height = height(x);
+                    slopes[x] = (height * over_to).max(height * over_to - bend(x) * to);
+                    start[x] = height;
+                }
+            } else if from < inside && self.twist != 0.0 {
+                for x in 0..slopes.len() {
+                    let (height, bend) = (height(x), bend(x));
+                    let chord = (height - start[x]) * over_length;
+                    let a = start[x] - chord * from + bend * (from * to);
+                    let b = chord - bend * (from + to);
+                    let peaks = (bend < 0.0) & (a <= bend * (from * from)) & (a >= bend * (to * to));
+                    let peak = b - 2.0 * (a * bend).max(0.0).sqrt();
+                    let end = height * over_to;
+                    slopes[x] = slopes[x].max(end).max(if peaks { peak } else { end });
+                    start[x] = height;
+                }
+            } else {
+                for x in 0..slopes.len() {
+                    let height = height(x);
+                    slopes[x] = slopes[x].max(height * over_to);
+                    start[x] = height;
+                }
+            }
+        }
+    }
+}
+
+/// The crossing at a place relative to the texel, at least one of whose coordinates is whole.
+fn crossing(at: [f64; 2]) -> Crossing {
+    let whole = |x: f64| (x - x.round()).abs() <= 2.0 * CORNER;
+    if at.map(whole) == [true, true] {
+        let first = at.map(|x| x.round() as i64);
+        return Crossing { first, second: first, share: 0.0 };
+    }
+    let along = usize::from(whole(at[0]));
+    let mut first = at.map(|x| x.round() as i64);
+    first[along] = at[along].floor() as i64;
+    let mut second = first;
+    second[along] += 1;
+    Crossing { first, second, share: (at[along] - at[along].floor()) as f32 }
+}
+
+/// Rows of a map with what lies around them, wrapped.
+pub(super) struct Padded {
+    texels: Vec<f32>,
+    width: usize,
+    stride: usize,
+    margin: usize,
+}
+
+impl Padded {
+    /// `rows` rows from `top` on with a margin.
+    pub fn new(map: &HeightMap, top: usize, rows: usize, margin: usize) -> Self {
+        let width = map.width() as usize;
+        let stride = width + 2 * margin;
+        let mut texels = Vec::with_capacity(stride * (rows + 2 * margin));
+        let side = margin as i64;
+        for row in top as i64 - side..(top + rows) as i64 + side {
+            let start = map.wrap().index(row, map.height()) as usize * width;
+            let line = &map.texels()[start..start + width];
+            let at = |column: i64| line[map.wrap().index(column, map.width()) as usize];
+            texels.extend((-side..0).map(at));
+            texels.extend_from_slice(line);
+            texels.extend((width as i64..width as i64 + side).map(at));
+        }
+        Self { texels, width, stride, margin }
+    }
+
+    /// The texels `offset` away from those of row `row` of the band.
+    fn row(&self, row: usize, offset: [i64; 2]) -> &[f32] {
+        let at = |from: usize, by: i64| (from + self.margin).wrapping_add_signed(by as isize);
+        let start = at(row, offset[1]) * self.stride + at(0, offset[0]);
+        &self.texels[start..start + self.width]
+    }
+}

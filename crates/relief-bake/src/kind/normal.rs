@@ -1,0 +1,268 @@
+//! Normal maps, with the moments that filtering them needs.
+//!
+//! Szirmay-Kalos and Umenhoffer 2008, sections 2.1 and 2.2, eq. 9; Dupuy et al. 2013 (LEADR) for the mip levels.
+//!
+//! # What is stored
+//!
+//! At every texel centre the unit normal of the relief in the [`Metric`]: with slopes `su` along `u` and `sv`
+//! along `v` (which points down in the picture), it is `(-su, sv, 1)` over its length in tangent space, where `x` points along
+//! the tangent, `y` up in the picture, which is along `-B` (green as in OpenGL and glTF; the other sign is an option), and `z`
+//! outward. These are eq. 9's signs for a downward `v`. In world space, for the built-in plane, it is `(-su, 1, -sv)`.
+//!
+//! Mip levels hold the normal of the *mean slope* and, as three more channels, the central second moments of the slopes along
+//! `u` and `v` over the texel (`uu`, `uv`, `vv`, the same whatever space and green): a shader adds them to the roughness of the
+//! material. They are 0 in level 0. Sides halve rounded down; texels are weighted by area, so that the last level holds mean
+//! and moments of the whole map.
+//!
+//! # Guarantee
+//!
+//! For heights sampled from a smooth surface `h` in metres, texels `a` by `b` metres, away from the edges of a clamped or
+//! mirrored map, the angle between the stored and the true normal is at most
+//! `sqrt((a² max|h_uuu|)² + (b² max|h_vvv|)²) / 6` plus `4e-7` plus `1.2e-7 (scale/a + scale/b)`: it falls with the square of
+//! the texel.
+//!
+//! *Proof.* By Taylor's theorem a central difference misses the slope by at most `a²/6 max|h_uuu|`. The angle between the
+//! normals of two slopes is at most the distance of the slopes, because `s ↦ (-s, 1)/|(-s, 1)|` has derivatives of at most 1:
+//! `1/(1+|s|²)` radially and `1/sqrt(1+|s|²)` across. Heights rounded to `f32` are off by `2^-25`, which moves their difference
+//! by `2^-24` and the slope by `2^-25 scale/a`; the subtraction and the two products add `2^-23` of the slope, which turns the
+//! normal by less than that times `|s|/(1+|s|²)`, and dividing by the length three roundings. With
+//! [`Derivative::Patches`] the difference between the weights of a one-sided slope to either side is proportional to the
+//! texel, as is that of the slopes themselves, so that the order is the same with another constant; opposite slopes cancel there,
+//! and rounding adds up to `4e-7` times the steepest of them.
+//!
+//! Stored in `bits` the components are rounded to the nearest, each by at most `1 / (2^bits - 1)`, so the angle grows by at
+//! most `asin(sqrt(3) / (2^bits - 1))`: 0.39° with 8 bits, 0.0015° with 16. (0 is no code: a flat map comes back tilted by
+//! `sqrt(2) / (2^bits - 1)`.) Nothing here is one-sided, hence heights are not quantised first.
+//!
+//! # Cost
+//!
+//! O(1) a texel; the six planes of level 0 (three without mips) beside the map, then less.
+
+mod moments;
+mod slopes;
+
+use rayon::prelude::*;
+use relief::HeightMap;
+use relief::registry::{Param, Source as Publication};
+
+pub use self::moments::Moments;
+use self::moments::next_size;
+pub use self::slopes::{Derivative, Slopes};
+use super::{BITS_TO_NEAREST, Kind, Reach};
+use crate::quantise::unorm;
+use crate::{
+    BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, SinkError, Source, Texture,
+};
+
+/// The kind.
+pub const KIND: Kind = Kind {
+    name: "normal",
+    summary: "unit normals, and in mip levels the moments of the slope that filtering needs",
+    source: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "2.1, 2.2" },
+    params: &[PATCHES, WORLD, GREEN_DOWN, MIPS, BITS_TO_NEAREST],
+    guarantee: "within (texel² / 6) max|third derivative| of the angle of a smooth surface's normal",
+    reach: |settings| if settings.count(3) == 0 { Reach::Texels(1) } else { Reach::Everything },
+    bake,
+};
+
+/// A parameter that is off, 0, or on, 1.
+const fn switch(name: &'static str, summary: &'static str, default: f32) -> Param {
+    Param { name, summary, unit: "", min: 0.0, max: 1.0, default, integer: true }
+}
+
+const PATCHES: Param =
+    switch("patches", "1: the mean normal of the four bilinear patches; 0: central differences (eq. 9)", 0.0);
+const WORLD: Param = switch("world", "1: in world space, for the built-in plane; 0: in tangent space", 0.0);
+const GREEN_DOWN: Param =
+    switch("green_down", "1: green points down in the picture (DirectX); 0: up (OpenGL, glTF)", 0.0);
+const MIPS: Param = switch("mips", "1: mip levels and the moments of the slope", 1.0);
+
+/// Rows that a thread makes together.
+const ROWS: usize = 16;
+
+/// In which axes normals are stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axes {
+    /// Tangent space: along the tangent, up in the picture, outward.
+    #[default]
+    Tangent,
+    /// Tangent space with `y` down in the picture, as DirectX has it.
+    TangentGreenDown,
+    /// World space on the built-in plane: `u` along `x`, `v` along `z`, outward along `y`.
+    World,
+}
+
+impl Axes {
+    /// The unit normal of a surface with those slopes along `u` and `v`.
+    #[inline]
+    pub fn normal(self, [along_u, along_v]: [f32; 2]) -> [f32; 3] {
+        let upright = 1.0 / (1.0 + along_u * along_u + along_v * along_v).sqrt();
+        let (x, down) = (-along_u * upright, -along_v * upright);
+        match self {
+            Axes::Tangent => [x, -down, upright],
+            Axes::TangentGreenDown => [x, down, upright],
+            Axes::World => [x, upright, down],
+        }
+    }
+}
+
+/// A plane for each component, row by row from the top.
+pub type Planes = [Vec<f32>; 3];
+
+/// The normals at all texel centres of a map, and the least and the greatest slope along `u` and `v`.
+///
+/// # Errors
+///
+/// When the bake is cancelled.
+pub fn normals(
+    map: &HeightMap,
+    metric: Metric,
+    derivative: Derivative,
+    axes: Axes,
+    progress: &Progress,
+) -> Result<(Planes, [[f32; 2]; 2]), Cancelled> {
+    let slopes = Slopes::new(map, metric, derivative);
+    let width = map.width() as usize;
+    let mut planes = [0; 3].map(|_| vec![0.0f32; map.texels().len()]);
+    let [x, y, z] = &mut planes;
+    let chunk = width * ROWS;
+    let blocks = map.height().div_ceil(ROWS as u32) as f32;
+    let nothing = [[f32::MAX, f32::MIN]; 2];
+    let extremes = x
+        .par_chunks_mut(chunk)
+        .zip(y.par_chunks_mut(chunk))
+        .zip(z.par_chunks_mut(chunk))
+        .enumerate()
+        .map_init(
+            || [vec![0.0f32; width], vec![0.0f32; width]],
+            |[along_u, along_v], (block, ((x, y), z))| {
+                progress.at(block as f32 / blocks)?;
+                let mut extremes = nothing;
+                let rows = x.chunks_mut(width).zip(y.chunks_mut(width)).zip(z.chunks_mut(width));
+                for (row, ((x, y), z)) in rows.enumerate() {
+                    slopes.row(block * ROWS + row, along_u, along_v);
+                    let places = x.iter_mut().zip(y).zip(z).zip(along_u.iter().zip(along_v.iter()));
+                    for (((x, y), z), (&u, &v)) in places {
+                        [*x, *y, *z] = axes.normal([u, v]);
+                    }
+                    extremes = wider(extremes, [spread(along_u), spread(along_v)]);
+                }
+                Ok(extremes)
+            },
+        )
+        .try_reduce(|| nothing, |a, b| Ok(wider(a, b)))?;
+    Ok((planes, extremes))
+}
+
+fn spread(values: &[f32]) -> [f32; 2] {
+    let less = |a: f32, b: f32| if a < b { a } else { b };
+    let more = |a: f32, b: f32| if a > b { a } else { b };
+    values.iter().fold([f32::MAX, f32::MIN], |[low, high], &value| [less(low, value), more(high, value)])
+}
+
+fn wider(a: [[f32; 2]; 2], b: [[f32; 2]; 2]) -> [[f32; 2]; 2] {
+    [0, 1].map(|axis| [a[axis][0].min(b[axis][0]), a[axis][1].max(b[axis][1])])
+}
+
+/// The channels, for slopes between those extremes. A variance is at most a quarter of the squared range (Popoviciu), a
+/// covariance at most the root of the product of two.
+fn channels(extremes: [[f32; 2]; 2], mips: bool) -> Vec<Channel> {
+    let channel = |name, range| Channel { name, range, rounding: Rounding::Nearest };
+    let half = extremes.map(|[low, high]| if high > low { 0.5 * (high - low) * (1.0 + 1e-5) } else { 1.0 });
+    let mut all = vec![channel("x", [-1.0, 1.0]), channel("y", [-1.0, 1.0]), channel("z", [-1.0, 1.0])];
+    if mips {
+        all.push(channel("slope_uu", [0.0, half[0] * half[0]]));
+        all.push(channel("slope_uv", [-half[0] * half[1], half[0] * half[1]]));
+        all.push(channel("slope_vv", [0.0, half[1] * half[1]]));
+    }
+    all
+}
+
+/// Rounds every plane to integers of that many bits and hands them over.
+fn hand_over(
+    sink: &mut dyn Sink,
+    channels: &[Channel],
+    bits: u32,
+    mut planes: Vec<&mut [f32]>,
+) -> Result<(), SinkError> {
+    if bits != 0 {
+        for (plane, Channel { range: [low, high], .. }) in planes.iter_mut().zip(channels) {
+            let span = high - low;
+            plane.par_iter_mut().for_each(|value| {
+                *value = low + span * unorm((*value - low) / span, bits, Rounding::Nearest);
+            });
+        }
+    }
+    let planes: Vec<&[f32]> = planes.into_iter().map(|plane| &*plane).collect();
+    sink.slice(&planes)
+}
+
+fn bake(
+    source: &Source,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let [patches, world, green_down, mips] = [0, 1, 2, 3].map(|place| settings.count(place) != 0);
+    let bits = settings.count(4);
+    let derivative = if patches { Derivative::Patches } else { Derivative::Central };
+    let axes = match (world, green_down) {
+        (true, _) => Axes::World,
+        (false, true) => Axes::TangentGreenDown,
+        (false, false) => Axes::Tangent,
+    };
+    let map = source.map;
+    let size = [map.width() as usize, map.height() as usize];
+    let (planes, extremes) = normals(map, source.metric, derivative, axes, &progress.piece(0.0, 0.5))?;
+    let channels = channels(extremes, mips);
+    sink.begin(&texture(map, axes, channels.clone()))?;
+    let [mut x, mut y, mut z] = planes;
+    if !mips {
+        return Ok(hand_over(sink, &channels, bits, vec![&mut x, &mut y, &mut z])?);
+    }
+    let mut none = [0; 3].map(|_| vec![0.0f32; x.len()]);
+    let [uu, uv, vv] = &mut none;
+    hand_over(sink, &channels, bits, vec![&mut x, &mut y, &mut z, uu, uv, vv])?;
+    drop((x, y, z, none));
+    if size == [1, 1] {
+        return Ok(());
+    }
+    let slopes = Slopes::new(map, source.metric, derivative);
+    let mut level = Moments::of_slopes(&slopes, size, &progress.piece(0.5, 0.9))?;
+    loop {
+        let next = if level.size == [1, 1] { None } else { Some(level.halved(&progress.piece(0.9, 1.0))?) };
+        let [u, v] = &mut level.mean;
+        let mut upright = vec![0.0; u.len()];
+        for ((u, v), upright) in u.iter_mut().zip(v.iter_mut()).zip(&mut upright) {
+            [*u, *v, *upright] = axes.normal([*u, *v]);
+        }
+        let [uu, uv, vv] = &mut level.second;
+        hand_over(sink, &channels, bits, vec![u, v, &mut upright, uu, uv, vv])?;
+        match next {
+            Some(next) => level = next,
+            None => return Ok(()),
+        }
+    }
+}
+
+/// What the texture is: the channels of the moments come with mip levels.
+fn texture(map: &HeightMap, axes: Axes, channels: Vec<Channel>) -> Texture {
+    let mut mips = Vec::new();
+    let mut size = [map.width() as usize, map.height() as usize];
+    while channels.len() > 3 && size != [1, 1] {
+        size = next_size(size);
+        mips.push([size[0] as u32, size[1] as u32, 1]);
+    }
+    let space = match axes {
+        Axes::Tangent => "tangent, +y up in the picture",
+        Axes::TangentGreenDown => "tangent, +y down in the picture",
+        Axes::World => "world of the built-in plane",
+    };
+    Texture {
+        name: "",
+        size: [map.width(), map.height(), 1],
+        mips,
+        channels,
+        notes: vec![("space", space.to_owned())],
+    }
+}

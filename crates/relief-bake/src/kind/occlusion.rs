@@ -1,0 +1,79 @@
+//! Ambient occlusion, from horizons in closed form.
+//!
+//! Zhukov, Iones and Kronin 1998, *An ambient light illumination model*, of which Max 1988's horizons are all that is
+//! needed over a height field; Timonen and Westerholm 2010.
+//!
+//! # What is stored
+//!
+//! The visibility `1 - mean(sin² H)` in `[0, 1]` over the azimuths, `H` the elevation of the
+//! [`horizon`]: the part of a uniform sky's light that reaches a plane parallel to the base at the
+//! texel. It is the cosine-weighted part of the hemisphere about the *base* normal that is open, `1/π ∫ V cos θ dω`,
+//! since the sky of one azimuth above the horizon contributes `∫ from H to π/2 of sin e cos e de = cos² H / 2`. It is
+//! not about the relief's own normal.
+//!
+//! # Accuracy
+//!
+//! Exact in elevation, for the horizons that it is given. Between azimuths the mean is the rectangle rule, which for
+//! 16 azimuths leaves about a hundredth on rough ground; an error `ε` of a horizon, in radians, moves the visibility
+//! by at most `ε`, since `|d sin² H / dH| = |sin 2H| <= 1`.
+
+use relief::HeightMap;
+use relief::registry::Source as Publication;
+
+use super::horizon::{self, horizons};
+use super::{BITS, Kind, Reach};
+use crate::quantise::unorm;
+use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+
+/// The kind.
+pub const KIND: Kind = Kind {
+    name: "occlusion",
+    summary: "the part of the sky's light that reaches a texel, about the base normal",
+    source: Publication { paper: "Zhukov, Iones and Kronin 1998; Timonen and Westerholm 2010", section: "" },
+    params: &[horizon::AZIMUTHS, horizon::TILES, BITS],
+    guarantee: "closed form of the horizons, off by at most their mean error in radians and what is between azimuths",
+    reach: |_| Reach::Everything,
+    bake,
+};
+
+/// The visibility of the sky at every texel, row by row from the top. Parameters are those of
+/// [`horizons`]; the working set is that of [`horizons`] and the result.
+///
+/// # Errors
+///
+/// When the bake is cancelled.
+pub fn visibility(
+    map: &HeightMap,
+    metric: Metric,
+    azimuths: u32,
+    tiles: u32,
+    progress: &Progress,
+) -> Result<Vec<f32>, BakeError> {
+    let mut hidden = vec![0.0f32; map.texels().len()];
+    horizons(map, metric, azimuths, tiles, progress, &mut |_, sines| {
+        hidden.iter_mut().zip(sines).for_each(|(hidden, sine)| *hidden += sine * sine);
+        Ok(())
+    })?;
+    let part = 1.0 / azimuths as f32;
+    hidden.iter_mut().for_each(|texel| *texel = (1.0 - *texel * part).clamp(0.0, 1.0));
+    Ok(hidden)
+}
+
+fn bake(
+    source: &Source,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
+    let mut open = visibility(source.map, source.metric, azimuths, tiles, progress)?;
+    open.iter_mut().for_each(|texel| *texel = unorm(*texel, bits, Rounding::Nearest));
+    sink.begin(&Texture {
+        name: "",
+        size: [source.map.width(), source.map.height(), 1],
+        mips: Vec::new(),
+        channels: vec![Channel { name: "visibility", range: [0.0, 1.0], rounding: Rounding::Nearest }],
+        notes: horizon::notes(source, azimuths),
+    })?;
+    Ok(sink.slice(&[&open])?)
+}

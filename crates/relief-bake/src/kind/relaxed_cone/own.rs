@@ -1,0 +1,64 @@
+//! What the four patches around a texel's centre, which hold its apexes, do to its relaxed cone.
+//!
+//! Let `q` lie in patch `X`, the apex `p` in the quarter of patch `Y` that belongs to the texel, `(x, y) = q - p` in texels,
+//! `r` its length in metres. A falling pair rises by at most `A - Dxy`, with `A` the height of `X` extended over `p` above
+//! `Y` there, and `D` the twist of `X`.
+//!
+//! * `X = Y`: `A` is 0. `xy / r` grows with either factor, and so is greatest at the corners of the boxes. Along the ray the
+//!   patch is a parabola that begins with the slope `g`, and where it falls its mean slope is at most `g/2`.
+//! * `X` beside `Y`: with `t` the distance of `p` from the edge between, `A = J t`, where `J` is by how much `Y` rises more
+//!   than `X` across the edge, linear along it; and `r ≥ t`.
+//! * `X` opposite to `Y`: with `(s, t)` the offsets of `p` from the centre, `A = J s + K t + E s t`, with `J` and `K` by how much
+//!   `Y` rises more than `X` at the centre, and `E` the difference of their twists; and `r` is at least the distance of `p`
+//!   from the centre.
+
+use super::Field;
+
+/// An upper bound of the slope from the apexes, in the box of that half side in texels, to falling points of the four
+/// patches, in heights per metre.
+pub(super) fn own_bound(field: &Field, texel: [i64; 2], half: f64) -> f64 {
+    let near = [-1, 0, 1].map(|j| {
+        [-1, 0, 1].map(|i| {
+            let seen = field.cell(texel, [i, j]);
+            seen.heights[0]
+        })
+    });
+    let quadrants = [[1, 1], [-1, 1], [1, -1], [-1, -1]];
+    quadrants.into_iter().map(|signs| quadrant_bound(&near, signs, field.texel_m, half)).fold(0.0, f64::max)
+}
+
+/// The bound of the patch in one quadrant.
+fn quadrant_bound(near: &[[f64; 3]; 3], [sx, sy]: [i64; 2], [ax, ay]: [f64; 2], half: f64) -> f64 {
+    // The neighbourhood mirrored so that the patch is to the right of the centre and below it.
+    let at = |i: i64, j: i64| near[(1 + sy * j) as usize][(1 + sx * i) as usize];
+    let twist = (at(0, 0) - at(1, 0)) + (at(1, 1) - at(0, 1));
+    // The most of -Dxy / r for offsets up to `ahead` in the directions of the patch, or one of them up to `back` against it.
+    let bent = |ahead: [f64; 2], back: [f64; 2]| {
+        let reach = |x: f64, y: f64| if x * y == 0.0 { 0.0 } else { x * y / (x * ax).hypot(y * ay) };
+        if twist < 0.0 {
+            -twist * reach(ahead[0], ahead[1]).max(reach(back[0], back[1]))
+        } else {
+            twist * reach(ahead[0], back[1]).max(reach(back[0], ahead[1]))
+        }
+    };
+    let slope_x = |v: f64| (at(1, 0) - at(0, 0)) + twist * v;
+    let slope_y = |u: f64| (at(0, 1) - at(0, 0)) + twist * u;
+    let size = |slope: &dyn Fn(f64) -> f64| slope(0.0).abs().max(slope(half).abs());
+    let same = bent([1.0, 1.0], [half, half]).min(0.5 * (size(&slope_x) / ax).hypot(size(&slope_y) / ay));
+    if half == 0.0 {
+        return same;
+    }
+    // How much the patch to the left rises towards this one, and the one above, at the centre and `along` the edge.
+    let left = |v: f64| (at(0, 0) - at(-1, 0)) * (1.0 - v) + (at(0, 1) - at(-1, 1)) * v;
+    let above = |u: f64| (at(0, 0) - at(0, -1)) * (1.0 - u) + (at(1, 0) - at(1, -1)) * u;
+    let jump_x = (left(0.0) - slope_x(0.0)).max(left(half) - slope_x(half)).max(0.0);
+    let jump_y = (above(0.0) - slope_y(0.0)).max(above(half) - slope_y(half)).max(0.0);
+    let beside = (jump_x / ax + bent([1.0 + half, 1.0], [0.0, half]))
+        .max(jump_y / ay + bent([1.0, 1.0 + half], [half, 0.0]));
+    let opposite_twist = (at(0, 0) - at(-1, 0)) + (at(-1, -1) - at(0, -1));
+    let corner_x = (at(0, 0) - at(-1, 0) - slope_x(0.0)).max(0.0);
+    let corner_y = (at(0, 0) - at(0, -1) - slope_y(0.0)).max(0.0);
+    let lift = (twist - opposite_twist).max(0.0) * half * half / (half * ax).hypot(half * ay);
+    let opposite = (corner_x / ax).hypot(corner_y / ay) + lift + bent([1.0 + half, 1.0 + half], [0.0, 0.0]);
+    same.max(beside).max(opposite)
+}

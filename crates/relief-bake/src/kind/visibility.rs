@@ -1,0 +1,214 @@
+//! Precomputed visibility: what every texel sees in fixed directions.
+//!
+//! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed visibility*;
+//! Szirmay-Kalos and Umenhoffer 2008, section 6.2. Along a fixed azimuth and slope the first hit is a
+//! next-greater-element query: in a frame that rises with the rays, the first column that is higher than the texel. A
+//! stack of records along the sheared lines of the horizon's sweep (see [`horizon`]) answers it in
+//! O(1), and the cells that it leaves are solved: mostly one or two, and on ridges along the ray as many as the ridge
+//! is long.
+//!
+//! # What is stored
+//!
+//! Slice `a * elevations + e` looks at azimuth `a`, at the angle `2π a / azimuths` in metres from `+u` towards `+v`,
+//! under the elevation with `sin² = (e + ½) / elevations`: every slice stands for the same part of the
+//! cosine-weighted hemisphere about the base normal. Channels `u` and `v` are the texture coordinates of the first
+//! hit in `[0, 1]`, wrapped into the map; `hit` is 1, or 0 where the ray leaves the relief. A ray that starts into
+//! the surface sees its own texel.
+//!
+//! # Guarantee
+//!
+//! Hits are the exact first hits of the rays from the texels' centres with the bilinear surface, solved in closed
+//! form in `f64` cell by cell, but for flips where the ray clears the surface by no more than rounding, 1e-6 heights;
+//! the distance is then rounded to `f32`. The record stack only says which cells need not be looked at: line `b`
+//! carries at column `c` the highest point `A(c)` of the surface at most `½ + p` rows aside, `p` the rows that a ray
+//! moves a step. A ray of the line is never more than half a row off it, so on the way to and from column `c` it
+//! stays in those rows; and between the columns `c` and `c + 1` the surface at row `y` is a mixture of those in the
+//! two columns, `(1-τ) f(c, y) + τ f(c+1, y) <= (1-τ) A(c) + τ A(c+1)`. So where the ray is not below `A` in both
+//! columns it is not below the surface between them. `A` is rounded in `f32`: a ray may dip below the surface by 2e-7
+//! heights unnoticed.
+//!
+//! A ray is followed until it is above the highest texel, or for `tiles` times the map's side along the axis that it
+//! crosses faster, at least for 64 texels; what is farther is not seen.
+
+mod gather;
+mod rays;
+
+use rayon::prelude::*;
+use relief::HeightMap;
+use relief::registry::{Param, Source as Publication};
+
+pub use gather::Visibility;
+
+use super::horizon::{self, BAND, Direction, Plane, Rows, SKEW, unit_vector};
+use super::{BITS, Kind, Reach};
+use crate::quantise::unorm;
+use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+
+const ELEVATIONS: Param = Param {
+    name: "elevations",
+    summary: "elevations in each azimuth, equally spaced in the squared sine",
+    unit: "",
+    min: 1.0,
+    max: 64.0,
+    default: 4.0,
+    integer: true,
+};
+
+const TILES: Param = Param { summary: "how far a ray is followed, in tiles", default: 4.0, ..horizon::TILES };
+
+/// The kind.
+pub const KIND: Kind = Kind {
+    name: "visibility",
+    summary: "the point that is seen in each of some fixed directions, for shadows and light that bounces",
+    source: Publication { paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008", section: "6.2" },
+    params: &[horizon::AZIMUTHS, ELEVATIONS, TILES, BITS],
+    guarantee: "the exact first hit with the bilinear surface, to rounding of f32",
+    reach: |_| Reach::Everything,
+    bake,
+};
+
+/// What all texels see in one direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View<'a> {
+    /// The direction, of unit length: along `+u`, along `+v` and up the base normal.
+    pub direction: [f64; 3],
+    /// Change of the texture coordinates a step.
+    pub step_uv: [f64; 2],
+    /// For every texel, row by row from the top, the steps to its first hit; infinite for none.
+    pub steps: &'a [f32],
+    size: [u32; 2],
+}
+
+impl View<'_> {
+    /// Texture coordinates, not wrapped, of what a texel sees. The texel must be in the map.
+    pub fn hit(&self, column: u32, row: u32) -> Option<[f64; 2]> {
+        let [width, height] = self.size.map(f64::from);
+        let steps = f64::from(self.steps[row as usize * self.size[0] as usize + column as usize]);
+        steps.is_finite().then(|| {
+            [
+                (f64::from(column) + 0.5) / width + self.step_uv[0] * steps,
+                (f64::from(row) + 0.5) / height + self.step_uv[1] * steps,
+            ]
+        })
+    }
+}
+
+/// The views in `azimuths` times `elevations` directions, azimuth by azimuth and from the lowest elevation. See the
+/// [module](self) for their meaning and accuracy.
+///
+/// The working set is three maps of `f32` and one for each elevation, besides the input, whatever the number of
+/// azimuths.
+///
+/// # Errors
+///
+/// When there is not that much memory, the bake is cancelled, and what `take` returns.
+pub fn views(
+    map: &HeightMap,
+    metric: Metric,
+    [azimuths, elevations]: [u32; 2],
+    tiles: u32,
+    progress: &Progress,
+    take: &mut dyn FnMut(&View) -> Result<(), BakeError>,
+) -> Result<(), BakeError> {
+    let rows = Rows::new(map);
+    let (width, texels) = (map.width() as usize, map.texels().len());
+    let mut sheared = Vec::new();
+    let size = texels.checked_mul(elevations as usize);
+    size.filter(|&size| sheared.try_reserve_exact(size).is_ok()).ok_or_else(|| BakeError::Impossible {
+        kind: KIND.name,
+        reason: format!("{elevations} elevations of {texels} texels do not fit in memory: use fewer"),
+    })?;
+    sheared.resize(texels * elevations as usize, 0.0f32);
+    let mut steps = vec![0.0; texels];
+    let (low, high) = map.texels().iter().fold((1.0f32, 0.0f32), |(low, high), &x| (low.min(x), high.max(x)));
+    for azimuth in 0..azimuths {
+        let piece = progress.piece(azimuth as f32 / azimuths as f32, (azimuth + 1) as f32 / azimuths as f32);
+        let direction = Direction::azimuth(azimuth, azimuths, metric.texel_m(map));
+        let limit = rows.reach(&direction, tiles.max(1));
+        let squares: Vec<f64> =
+            (0..elevations).map(|e| (f64::from(e) + 0.5) / f64::from(elevations)).collect();
+        let rays: Vec<rays::Ray> = squares
+            .iter()
+            .map(|square| {
+                let slope = (square / (1.0 - square)).sqrt() * direction.step_m / metric.scale_m;
+                let out = f64::from(high - low) / slope;
+                // Two more: the column beyond which the ray is out, and what rounding takes from the division.
+                rays::Ray { slope, reach: (out + 2.0).min(limit as f64) as usize }
+            })
+            .collect();
+        let reach = rays.iter().map(|ray| ray.reach).max().unwrap_or(0);
+        let lines = rows.lines(&direction, reach + 1);
+        rays::first_hits(&lines, &rays, &mut sheared, &piece)?;
+        let [cos, sin] = unit_vector(azimuth, azimuths);
+        for (e, square) in squares.iter().enumerate() {
+            let plane =
+                Plane { texels: &sheared, stride: rays.len() * lines.length, offset: e * lines.length };
+            steps.par_chunks_mut(BAND * width).enumerate().for_each(|(band, steps)| {
+                let count = steps.len() / width;
+                let texels =
+                    horizon::unshear(&lines, direction.is_steep(), plane, [width, band * BAND, count]);
+                for (steps, row) in steps.chunks_exact_mut(width).zip(texels.chunks_exact(width + SKEW)) {
+                    steps.copy_from_slice(&row[..width]);
+                }
+            });
+            let (flat, up) = ((1.0 - square).sqrt(), square.sqrt());
+            let [du, dv] = direction.step;
+            take(&View {
+                direction: [cos * flat, sin * flat, up],
+                step_uv: [du / f64::from(map.width()), dv / f64::from(map.height())],
+                steps: &steps,
+                size: [map.width(), map.height()],
+            })?;
+        }
+    }
+    Ok(())
+}
+
+fn bake(
+    source: &Source,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let (azimuths, elevations) = (settings.count(0), settings.count(1));
+    let (tiles, bits) = (settings.count(2), settings.count(3));
+    let map = source.map;
+    let (width, height) = (map.width(), map.height());
+    let channel = |name| Channel { name, range: [0.0, 1.0], rounding: Rounding::Nearest };
+    let mut notes = horizon::notes(source, azimuths);
+    notes.push(("elevations", format!("{elevations}: sin^2 = (e + 0.5) / {elevations}")));
+    sink.begin(&Texture {
+        name: "",
+        size: [width, height, azimuths * elevations],
+        mips: Vec::new(),
+        channels: vec![channel("u"), channel("v"), channel("hit")],
+        notes,
+    })?;
+    let mut planes = [const { Vec::new() }; 3];
+    views(map, source.metric, [azimuths, elevations], tiles, progress, &mut |view| {
+        planes.iter_mut().for_each(Vec::clear);
+        for row in 0..height {
+            for column in 0..width {
+                let hit = view.hit(column, row);
+                let [u, v] = hit.unwrap_or([0.0; 2]);
+                for (plane, value) in planes.iter_mut().zip([
+                    wrapped(map, u) as f32,
+                    wrapped(map, v) as f32,
+                    if hit.is_some() { 1.0 } else { 0.0 },
+                ]) {
+                    plane.push(unorm(value, bits, Rounding::Nearest));
+                }
+            }
+        }
+        Ok(sink.slice(&[&planes[0], &planes[1], &planes[2]])?)
+    })
+}
+
+/// A texture coordinate inside of the map that stands for `at`.
+fn wrapped(map: &HeightMap, at: f64) -> f64 {
+    match map.wrap() {
+        relief::Wrap::Repeat => at.rem_euclid(1.0),
+        relief::Wrap::Clamp => at.clamp(0.0, 1.0),
+        relief::Wrap::Mirror => 1.0 - (at.rem_euclid(2.0) - 1.0).abs(),
+    }
+}

@@ -1,0 +1,202 @@
+//! Heights from normals: round trips, and a dense least-squares solution for comparison.
+
+use relief::{HeightMap, Wrap};
+use relief_bake::from_normals::{FromNormalsError, Integration, heights_from_normals, heights_from_slopes};
+use relief_bake::kind::normal::{Axes, Derivative, normals};
+use relief_bake::{Metric, Progress, quantise};
+use relief_tests::maps;
+use relief_tests::maps::fractal;
+
+fn metric(tile_m: [f64; 2], scale_m: f64) -> Metric {
+    Metric::new(tile_m, scale_m).expect("positive lengths")
+}
+
+/// The heights of a map in metres, without what central differences do not see: the mean and, in a tiled map of even size,
+/// the waves that change sign from texel to texel.
+fn visible(map: &HeightMap, metric: Metric) -> Vec<f64> {
+    let [width, height] = [map.width() as usize, map.height() as usize];
+    let mut heights: Vec<f64> = map.texels().iter().map(|&h| f64::from(h) * metric.scale_m).collect();
+    let tiled = map.wrap() == Wrap::Repeat;
+    for (along_u, along_v) in [(false, false), (true, false), (false, true), (true, true)] {
+        if (along_u && !(tiled && width.is_multiple_of(2)))
+            || (along_v && !(tiled && height.is_multiple_of(2)))
+        {
+            continue;
+        }
+        let sign = |at: usize| {
+            let odd = (along_u && (at % width) % 2 == 1) ^ (along_v && (at / width) % 2 == 1);
+            if odd { -1.0 } else { 1.0 }
+        };
+        let mean = heights.iter().enumerate().map(|(at, h)| sign(at) * h).sum::<f64>() / heights.len() as f64;
+        for (at, height) in heights.iter_mut().enumerate() {
+            *height -= sign(at) * mean;
+        }
+    }
+    heights
+}
+
+fn root_mean_square(a: &[f32], b: &[f64]) -> f64 {
+    (a.iter().zip(b).map(|(&a, b)| (f64::from(a) - b).powi(2)).sum::<f64>() / a.len() as f64).sqrt()
+}
+
+fn integration(map: &HeightMap, metric: Metric) -> Integration {
+    Integration { texel_m: metric.texel_m(map), wrap: map.wrap(), steepest: 1e6, ..Integration::default() }
+}
+
+/// Root mean square error of the round trip in parts of the relief, with normals stored in so many bits.
+fn round_trip(map: &HeightMap, metric: Metric, axes: Axes, bits: u32) -> f64 {
+    let (planes, _) =
+        normals(map, metric, Derivative::Central, axes, &Progress::none()).expect("nobody cancels");
+    let planes = planes.map(|plane| {
+        let stored =
+            |n: f32| 2.0 * quantise::unorm(0.5 * n + 0.5, bits, relief_bake::Rounding::Nearest) - 1.0;
+        plane.into_iter().map(|n| if bits == 0 { n } else { stored(n) }).collect::<Vec<f32>>()
+    });
+    let how = Integration { axes, ..integration(map, metric) };
+    let size = [map.width(), map.height()];
+    let back = heights_from_normals(size, [&planes[0], &planes[1], &planes[2]], &how, &Progress::none())
+        .expect("they are normals");
+    root_mean_square(&back.heights_m, &visible(map, metric)) / metric.scale_m
+}
+
+#[test]
+fn what_was_baked_comes_back() {
+    for named in maps::ALL {
+        for wrap in Wrap::ALL {
+            let map = named.build(wrap);
+            for (metric, axes) in [
+                (metric([1.0, 1.0], 0.1), Axes::Tangent),
+                (metric([3.0, 0.5], 0.4), Axes::TangentGreenDown),
+                (metric([1.0, 2.0], 0.1), Axes::World),
+            ] {
+                let error = round_trip(&map, metric, axes, 0);
+                assert!(error < 1e-5, "{} {wrap} {axes:?}: {error} of the relief", named.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn ground_comes_back_from_stored_normals_too() {
+    for wrap in Wrap::ALL {
+        let map = HeightMap::new(512, 512, fractal(5, 512, 512, 0.55), wrap).expect("a valid map");
+        let metric = metric([1.0, 1.0], 0.1);
+        for (bits, most) in [(0, 1e-8), (16, 1e-6), (8, 3e-4)] {
+            let error = round_trip(&map, metric, Axes::Tangent, bits);
+            assert!(error < most, "{wrap} {bits} bits: {error} of the relief");
+        }
+        // The comparison notices the other sign of green.
+        let (planes, _) =
+            normals(&map, metric, Derivative::Central, Axes::TangentGreenDown, &Progress::none())
+                .expect("nobody cancels");
+        let wrong = heights_from_normals(
+            [512, 512],
+            [&planes[0], &planes[1], &planes[2]],
+            &integration(&map, metric),
+            &Progress::none(),
+        )
+        .expect("they are normals");
+        assert!(root_mean_square(&wrong.heights_m, &visible(&map, metric)) / metric.scale_m > 0.02);
+        assert!(wrong.misfit > 0.1, "slopes that no relief has do not fit: {}", wrong.misfit);
+    }
+}
+
+#[test]
+fn slopes_that_fit_no_relief_give_the_nearest() {
+    // What is minimised is convex: where no step in any texel lowers it, it is least.
+    let mut rng = relief_tests::rng::Rng::new(4);
+    for [width, height] in [[5u32, 4u32], [6, 8], [1, 7], [9, 1]] {
+        for wrap in Wrap::ALL {
+            for damping in [0.0, 0.3] {
+                let texels = (width * height) as usize;
+                let mut noise = || (0..texels).map(|_| rng.between(-1.0, 1.0) as f32).collect::<Vec<f32>>();
+                let slopes = [noise(), noise()];
+                let how = Integration { texel_m: [0.5, 0.8], wrap, damping, ..Integration::default() };
+                let fit =
+                    heights_from_slopes([width, height], [&slopes[0], &slopes[1]], &how, &Progress::none())
+                        .expect("they are slopes");
+                let cost = |heights: &[f64]| cost(heights, [width, height], &slopes, &how);
+                let best: Vec<f64> = fit.heights_m.iter().map(|&h| f64::from(h)).collect();
+                let least = cost(&best);
+                if damping == 0.0 {
+                    assert!((fit.misfit - (least / texels as f64).sqrt()).abs() < 1e-5);
+                }
+                for texel in 0..texels {
+                    for step in [1e-4, -1e-4] {
+                        let mut other = best.clone();
+                        other[texel] += step;
+                        assert!(
+                            cost(&other) >= least,
+                            "{width}x{height} {wrap} {damping}: texel {texel} is better by {step}"
+                        );
+                    }
+                }
+                let mean = best.iter().sum::<f64>() / texels as f64;
+                assert!(mean.abs() < 1e-6);
+            }
+        }
+    }
+}
+
+/// What is minimised, summed directly.
+fn cost(heights: &[f64], size: [u32; 2], slopes: &[Vec<f32>; 2], how: &Integration) -> f64 {
+    let at = |i: i64, j: i64| {
+        heights[(how.wrap.index(j, size[1]) * size[0] + how.wrap.index(i, size[0])) as usize]
+    };
+    let mut sum = 0.0;
+    for j in 0..i64::from(size[1]) {
+        for i in 0..i64::from(size[0]) {
+            let texel = (j * i64::from(size[0]) + i) as usize;
+            for (axis, [di, dj]) in [[1, 0], [0, 1]].into_iter().enumerate() {
+                let (before, here, after) = (at(i - di, j - dj), at(i, j), at(i + di, j + dj));
+                let slope = (after - before) / (2.0 * how.texel_m[axis]);
+                sum += (slope - f64::from(slopes[axis][texel])).powi(2);
+                // (1 - cos θ) / 2 of a wave is a quarter of its second difference.
+                let bend = 0.25 * (before - 2.0 * here + after) / how.texel_m[axis];
+                sum += (how.damping * bend).powi(2);
+            }
+        }
+    }
+    sum
+}
+
+#[test]
+fn heights_become_a_map_and_back() {
+    let map = maps::ALL[3].build(Wrap::Clamp);
+    let metric = metric([1.0, 1.0], 0.25);
+    let (planes, _) =
+        normals(&map, metric, Derivative::Central, Axes::Tangent, &Progress::none()).expect("nobody cancels");
+    let size = [map.width(), map.height()];
+    let planes = [&planes[0][..], &planes[1], &planes[2]];
+    let back = heights_from_normals(size, planes, &integration(&map, metric), &Progress::none())
+        .expect("they are normals");
+    assert_eq!(back.too_steep, 0);
+    let again = back.to_map(Wrap::Clamp).expect("a valid map");
+    for (&texel, &metres) in again.texels().iter().zip(&back.heights_m) {
+        assert!((again.displacement_m(f64::from(texel)) - f64::from(metres)).abs() < 1e-7);
+    }
+}
+
+#[test]
+fn what_is_no_normal_map_is_refused_or_counted() {
+    let level = ([0.0f32; 12], [1.0f32; 12]);
+    let how = Integration::default();
+    let none = Progress::none();
+    let run =
+        |size, x: &[f32], how: &Integration| heights_from_normals(size, [x, &level.0, &level.1], how, &none);
+    assert!(matches!(run([0, 4], &level.0, &how), Err(FromNormalsError::Size(_))));
+    assert!(matches!(run([5, 4], &level.0, &how), Err(FromNormalsError::WrongLength { given: 12, .. })));
+    let mut broken = level.0;
+    broken[6] = f32::NAN;
+    assert!(matches!(run([4, 3], &broken, &how), Err(FromNormalsError::NotFinite { column: 2, row: 1 })));
+    let bad = Integration { texel_m: [0.0, 1.0], ..how };
+    assert!(matches!(run([4, 3], &level.0, &bad), Err(FromNormalsError::BadNumber { .. })));
+    let overhang = heights_from_normals([4, 3], [&level.1, &level.0, &level.0], &how, &none);
+    assert_eq!(overhang.expect("they are counted").too_steep, 12);
+    let nothing = heights_from_normals([4, 3], [&level.0, &level.0, &level.0], &how, &none);
+    assert!(nothing.expect("they are counted").heights_m.iter().all(|&h| h == 0.0));
+    let flag = std::sync::atomic::AtomicBool::new(true);
+    let cancelled =
+        heights_from_normals([4, 3], [&level.0, &level.0, &level.1], &how, &Progress::new(&|_| {}, &flag));
+    assert!(matches!(cancelled, Err(FromNormalsError::Cancelled(_))));
+}

@@ -1,0 +1,161 @@
+//! The pyramid against the extremes of each node's cells, and against the surface.
+
+use std::sync::atomic::AtomicBool;
+
+use relief::exact::cell_walk;
+use relief::{HeightMap, MaxPyramid, Wrap};
+use relief_bake::kind::pyramid::{KIND, pyramids};
+use relief_bake::{BakeError, Collected, CollectedTexture, Metric, Progress, bake};
+use relief_tests::judge::judge;
+use relief_tests::probes::place::Place;
+use relief_tests::probes::pyramid as probes;
+use relief_tests::rays::{RayKind, Rays};
+use relief_tests::search::pyramid::search;
+use relief_tests::{brute, maps};
+
+/// Probes of each map in each wrap and number of bits.
+const PROBES: usize = 100_000;
+
+fn baked(map: &HeightMap, bits: u32) -> CollectedTexture {
+    let mut settings = KIND.defaults();
+    settings.set("bits", f64::from(bits)).expect("a known number of bits");
+    let mut collected = Collected::default();
+    let metric = Metric::new([2.0, 0.5], 0.1).expect("lengths");
+    bake(&KIND, map, metric, &settings, &Progress::none(), &mut collected).expect("a bake");
+    collected.textures.remove(0)
+}
+
+/// Least and greatest height of a node.
+fn node(texture: &CollectedTexture, level: usize, column: u32, row: u32) -> [f32; 2] {
+    let place = (row * texture.texture.level_size(level)[0] + column) as usize;
+    [texture.levels[level][0][place], texture.levels[level][1][place]]
+}
+
+#[test]
+fn every_node_of_every_level_is_the_extremes_of_its_cells() {
+    for named in maps::ALL {
+        for wrap in Wrap::ALL {
+            let map = named.build(wrap);
+            let texture = baked(&map, 0);
+            let mut size = [map.width(), map.height(), 1];
+            for level in 0..texture.levels.len() {
+                assert_eq!(texture.texture.level_size(level), size, "{} {wrap}", named.name);
+                let brute = brute::pyramid::level(&map, level as u32);
+                let nodes: Vec<[f32; 2]> = (0..size[1])
+                    .flat_map(|row| (0..size[0]).map(move |column| (column, row)))
+                    .map(|(column, row)| node(&texture, level, column, row))
+                    .collect();
+                assert_eq!(nodes, brute, "{} {wrap}, level {level}", named.name);
+                size = [size[0].div_ceil(2), size[1].div_ceil(2), 1];
+            }
+            assert_eq!(texture.levels.last().map(|channels| channels[0].len()), Some(1));
+        }
+    }
+}
+
+#[test]
+fn the_surface_stays_within_every_level_in_any_bits() {
+    for (at, named) in maps::ALL.iter().enumerate() {
+        for (wrap, bits) in Wrap::ALL.into_iter().zip([0, 8, 16]) {
+            for bits in [bits, 0] {
+                let map = named.build(wrap);
+                let decoded = relief_bake::quantise::heights(&map, bits).expect("valid heights");
+                let (texture, folding) = (baked(&map, bits), MaxPyramid::new(&map));
+                let bounds = |level: usize, cell: [i64; 2]| {
+                    node(&texture, level, folding.column(cell[0]) >> level, folding.row(cell[1]) >> level)
+                };
+                let escaped = probes::probe(&decoded, texture.levels.len(), bounds, PROBES, at as u64);
+                assert_eq!(escaped, None, "{} {wrap}, {bits} bits", named.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_quadtree_search_never_passes_the_exact_first_hit() {
+    for (at, named) in maps::ALL.iter().enumerate() {
+        for wrap in Wrap::ALL {
+            let map = named.build(wrap);
+            let pyramid = MaxPyramid::new(&map);
+            let paths = Rays::new(&map, at as u64).filter(|(kind, _)| *kind != RayKind::Endless);
+            for (kind, path) in paths.take(PROBES / 20) {
+                let found = search(&map, &pyramid, &path);
+                let verdict = judge(&map, &path, &cell_walk(&map, &path), &found.answer, 2e-12);
+                assert!(verdict.is_ok(), "{} {wrap}, {kind:?}: {verdict:?}", named.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn stored_values_need_no_rounding() {
+    let map = maps::ALL[0].build(Wrap::Repeat);
+    for bits in [8, 16] {
+        for channel in baked(&map, bits).levels.iter().flatten() {
+            for &value in channel {
+                let rounded = relief_bake::quantise::unorm(value, bits, relief_bake::Rounding::Nearest);
+                assert_eq!(rounded, value, "{bits} bits");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_node_one_step_too_tight_is_caught_where_it_touches() {
+    let step = 1.0 / 65_535.0;
+    for wrap in Wrap::ALL {
+        let map = maps::ALL[0].build(wrap);
+        let texture = baked(&map, 0);
+        for level in 0..texture.levels.len() {
+            let [columns, rows, _] = texture.texture.level_size(level);
+            for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+                let [least, most] = node(&texture, level, column, row);
+                let touching = |height: f32| {
+                    let (left, top) = (column << level, row << level);
+                    let cells = (top..(top + (1 << level)).min(map.height()))
+                        .flat_map(|j| (left..(left + (1 << level)).min(map.width())).map(move |i| [i, j]));
+                    let corners = cells.flat_map(|cell| {
+                        [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]
+                            .map(|within| Place { cell: cell.map(i64::from), within })
+                    });
+                    corners
+                        .into_iter()
+                        .find(|place| place.height(&map) == f64::from(height))
+                        .expect("it is attained")
+                };
+                let (low, high) = (touching(least), touching(most));
+                assert!(
+                    probes::holds(&map, &low, [least, most]) && probes::holds(&map, &high, [least, most])
+                );
+                assert!(!probes::holds(&map, &low, [least + step, most]), "{wrap}, level {level}");
+                assert!(!probes::holds(&map, &high, [least, most - step]), "{wrap}, level {level}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_cancelled_bake_ends_and_progress_reaches_the_end() {
+    let map = maps::ALL[1].build(Wrap::Mirror);
+    let report = |_: f32| {};
+    let cancel = AtomicBool::new(true);
+    assert!(pyramids(&map, &Progress::new(&report, &cancel)).is_err());
+    let metric = Metric::unit_tile(1.0).expect("a length");
+    let cancelled = bake(
+        &KIND,
+        &map,
+        metric,
+        &KIND.defaults(),
+        &Progress::new(&report, &cancel),
+        &mut Collected::default(),
+    );
+    assert!(matches!(cancelled, Err(BakeError::Cancelled(_))));
+    let last = std::sync::Mutex::new(0.0f32);
+    let keep = |part: f32| {
+        let mut last = last.lock().expect("no panic while it is held");
+        *last = last.max(part);
+    };
+    let never = AtomicBool::new(false);
+    pyramids(&map, &Progress::new(&keep, &never)).expect("not cancelled");
+    assert_eq!(*last.lock().expect("no panic while it was held"), 1.0);
+}

@@ -1,0 +1,187 @@
+//! From spooled textures to files: which files, and writing them.
+
+use std::io;
+use std::ops::Range;
+use std::path::Path;
+
+use relief_bake::Texture;
+use relief_io::{
+    Ktx2Texture, Metadata, PngTexture, Row, WriteError, write_exr_rows, write_ktx2, write_png_rows,
+};
+
+use super::identity::Identity;
+use super::spool::{SpoolReader, Spooled};
+use super::storage::{FileFormat, Storage};
+
+/// A file to be written: of a texture some channels and some mip levels.
+struct Plan {
+    name: String,
+    texture: usize,
+    channels: Range<usize>,
+    levels: Range<usize>,
+}
+
+/// Why files were not written.
+#[derive(Debug, thiserror::Error)]
+pub enum FilesError {
+    /// A file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// A value cannot be stored.
+    #[error("{0}")]
+    Value(String),
+    /// It was cancelled.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+/// How the files of a bake are stored.
+#[derive(Clone, Copy)]
+pub struct Packing {
+    /// Their format.
+    pub format: FileFormat,
+    /// Their texels.
+    pub storage: Storage,
+    /// Whether KTX2 levels are compressed.
+    pub zstd: bool,
+}
+
+/// Writes the files of a bake into a folder and gives their names. `base` is the names' beginning; `at` is told the
+/// finished part and answers whether to go on.
+pub fn write(
+    folder: &Path,
+    base: &str,
+    packing: Packing,
+    textures: &[Spooled],
+    reader: &mut SpoolReader,
+    identity: &Identity,
+    at: &mut dyn FnMut(f32) -> bool,
+) -> Result<Vec<String>, FilesError> {
+    let plans: Vec<Plan> = textures
+        .iter()
+        .enumerate()
+        .flat_map(|(index, spooled)| plan(base, packing.format, index, &spooled.texture))
+        .collect();
+    let names: Vec<String> = plans.iter().map(|plan| plan.name.clone()).collect();
+    let rows_of = |plan: &Plan| -> u64 {
+        let rows = plan.levels.clone().map(|level| {
+            let [_, height, depth] = textures[plan.texture].texture.level_size(level);
+            u64::from(height) * u64::from(depth)
+        });
+        rows.sum::<u64>() * plan.channels.len() as u64
+    };
+    let all = plans.iter().map(rows_of).sum::<u64>().max(1) as f32;
+    let mut done = 0u64;
+    for plan in &plans {
+        let spooled = &textures[plan.texture];
+        let mut count = || {
+            done += 1;
+            at(done as f32 / all)
+        };
+        write_one(&folder.join(&plan.name), plan, packing, spooled, reader, identity, &names, &mut count)?;
+    }
+    Ok(names)
+}
+
+/// The files of a texture. PNG and KTX2 files hold up to four channels; PNG and EXR files hold one mip level, and so do
+/// KTX2 files where levels are not each half the one before it, rounded down, which the format takes for granted.
+fn plan(base: &str, format: FileFormat, index: usize, texture: &Texture) -> Vec<Plan> {
+    let count = texture.channels.len();
+    let levels = texture.mips.len() + 1;
+    let halves = (1..levels).all(|level| {
+        let half = texture.size.map(|side| (side >> level.min(31)).max(1));
+        texture.level_size(level) == half && texture.level_size(level - 1) != [1; 3]
+    });
+    let together = levels == 1 || (format == FileFormat::Ktx2 && halves);
+    let step = format.channels().min(count.max(1));
+    let mut plans = Vec::new();
+    for from in (0..count).step_by(step) {
+        let channels = from..(from + step).min(count);
+        for level in 0..if together { 1 } else { levels } {
+            let mut parts = vec![base.to_owned()];
+            if !texture.name.is_empty() {
+                parts.push(texture.name.to_owned());
+            }
+            if count > step {
+                parts.push(format!("channels{}-{}", channels.start, channels.end - 1));
+            }
+            if !together {
+                parts.push(format!("level{level}"));
+            }
+            parts.push(format.extension().to_owned());
+            let levels = if together { 0..levels } else { level..level + 1 };
+            plans.push(Plan { name: parts.join("."), texture: index, channels: channels.clone(), levels });
+        }
+    }
+    plans
+}
+
+fn write_one(
+    path: &Path,
+    plan: &Plan,
+    packing: Packing,
+    spooled: &Spooled,
+    reader: &mut SpoolReader,
+    identity: &Identity,
+    names: &[String],
+    count: &mut dyn FnMut() -> bool,
+) -> Result<(), FilesError> {
+    let Packing { format, storage, zstd } = packing;
+    let texture = &spooled.texture;
+    let single = (plan.levels.len() == 1 && !texture.mips.is_empty()).then_some(plan.levels.start);
+    let entries = identity.metadata(texture, plan.channels.clone(), single, storage, names);
+    let metadata = Metadata::new(entries).map_err(|problem| FilesError::Value(problem.to_string()))?;
+    let size = texture.level_size(plan.levels.start);
+    let channels = &texture.channels[plan.channels.clone()];
+    // Writers know failed rows as failures of the system only.
+    let mut failure = None;
+    let mut rows = |row: Row, texels: &mut [f32]| -> io::Result<()> {
+        let Some(channel) = channels.get(row.channel) else {
+            texels.fill(0.0);
+            return Ok(());
+        };
+        let source = Row {
+            level: row.level + plan.levels.start as u32,
+            channel: row.channel + plan.channels.start,
+            ..row
+        };
+        reader.row(spooled, source, texels)?;
+        let stored = texels.iter_mut().try_for_each(|texel| {
+            *texel = storage.texel(*texel, channel)?;
+            Ok(())
+        });
+        failure = stored.map_err(FilesError::Value).err();
+        if failure.is_none() && !count() {
+            failure = Some(FilesError::Cancelled);
+        }
+        if failure.is_some() { Err(io::Error::other("stopped")) } else { Ok(()) }
+    };
+    let [width, height, depth] = size;
+    let written = match format {
+        FileFormat::Exr => {
+            let names: Vec<&str> = channels.iter().map(|channel| channel.name).collect();
+            // The slices of a volume lie below each other.
+            let mut below = |row: Row, texels: &mut [f32]| {
+                rows(Row { slice: row.row / height, row: row.row % height, ..row }, texels)
+            };
+            let tall = height.saturating_mul(depth);
+            write_exr_rows(path, width, tall, &names, &metadata, &mut below)
+        }
+        FileFormat::Png => {
+            let bits = if storage == (Storage::Unorm { bits: 8 }) { 8 } else { 16 };
+            // Two channels as grey and opacity would be mixed by whoever shows them: a blue of 0 is added.
+            let channels = if channels.len() == 2 { 3 } else { channels.len() };
+            write_png_rows(path, &PngTexture { width, height, channels, bits }, &metadata, &mut rows)
+        }
+        FileFormat::Ktx2 => {
+            let levels = plan.levels.len() as u32;
+            let format = storage.ktx2(channels.len());
+            let description = Ktx2Texture { format, size, levels, channels: channels.len(), zstd, metadata };
+            write_ktx2(path, &description, &mut rows)
+        }
+    };
+    match failure {
+        Some(failure) => Err(failure),
+        None => written.map_err(FilesError::Write),
+    }
+}

@@ -1,0 +1,161 @@
+//! What a baked file says of itself, and whether a bake has been done before.
+
+use std::path::Path;
+
+use relief::HeightMap;
+use relief_bake::{Kind, Metric, Rounding, Settings, Texture};
+use relief_io::{Metadata, read_metadata};
+
+use super::storage::{FileFormat, Storage};
+
+/// The hash that tells two bakes apart.
+const KEY: &str = "relief.key";
+
+/// The files of a bake, as a JSON list of names.
+const FILES: &str = "relief.files";
+
+/// Names and values for a file's metadata.
+pub type Entries = Vec<(String, String)>;
+
+/// The hash of a height map's size and decoded texels: BLAKE3 of width and height as `u32` and the texels as `f32`, all
+/// little-endian.
+pub fn source_hash(map: &HeightMap) -> String {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(&map.width().to_le_bytes());
+    hasher.update(&map.height().to_le_bytes());
+    let mut bytes = Vec::with_capacity(1 << 16);
+    for texels in map.texels().chunks(1 << 14) {
+        bytes.clear();
+        bytes.extend(texels.iter().flat_map(|texel| texel.to_le_bytes()));
+        hasher.update(&bytes);
+    }
+    hasher.finalize().to_hex().to_string()
+}
+
+/// What decides the bytes of a bake, and what all of its files say.
+pub struct Identity {
+    entries: Entries,
+    key: String,
+}
+
+impl Identity {
+    /// Of a kind's bake from a map with that hash.
+    pub fn new(
+        kind: &Kind,
+        settings: &Settings,
+        map: &HeightMap,
+        source_hash: &str,
+        metric: Metric,
+        format: FileFormat,
+        storage: Storage,
+        zstd: bool,
+    ) -> Self {
+        let [tile_u, tile_v] = metric.tile_m;
+        let settings: Vec<String> = settings.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        let mut entries: Entries = [
+            ("kind", kind.name.to_owned()),
+            ("source", format!("blake3:{source_hash}")),
+            ("source_size", format!("{} {}", map.width(), map.height())),
+            ("wrap", map.wrap().name().to_owned()),
+            ("tile_m", format!("{tile_u} {tile_v}")),
+            ("scale_m", metric.scale_m.to_string()),
+            ("settings", settings.join(" ")),
+            ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
+            ("units", "lengths in metres; heights in fractions of the scale; u and v in tiles".to_owned()),
+            ("guarantee", kind.guarantee.to_owned()),
+            ("published", format!("{} {}", kind.source.paper, kind.source.section).trim_end().to_owned()),
+            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+            ("stored_as", storage.name().to_owned()),
+        ]
+        .map(|(name, value)| (format!("relief.{name}"), value))
+        .into();
+        if let Some([zero, one]) = map.physical_range() {
+            entries.push(("relief.physical_range".to_owned(), format!("{zero} {one}")));
+        }
+        let mut hasher = blake3::Hasher::new();
+        let container = [format.extension(), if zstd { "zstd" } else { "plain" }];
+        let entry_texts = entries.iter().flat_map(|(name, value)| [name.as_str(), value.as_str()]);
+        for text in entry_texts.chain(container) {
+            hasher.update(&(text.len() as u64).to_le_bytes());
+            hasher.update(text.as_bytes());
+        }
+        let key = hasher.finalize().to_hex().to_string();
+        Self { entries, key }
+    }
+
+    /// The hash of all inputs.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// What a file of that texture and those channels says, with the names of all files of the bake.
+    pub fn metadata(
+        &self,
+        texture: &Texture,
+        channels: std::ops::Range<usize>,
+        level: Option<usize>,
+        storage: Storage,
+        files: &[String],
+    ) -> Entries {
+        let channels = &texture.channels[channels];
+        let join = |texts: Vec<String>| texts.join(" ");
+        let decode = if storage.is_normalised() {
+            "value = range[0] + texel * (range[1] - range[0]), texel from 0 to 1"
+        } else {
+            "value = texel"
+        };
+        let [width, height, depth] = texture.level_size(level.unwrap_or(0));
+        let own = [
+            ("channels", join(channels.iter().map(|channel| channel.name.to_owned()).collect())),
+            ("ranges", join(channels.iter().map(|c| format!("{},{}", c.range[0], c.range[1])).collect())),
+            ("rounding", join(channels.iter().map(|c| rounding_name(c.rounding).to_owned()).collect())),
+            ("decode", decode.to_owned()),
+            ("size", format!("{width} {height} {depth}")),
+        ];
+        let mut entries = self.entries.clone();
+        entries.extend(own.map(|(name, value)| (format!("relief.{name}"), value)));
+        if !texture.name.is_empty() {
+            entries.push(("relief.texture".to_owned(), texture.name.to_owned()));
+        }
+        if let Some(level) = level {
+            entries.push(("relief.level".to_owned(), level.to_string()));
+        }
+        entries
+            .extend(texture.notes.iter().map(|(name, value)| (format!("relief.note.{name}"), value.clone())));
+        entries.push((KEY.to_owned(), self.key.clone()));
+        entries.push((FILES.to_owned(), serde_json::json!(files).to_string()));
+        // A value is one line in every format.
+        for (_, value) in &mut entries {
+            *value = value.replace(char::is_control, " ");
+        }
+        entries
+    }
+
+    /// The files of an earlier bake of the same inputs, if all of them are there: those that the first file found with
+    /// this hash names, each with this hash. Their texels are not compared.
+    pub fn files_in(&self, folder: &Path, stem: &str, kind: &str, format: FileFormat) -> Option<Vec<String>> {
+        let (prefix, suffix) = (format!("{stem}.{kind}."), format!(".{}", format.extension()));
+        let same = |name: &str| -> Option<Metadata> {
+            let found = read_metadata(&folder.join(name)).ok()?;
+            (found.get(KEY) == Some(self.key.as_str())).then_some(found)
+        };
+        let mut names: Vec<String> = std::fs::read_dir(folder)
+            .ok()?
+            .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+            .filter(|name| name.starts_with(&prefix) && name.ends_with(&suffix))
+            .collect();
+        names.sort_unstable();
+        let first = names.iter().find_map(|name| same(name))?;
+        let files: Vec<String> = serde_json::from_str(first.get(FILES)?).ok()?;
+        let all_there = files.iter().all(|file| names.contains(file) && same(file).is_some());
+        (all_there && !files.is_empty()).then_some(files)
+    }
+}
+
+const fn rounding_name(rounding: Rounding) -> &'static str {
+    match rounding {
+        Rounding::Nearest => "nearest",
+        Rounding::Down => "down",
+        Rounding::Up => "up",
+    }
+}

@@ -1,0 +1,379 @@
+//! The command with kinds made for the tests.
+
+#[cfg(unix)]
+mod disk;
+#[cfg(target_os = "linux")]
+mod memory;
+
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use relief::registry::{Param, Source as Publication};
+use relief_bake::kind::{BITS, Reach};
+use relief_bake::{Channel, Rounding, Sink, Source};
+use relief_io::{TexelFormat, read_ktx2, read_metadata, write_png16};
+
+use super::*;
+
+const WIDTH: u32 = 20;
+const HEIGHT: u32 = 12;
+
+#[derive(Parser)]
+struct Line {
+    #[command(flatten)]
+    arguments: Arguments,
+}
+
+const fn kind(
+    name: &'static str,
+    params: &'static [Param],
+    bake: fn(&Source, &Settings, &BakeProgress, &mut dyn Sink) -> Result<(), BakeError>,
+) -> Kind {
+    let source = Publication { paper: "Relief", section: "tests" };
+    Kind { name, summary: "for tests", source, params, guarantee: "none", reach: |_| Reach::Texels(0), bake }
+}
+
+const fn channel(name: &'static str, rounding: Rounding) -> Channel {
+    Channel { name, range: [0.0, 2.0], rounding }
+}
+
+fn texture(name: &'static str, size: [u32; 3], channels: &[Channel]) -> Texture {
+    let notes = vec![("reach", "0 texels".to_owned())];
+    Texture { name, size, mips: Vec::new(), channels: channels.to_vec(), notes }
+}
+
+/// What the kinds below store: 1 and a third of the height, in a range of 0 to 2.
+fn shade(texel: f32) -> f32 {
+    1.0 + texel / 3.0
+}
+
+/// One channel; its progress is reported.
+const SHADE: Kind = kind("shade", &[BITS], |source, _, progress, sink| {
+    progress.at(0.0)?;
+    let map = source.map;
+    sink.begin(&texture("", [map.width(), map.height(), 1], &[channel("shade", Rounding::Down)]))?;
+    let plane: Vec<f32> = map.texels().iter().map(|&texel| shade(texel)).collect();
+    Ok(sink.slice(&[&plane])?)
+});
+
+/// Five channels with a chain of halves, then a texture whose levels are no halves; asks for no cancellation.
+const LEVELS: Kind = kind("levels", &[], |source, _, _, sink| {
+    let names = ["a", "b", "c", "d", "e"];
+    let [width, height] = [source.map.width(), source.map.height()];
+    let mut five = texture("five", [width, height, 1], &names.map(|name| channel(name, Rounding::Nearest)));
+    five.mips = vec![[width / 2, height / 2, 1], [width / 4, height / 4, 1]];
+    let mut odd = texture("odd", [width, height, 1], &[channel("height", Rounding::Nearest)]);
+    odd.mips = vec![[width / 2 + 1, height / 2 + 1, 1]];
+    for texture in [five, odd] {
+        sink.begin(&texture)?;
+        for level in 0..=texture.mips.len() {
+            let [width, height, _] = texture.level_size(level);
+            let planes: Vec<Vec<f32>> = (0..texture.channels.len())
+                .map(|at| vec![(level as f32 + at as f32) / 8.0; (width * height) as usize])
+                .collect();
+            let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
+            sink.slice(&planes)?;
+        }
+    }
+    Ok(())
+});
+
+/// Three slices of 0, 1 and 2.
+const VOLUME: Kind = kind("volume", &[], |source, _, _, sink| {
+    let [width, height] = [source.map.width(), source.map.height()];
+    sink.begin(&texture("", [width, height, 3], &[channel("distance", Rounding::Down)]))?;
+    for slice in [0.0, 1.0, 2.0] {
+        sink.slice(&[&vec![slice; (width * height) as usize]])?;
+    }
+    Ok(())
+});
+
+/// Announces two slices and gives one.
+const SHORT: Kind = kind("short", &[], |_, _, _, sink| {
+    sink.begin(&texture("", [2, 1, 2], &[channel("x", Rounding::Nearest)]))?;
+    Ok(sink.slice(&[&[0.0, 0.0]])?)
+});
+
+/// A value that no integer of its range holds.
+const OUTSIDE: Kind = kind("outside", &[], |_, _, _, sink| {
+    sink.begin(&texture("", [2, 1, 1], &[channel("x", Rounding::Up)]))?;
+    Ok(sink.slice(&[&[0.0, 2.5]])?)
+});
+
+const TEST_KINDS: [Kind; 5] = [SHADE, LEVELS, VOLUME, SHORT, OUTSIDE];
+
+fn find(name: &str) -> Result<&'static Kind, UnknownName> {
+    static FOUND: [Kind; 5] = TEST_KINDS;
+    let unknown = || UnknownName::new("map kind", name, FOUND.iter().map(|kind| kind.name));
+    FOUND.iter().find(|kind| kind.name == name).ok_or_else(unknown)
+}
+
+/// A folder with a height map of that size.
+struct Room {
+    folder: tempfile::TempDir,
+    map: PathBuf,
+}
+
+impl Room {
+    fn new() -> Self {
+        Self::of([WIDTH, HEIGHT])
+    }
+
+    fn of([width, height]: [u32; 2]) -> Self {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let map = folder.path().join("map.png");
+        let texels: Vec<u16> = (0..width * height).map(|at| (at * 271) as u16).collect();
+        write_png16(&map, width, height, &texels).expect("the folder is writable");
+        Self { folder, map }
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn bake_unless(&self, cancel: bool, line: &str) -> Result<Value, Failure> {
+        let words = ["bake", self.map.to_str().expect("UTF-8"), "--json"].into_iter();
+        let output = ["-o", self.folder.path().to_str().expect("UTF-8")];
+        let words: Vec<&str> = words.chain(line.split_whitespace()).chain(output).collect();
+        let line = Line::try_parse_from(words).map_err(Failure::usage)?;
+        let mut out = Vec::new();
+        let kinds = choose(&line.arguments, find)?;
+        Job::new(&line.arguments, kinds)?.run(&AtomicBool::new(cancel), &mut out)?;
+        Ok(serde_json::from_slice(&out).expect("JSON"))
+    }
+
+    fn bake(&self, line: &str) -> Value {
+        self.bake_unless(false, line).expect("it can be baked")
+    }
+
+    /// What the folder holds besides the map.
+    fn files(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(self.folder.path()).expect("the folder is there");
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned())
+            .filter(|name| name != "map.png")
+            .collect();
+        names.sort();
+        names
+    }
+
+    fn heights(&self) -> HeightMap {
+        read_height(&self.map, &relief_io::HeightOptions::default()).expect("it is a map")
+    }
+}
+
+fn up_to_date(baked: &Value) -> bool {
+    baked["baked"][0]["up_to_date"] == json!(true)
+}
+
+fn plane(path: &Path) -> Vec<f32> {
+    read_ktx2(path, 1 << 24).expect("a texture").levels[0].planes[0].clone()
+}
+
+#[test]
+fn each_format_holds_the_texels_and_what_they_mean() {
+    let room = Room::new();
+    for format in ["exr", "png", "ktx2"] {
+        room.bake(&format!("--kind shade --wrap clamp --tile-size 2,3 --scale 0.25 --format {format}"));
+        let path = room.path(&format!("map.shade.{format}"));
+        let metadata = read_metadata(&path).expect("it has metadata");
+        for (key, value) in [
+            ("kind", "shade"),
+            ("wrap", "clamp"),
+            ("tile_m", "2 3"),
+            ("scale_m", "0.25"),
+            ("settings", "bits=0"),
+            ("channels", "shade"),
+            ("ranges", "0,2"),
+            ("rounding", "down"),
+            ("size", "20 12 1"),
+            ("note.reach", "0 texels"),
+        ] {
+            assert_eq!(metadata.get(&format!("relief.{key}")), Some(value), "{format}: {key}");
+        }
+        for key in ["source", "key", "convention", "units", "generator", "decode", "guarantee", "stored_as"] {
+            assert!(metadata.get(&format!("relief.{key}")).is_some_and(|value| !value.is_empty()), "{key}");
+        }
+        let range = Some(if format == "exr" { [0.0, 2.0] } else { [0.0, 65535.0] });
+        let options = relief_io::HeightOptions { range, ..Default::default() };
+        let expected: Vec<f32> = room.heights().texels().iter().map(|&texel| shade(texel)).collect();
+        let found: Vec<f32> = match format {
+            "ktx2" => plane(&path),
+            _ => {
+                read_height(&path, &options).expect("it is a map").texels().iter().map(|t| 2.0 * t).collect()
+            }
+        };
+        for (found, expected) in found.iter().zip(&expected) {
+            let lost = expected - found;
+            let most = if format == "png" { 2.01 / 65535.0 } else { 0.0 };
+            assert!((0.0..=most).contains(&lost), "{format}: {found} for {expected}");
+        }
+    }
+    assert_eq!(room.files(), ["map.shade.exr", "map.shade.ktx2", "map.shade.png"]);
+}
+
+#[test]
+fn bits_and_choices_decide_the_texel_format() {
+    let room = Room::new();
+    for (line, expected) in [
+        ("--set shade.bits=8", TexelFormat::R8),
+        ("--set shade.bits=16 --zstd", TexelFormat::R16),
+        ("--texels half", TexelFormat::R16F),
+        ("", TexelFormat::R32F),
+    ] {
+        assert!(!up_to_date(&room.bake(&format!("--kind shade --format ktx2 {line}"))));
+        let file = read_ktx2(&room.path("map.shade.ktx2"), 1 << 24).expect("a texture");
+        assert_eq!((file.format, file.zstd), (expected, line.contains("zstd")));
+    }
+}
+
+#[test]
+fn a_second_run_does_nothing_until_an_input_changes() {
+    let room = Room::new();
+    let line = "--kind levels,shade --format ktx2";
+    let first = room.bake(line);
+    let bytes = || room.files().iter().map(|name| std::fs::read(room.path(name)).ok()).collect::<Vec<_>>();
+    let before = bytes();
+    let second = room.bake(line);
+    assert!(!up_to_date(&first) && up_to_date(&second));
+    assert_eq!(first["baked"][0]["files"], second["baked"][0]["files"]);
+    assert!(!up_to_date(&room.bake(&format!("{line} --force"))));
+    assert_eq!(before, bytes(), "baking again gives the same bytes");
+    for changed in ["--wrap mirror", "--scale 2", "--tile-size 1,2", "--zstd", "--depth", "--texels unorm16"]
+    {
+        assert!(!up_to_date(&room.bake(&format!("{line} {changed}"))), "{changed}");
+        assert!(up_to_date(&room.bake(&format!("{line} {changed}"))), "{changed}");
+    }
+    // A set that is not whole is baked again.
+    room.bake(line);
+    std::fs::remove_file(room.path("map.levels.odd.level1.ktx2")).expect("it was written");
+    assert!(!up_to_date(&room.bake(line)));
+    std::fs::write(room.path("map.levels.odd.level1.ktx2"), b"something else").expect("writable");
+    assert!(!up_to_date(&room.bake(line)));
+}
+
+#[test]
+fn channels_and_levels_go_where_the_format_has_room() {
+    let room = Room::new();
+    room.bake("--kind levels --format ktx2");
+    let expected = ["five.channels0-3", "five.channels4-4", "odd.level0", "odd.level1"];
+    assert_eq!(room.files(), expected.map(|name| format!("map.levels.{name}.ktx2")));
+    let file = read_ktx2(&room.path("map.levels.five.channels0-3.ktx2"), 1 << 24).expect("a texture");
+    assert_eq!((file.levels.len(), file.format), (3, TexelFormat::Rgba32F));
+    assert!(
+        (0..3).all(|level| file.levels[level].planes[2].iter().all(|&v| v == (level as f32 + 2.0) / 8.0))
+    );
+    let file = read_ktx2(&room.path("map.levels.odd.level1.ktx2"), 1 << 24).expect("a texture");
+    assert_eq!((file.levels[0].size, file.metadata.get("relief.level")), ([11, 7, 1], Some("1")));
+    let files: Vec<String> =
+        serde_json::from_str(file.metadata.get("relief.files").expect("it names them")).expect("JSON");
+    assert_eq!(files, room.files());
+
+    let room = Room::new();
+    room.bake("--kind volume --format exr");
+    room.bake("--kind volume --format ktx2 --zstd");
+    let file = read_ktx2(&room.path("map.volume.ktx2"), 1 << 24).expect("a texture");
+    assert_eq!(file.levels[0].size, [WIDTH, HEIGHT, 3]);
+    let tall = read_height(&room.path("map.volume.exr"), &Default::default()).expect("it is a map");
+    assert_eq!((tall.width(), tall.height()), (WIDTH, 3 * HEIGHT));
+    for (at, texel) in tall.texels().iter().enumerate() {
+        let slice = at as u32 / (WIDTH * HEIGHT);
+        assert_eq!((*texel, file.levels[0].planes[0][at]), (slice as f32 / 2.0, slice as f32));
+    }
+}
+
+#[test]
+fn cancelled_bakes_leave_nothing() {
+    // One kind asks whether it is cancelled; of the other the files are what is cancelled.
+    for line in
+        ["--kind shade", "--kind levels", "--kind volume --format ktx2 --zstd", "--kind shade --format png"]
+    {
+        let room = Room::new();
+        let failure = room.bake_unless(true, line).expect_err("it was cancelled");
+        assert!(matches!(&failure, Failure::Work(text) if text.starts_with("cancelled")), "{failure:?}");
+        assert_eq!(room.files(), [""; 0], "{line}");
+    }
+}
+
+#[test]
+fn what_fails_leaves_nothing() {
+    let room = Room::new();
+    let work = [
+        "--kind short",
+        "--kind outside --format png",
+        "--kind volume --format png",
+        "--kind volume --format ktx2 --texels bc",
+        "--kind levels --format ktx2 --texels bc",
+        "--kind shade --format ktx2 --texels bc",
+        "--kind shade --max-memory 2KiB",
+    ];
+    for line in work {
+        let failure = room.bake_unless(false, line).expect_err(line);
+        assert!(matches!(failure, Failure::Work(_)), "{line}: {failure:?}");
+        assert_eq!(room.files(), [""; 0], "{line}");
+    }
+    let usage = [
+        "--kind shadw",
+        "--kind shade --set shade.bots=1",
+        "--kind shade --set levels.bits=8",
+        "--kind shade --set shade.bits=99",
+        "--kind shade --set bits=8",
+        "--kind shade --scale 0",
+        "--kind shade --zstd",
+        "--kind shade --tile-size -1,2",
+        "--kind shade --texels half",
+        "--kind shade --format png --texels float",
+    ];
+    for line in usage {
+        let failure = room.bake_unless(false, line).expect_err(line);
+        assert!(matches!(failure, Failure::Usage(_)), "{line}: {failure:?}");
+    }
+    let nearest = room.bake_unless(false, "--kind shadw").expect_err("unknown");
+    assert!(matches!(nearest, Failure::Usage(text) if text.contains("did you mean 'shade'")));
+    // Heights in blocks only when asked for twice.
+    room.bake("--kind levels --format ktx2 --texels bc --lossy-heights");
+    let file = read_ktx2(&room.path("map.levels.odd.level0.ktx2"), 1 << 24).expect("a texture");
+    assert_eq!(file.format, TexelFormat::Bc4);
+
+    std::fs::create_dir(room.path("map.shade.exr")).expect("the folder is writable");
+    assert!(room.bake_unless(false, "--kind shade").is_err());
+    let gone = Room { map: room.map.clone(), folder: tempfile::tempdir().expect("a temporary folder") };
+    std::fs::remove_dir(gone.folder.path()).expect("it is empty");
+    assert!(matches!(gone.bake_unless(false, "--kind shade"), Err(Failure::Work(_))));
+}
+
+#[test]
+fn stored_values_lie_on_the_safe_side() {
+    let storages = [Storage::Unorm { bits: 8 }, Storage::Unorm { bits: 16 }, Storage::Half, Storage::Float];
+    for range in [[0.0, 1.0], [-1.0, 1.0], [0.3, 7.1]] {
+        for rounding in [Rounding::Nearest, Rounding::Down, Rounding::Up] {
+            let channel = Channel { name: "x", range, rounding };
+            for storage in storages {
+                for k in 0..=4000u32 {
+                    let value = range[0] + (k as f32 / 4000.0) * (range[1] - range[0]);
+                    let texel = storage.texel(value, &channel).expect("inside the range");
+                    let span = range[1] - range[0];
+                    let found = if storage.is_normalised() { range[0] + texel * span } else { texel };
+                    let most = match storage {
+                        Storage::Unorm { bits: 8 } => span / 254.0,
+                        Storage::Unorm { .. } => span / 65500.0,
+                        Storage::Half | Storage::Block => range[1] / 1000.0,
+                        Storage::Float => 0.0,
+                    };
+                    assert!((found - value).abs() <= most, "{storage:?} {rounding:?}: {found} for {value}");
+                    assert!(rounding != Rounding::Down || found <= value, "{storage:?}: {found} > {value}");
+                    assert!(rounding != Rounding::Up || found >= value, "{storage:?}: {found} < {value}");
+                }
+            }
+            let outside = [range[0] - 1.0, range[1] + 1.0];
+            let held = outside.map(|value| Storage::Unorm { bits: 8 }.texel(value, &channel).is_ok());
+            let expected = match rounding {
+                Rounding::Nearest => [false, false],
+                Rounding::Down => [false, true],
+                Rounding::Up => [true, false],
+            };
+            assert_eq!(held, expected, "{range:?} {rounding:?}");
+            assert!(storages[..3].iter().all(|storage| storage.texel(f32::NAN, &channel).is_err()));
+        }
+    }
+}

@@ -1,0 +1,279 @@
+//! Reading, of files from anywhere.
+
+use std::fs::File;
+use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use ktx2::{Header, KeyValueDataIterator, LevelIndex, MAGIC, SupercompressionScheme};
+use relief::MAX_SIDE;
+use ruzstd::decoding::StreamingDecoder;
+
+use super::{TexelFormat, blocks, full_chain, level_size};
+use crate::source::zeros;
+use crate::texture::Metadata;
+use crate::{ReadError, ReadProblem};
+
+/// The format's name in messages.
+const NAME: &str = "KTX2";
+
+/// The most bytes of key/value data that are read.
+const MOST_METADATA: u64 = 1 << 20;
+
+/// The largest window of a Zstandard frame that is accepted: what RFC 8878, section 3.1.1.1.2, wants of every decoder.
+const MOST_WINDOW: u64 = 8 << 20;
+
+/// No Zstandard frame is so much shorter than its content: a block of 128 KiB takes at least 4 bytes.
+const MOST_RATIO: u64 = (128 << 10) / 4;
+
+/// A texture from a KTX2 file, as a GPU would read it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ktx2File {
+    /// How texels are stored.
+    pub format: TexelFormat,
+    /// Whether levels are compressed with Zstandard.
+    pub zstd: bool,
+    /// Levels, the finest first.
+    pub levels: Vec<Ktx2Level>,
+    /// Names and values of all key/value data that are text.
+    pub metadata: Metadata,
+}
+
+/// A mip level.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ktx2Level {
+    /// Columns, rows and slices.
+    pub size: [u32; 3],
+    /// The texels of each channel of the format, slice after slice, row by row from the top.
+    pub planes: Vec<Vec<f32>>,
+}
+
+/// Reads a KTX2 file of one of the [`TexelFormat`]s: 2-D textures and volumes with their mip levels, uncompressed or with
+/// Zstandard; no arrays and no cube maps.
+///
+/// Peak memory is 4 bytes a value, a row, and with Zstandard up to 8 MiB.
+///
+/// # Errors
+///
+/// When the file cannot be read, is no KTX2 file, is damaged, holds something else than the above, or when its texels
+/// would take more than `max_bytes` of memory, which is found before any is taken.
+pub fn read_ktx2(path: &Path, max_bytes: u64) -> Result<Ktx2File, ReadError> {
+    read(path, max_bytes).map_err(|problem| problem.at(path))
+}
+
+fn read(path: &Path, max_bytes: u64) -> Result<Ktx2File, ReadProblem> {
+    let file = File::open(path)?;
+    let about = file.metadata()?;
+    if about.is_dir() {
+        return Err(ReadProblem::Folder);
+    }
+    let mut file = BufReader::new(file);
+    let header = header(&mut file)?;
+    let layout = Layout::of(&header)?;
+    let metadata = metadata_of(&header, &mut file, about.len())?;
+    layout.check_memory(max_bytes)?;
+    let index = layout.index(&mut file, about.len())?;
+    let mut levels = Vec::new();
+    for (level, place) in (0..).zip(index) {
+        levels.push(layout.level(level, place, &mut file)?);
+    }
+    Ok(Ktx2File { format: layout.format, zstd: layout.zstd, levels, metadata })
+}
+
+/// The key/value data of a file and nothing else.
+pub(crate) fn metadata(file: &mut BufReader<File>, file_len: u64) -> Result<Metadata, ReadProblem> {
+    let header = header(file)?;
+    metadata_of(&header, file, file_len)
+}
+
+fn header(file: &mut BufReader<File>) -> Result<Header, ReadProblem> {
+    let mut bytes = [0; Header::LENGTH];
+    let mut read = 0;
+    while read < bytes.len() {
+        match file.read(&mut bytes[read..])? {
+            0 => break,
+            count => read += count,
+        }
+    }
+    if read == 0 {
+        return Err(ReadProblem::Empty);
+    }
+    if !bytes.starts_with(&MAGIC) {
+        return Err(unsupported("another format than KTX2"));
+    }
+    if read < bytes.len() {
+        return Err(damaged("it ends too early"));
+    }
+    Header::from_bytes(&bytes).map_err(damaged)
+}
+
+fn metadata_of(header: &Header, file: &mut BufReader<File>, file_len: u64) -> Result<Metadata, ReadProblem> {
+    let (offset, length) = (u64::from(header.index.kvd_byte_offset), u64::from(header.index.kvd_byte_length));
+    if offset + length > file_len {
+        return Err(damaged("its metadata lie beyond its end"));
+    }
+    if length > MOST_METADATA {
+        return Err(damaged("its metadata are too long"));
+    }
+    let mut data = zeros(length as usize)?;
+    file.seek(SeekFrom::Start(offset)).map_err(io_problem)?;
+    file.read_exact(&mut data).map_err(io_problem)?;
+    let text = KeyValueDataIterator::new(&data).filter_map(|(key, value)| {
+        let value = std::str::from_utf8(value.strip_suffix(b"\0").unwrap_or(value)).ok()?;
+        Some((key.to_owned(), value.to_owned()))
+    });
+    Ok(Metadata::found(text.collect()))
+}
+
+/// What a checked header says.
+struct Layout {
+    format: TexelFormat,
+    size: [u32; 3],
+    levels: u32,
+    zstd: bool,
+}
+
+impl Layout {
+    fn of(header: &Header) -> Result<Self, ReadProblem> {
+        let format = header.format.and_then(TexelFormat::of_vulkan);
+        let format =
+            format.ok_or_else(|| unsupported("a texel format that is not among those written here"))?;
+        let zstd = match header.supercompression_scheme {
+            None => false,
+            Some(SupercompressionScheme::Zstandard) => true,
+            Some(_) => return Err(unsupported("another supercompression than Zstandard")),
+        };
+        if header.layer_count > 1 || header.face_count != 1 {
+            return Err(unsupported("array layers or cube faces"));
+        }
+        let size = [header.pixel_width, header.pixel_height.max(1), header.pixel_depth.max(1)];
+        if size.iter().any(|side| *side > MAX_SIDE) {
+            return Err(damaged(format!("a side of {size:?} texels is too long")));
+        }
+        if format.is_block_compressed() && size[2] > 1 {
+            return Err(unsupported("a volume of blocks"));
+        }
+        let levels = header.level_count.max(1);
+        if levels > full_chain(size) {
+            return Err(damaged(format!("{levels} mip levels are more than {size:?} texels have")));
+        }
+        Ok(Self { format, size, levels, zstd })
+    }
+
+    /// Values of a level; a side is at most 2^20, so that 64 bits hold their number.
+    fn values(&self, level: u32) -> u64 {
+        let texels = level_size(self.size, level).map(u64::from).iter().product::<u64>();
+        texels.saturating_mul(self.format.channels() as u64)
+    }
+
+    fn check_memory(&self, limit: u64) -> Result<(), ReadProblem> {
+        let values = (0..self.levels).map(|level| self.values(level)).fold(0, u64::saturating_add);
+        let window = if self.zstd { MOST_WINDOW } else { 0 };
+        let needed = values.saturating_mul(4).saturating_add(window);
+        let [width, height, _] = self.size;
+        if needed > limit {
+            return Err(ReadProblem::TooMuchMemory { width, height, needed, limit });
+        }
+        Ok(())
+    }
+
+    /// The places of the levels, checked against the header and the file's length.
+    fn index(&self, file: &mut BufReader<File>, file_len: u64) -> Result<Vec<LevelIndex>, ReadProblem> {
+        file.seek(SeekFrom::Start(Header::LENGTH as u64)).map_err(io_problem)?;
+        let mut index = Vec::new();
+        for level in 0..self.levels {
+            let mut bytes = [0; LevelIndex::LENGTH];
+            file.read_exact(&mut bytes).map_err(io_problem)?;
+            let place = LevelIndex::from_bytes(&bytes);
+            if place.byte_offset.checked_add(place.byte_length).is_none_or(|end| end > file_len) {
+                return Err(damaged(format!("level {level} lies beyond its end")));
+            }
+            let expected = self.format.level_bytes(level_size(self.size, level));
+            let stored_fits = if self.zstd {
+                place.byte_length >= place.uncompressed_byte_length / MOST_RATIO
+            } else {
+                Some(place.byte_length) == expected
+            };
+            if Some(place.uncompressed_byte_length) != expected || !stored_fits {
+                return Err(damaged(format!("level {level} has another length than its size needs")));
+            }
+            index.push(place);
+        }
+        Ok(index)
+    }
+
+    fn level(
+        &self,
+        level: u32,
+        place: LevelIndex,
+        file: &mut BufReader<File>,
+    ) -> Result<Ktx2Level, ReadProblem> {
+        let size = level_size(self.size, level);
+        file.seek(SeekFrom::Start(place.byte_offset)).map_err(io_problem)?;
+        let stored = file.take(place.byte_length);
+        let planes = if self.zstd {
+            let content = StreamingDecoder::new_with_max_window_size(stored, MOST_WINDOW).map_err(damaged)?;
+            self.planes(size, content)?
+        } else {
+            self.planes(size, stored)?
+        };
+        Ok(Ktx2Level { size, planes })
+    }
+
+    fn planes(
+        &self,
+        [width, height, depth]: [u32; 3],
+        mut content: impl Read,
+    ) -> Result<Vec<Vec<f32>>, ReadProblem> {
+        let (format, channels) = (self.format, self.format.channels());
+        let (columns, side) = (width as usize, format.block_side());
+        let mut planes = Vec::with_capacity(channels);
+        for _ in 0..channels {
+            planes.push(zeros::<f32>(columns * height as usize * depth as usize)?);
+        }
+        let mut bytes = zeros::<u8>(format.row_bytes(width) as usize)?;
+        let mut texels = zeros::<f32>(columns * side as usize * channels)?;
+        let mut start = 0;
+        for _ in 0..depth {
+            for top in (0..height).step_by(side as usize) {
+                content.read_exact(&mut bytes).map_err(|error| damaged(format!("its texels: {error}")))?;
+                self.decode_row(columns, &bytes, &mut texels);
+                let count = columns * side.min(height - top) as usize;
+                for (plane, texels) in planes.iter_mut().zip(texels.chunks_exact(columns * side as usize)) {
+                    plane[start..start + count].copy_from_slice(&texels[..count]);
+                }
+                start += count;
+            }
+        }
+        if content.read(&mut [0]).map_err(|error| damaged(format!("its texels: {error}")))? != 0 {
+            return Err(damaged("a level holds more than its texels"));
+        }
+        Ok(planes)
+    }
+
+    fn decode_row(&self, columns: usize, bytes: &[u8], texels: &mut [f32]) {
+        if self.format.is_block_compressed() {
+            return blocks::decompress_row(self.format, columns, bytes, texels);
+        }
+        let sample = self.format.sample();
+        for (channel, texels) in texels.chunks_exact_mut(columns).enumerate() {
+            for (texel, bytes) in texels.iter_mut().zip(bytes.chunks_exact(self.format.block_bytes())) {
+                *texel = sample.decode(&bytes[channel * sample.bytes()..][..sample.bytes()]);
+            }
+        }
+    }
+}
+
+fn damaged(what: impl ToString) -> ReadProblem {
+    ReadProblem::damaged(NAME, what)
+}
+
+fn unsupported(what: &str) -> ReadProblem {
+    ReadProblem::Unsupported { what: what.to_owned(), advice: "convert it to a plain KTX2 texture" }
+}
+
+fn io_problem(error: std::io::Error) -> ReadProblem {
+    match error.kind() {
+        std::io::ErrorKind::UnexpectedEof => damaged("it ends too early"),
+        _ => ReadProblem::Io(error),
+    }
+}

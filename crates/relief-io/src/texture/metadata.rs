@@ -1,0 +1,158 @@
+//! Names and values inside texture files.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use crate::source::{Format, io_problem, zeros};
+use crate::{ReadError, ReadProblem, WriteProblem};
+
+/// The attribute of EXR files that holds the metadata, a line each.
+pub(super) const EXR_ATTRIBUTE: &str = "relief";
+
+/// The most bytes of metadata that are read from a file.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// The most attributes before the one sought in an EXR header: more than any program writes.
+const MOST_ATTRIBUTES: usize = 1000;
+
+/// Names and values that travel inside a texture's file, in the order of their names: `iTXt` chunks in PNG, key/value
+/// data in KTX2, the lines of the string attribute `relief` in EXR.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Metadata(Vec<(String, String)>);
+
+impl Metadata {
+    /// Checks names and values.
+    ///
+    /// # Errors
+    ///
+    /// When a name is not 1 to 79 printable ASCII characters without `=` and outer spaces, or is given twice; when a
+    /// value holds a line break, NUL or another control character, none of which every format can hold.
+    pub fn new(mut entries: Vec<(String, String)>) -> Result<Self, WriteProblem> {
+        entries.sort();
+        if let Some(pair) = entries.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            return Err(WriteProblem::NotStorable(format!("the metadata '{}' are given twice", pair[0].0)));
+        }
+        for (key, value) in &entries {
+            let printable = key.bytes().all(|byte| (b' '..=b'~').contains(&byte) && byte != b'=');
+            if !(1..=79).contains(&key.len()) || !printable || key.trim() != key {
+                return Err(WriteProblem::NotStorable(format!("'{key}' is no name of metadata")));
+            }
+            if value.chars().any(char::is_control) {
+                let what = format!("the value of the metadata '{key}' holds a control character");
+                return Err(WriteProblem::NotStorable(what));
+            }
+        }
+        Ok(Self(entries))
+    }
+
+    /// The value of that name.
+    pub fn get(&self, key: &str) -> Option<&str> {
+        self.0.iter().find(|(found, _)| found == key).map(|(_, value)| value.as_str())
+    }
+
+    /// Names and values, in the order of the names.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.0.iter().map(|(key, value)| (key.as_str(), value.as_str()))
+    }
+
+    pub(super) fn to_lines(&self) -> String {
+        self.iter().map(|(key, value)| format!("{key}={value}\n")).collect()
+    }
+
+    fn from_lines(lines: &str) -> Self {
+        let entries = lines.lines().filter_map(|line| line.split_once('='));
+        Self::found(entries.map(|(key, value)| (key.to_owned(), value.to_owned())).collect())
+    }
+
+    /// What a file holds, whatever it is.
+    pub(crate) fn found(mut entries: Vec<(String, String)>) -> Self {
+        entries.sort();
+        Self(entries)
+    }
+}
+
+/// Reads the metadata of a PNG, EXR or KTX2 file that this crate has written, and nothing else of it. Files without any
+/// give none.
+///
+/// # Errors
+///
+/// When the file cannot be read, is none of those formats, is damaged before the end of its metadata, or holds more than
+/// 1 MiB of them.
+pub fn read_metadata(path: &Path) -> Result<Metadata, ReadError> {
+    read(path).map_err(|problem| problem.at(path))
+}
+
+fn read(path: &Path) -> Result<Metadata, ReadProblem> {
+    let file = File::open(path)?;
+    if file.metadata()?.is_dir() {
+        return Err(ReadProblem::Folder);
+    }
+    let file_len = file.metadata()?.len();
+    let mut file = BufReader::new(file);
+    let mut signature = Vec::new();
+    file.by_ref().take(12).read_to_end(&mut signature)?;
+    file.seek(SeekFrom::Start(0))?;
+    match signature.as_slice() {
+        [0x89, b'P', b'N', b'G', ..] => of_png(file),
+        [0x76, 0x2f, 0x31, 0x01, ..] => of_exr(file, file_len),
+        found if found == ktx2::MAGIC => crate::ktx2::metadata(&mut file, file_len),
+        _ => Err(ReadProblem::Unrecognised),
+    }
+}
+
+fn of_png(file: BufReader<File>) -> Result<Metadata, ReadProblem> {
+    let problem = |error| match error {
+        png::DecodingError::IoError(error) => io_problem(Format::Png, error),
+        other => ReadProblem::damaged(Format::Png.name(), other),
+    };
+    let limits = png::Limits { bytes: MOST_BYTES as usize };
+    let reader = png::Decoder::new_with_limits(file, limits).read_info().map_err(problem)?;
+    let mut entries = Vec::new();
+    for chunk in &reader.info().utf8_text {
+        let text = chunk.get_text().map_err(|error| ReadProblem::damaged(Format::Png.name(), error))?;
+        entries.push((chunk.keyword.clone(), text));
+    }
+    Ok(Metadata::found(entries))
+}
+
+/// Walks the attributes of the first header ("OpenEXR File Layout", openexr.com) up to ours.
+fn of_exr(mut file: BufReader<File>, file_len: u64) -> Result<Metadata, ReadProblem> {
+    let problem = |error| io_problem(Format::Exr, error);
+    let damaged = |what: &str| ReadProblem::damaged(Format::Exr.name(), what);
+    file.seek(SeekFrom::Start(8)).map_err(problem)?;
+    for _ in 0..MOST_ATTRIBUTES {
+        let name = exr_name(&mut file)?;
+        if name.is_empty() {
+            return Ok(Metadata::default());
+        }
+        let kind = exr_name(&mut file)?;
+        let mut length = [0; 4];
+        file.read_exact(&mut length).map_err(problem)?;
+        let length = u64::from(u32::from_le_bytes(length));
+        if length > file_len {
+            return Err(damaged("an attribute is longer than the file"));
+        }
+        if name == EXR_ATTRIBUTE.as_bytes() && kind == b"string" {
+            if length > MOST_BYTES {
+                return Err(damaged("its metadata are too long"));
+            }
+            let mut lines = zeros(length as usize)?;
+            file.read_exact(&mut lines).map_err(problem)?;
+            let lines = String::from_utf8(lines).map_err(|_| damaged("its metadata are no text"))?;
+            return Ok(Metadata::from_lines(&lines));
+        }
+        file.seek_relative(length as i64).map_err(problem)?;
+    }
+    Err(damaged("it has too many attributes"))
+}
+
+/// A name of at most 255 bytes that ends with a zero byte.
+fn exr_name(file: &mut BufReader<File>) -> Result<Vec<u8>, ReadProblem> {
+    let mut name = Vec::new();
+    file.by_ref().take(256).read_until(0, &mut name).map_err(|error| io_problem(Format::Exr, error))?;
+    match name.pop() {
+        Some(0) => Ok(name),
+        _ => Err(ReadProblem::damaged(Format::Exr.name(), "a name has no end")),
+    }
+}

@@ -1,0 +1,83 @@
+//! PNG with 1 to 4 channels of 8 or 16 bit and metadata in `iTXt` chunks.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use png::{BitDepth, ColorType};
+use relief::HeightMap;
+
+use super::{Metadata, Row, RowSource, unorm_code};
+use crate::write::{write_file, write_png};
+use crate::{WriteError, WriteProblem};
+
+/// What a PNG texture holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PngTexture {
+    /// Width in texels.
+    pub width: u32,
+    /// Height in texels.
+    pub height: u32,
+    /// Channels: 1 grey, 2 grey and opacity, 3 colour, 4 colour and opacity.
+    pub channels: usize,
+    /// Bits a sample: 8 or 16.
+    pub bits: u32,
+}
+
+/// Writes a PNG whose samples are the texels in `[0, 1]` to the nearest code, without a transfer function, and whose
+/// metadata are `iTXt` chunks before the texels. What lies outside `[0, 1]` is cut off.
+///
+/// # Errors
+///
+/// When the size, the channels, the bits or the metadata cannot be stored, when a row cannot be had, or when the file
+/// cannot be written. Nothing is left behind then.
+pub fn write_png_rows(
+    path: &Path,
+    texture: &PngTexture,
+    metadata: &Metadata,
+    rows: &mut RowSource<'_>,
+) -> Result<(), WriteError> {
+    write_file(path, |out| {
+        HeightMap::check_size(texture.width, texture.height)
+            .map_err(|error| WriteProblem::NotStorable(error.to_string()))?;
+        let colour = match texture.channels {
+            1 => ColorType::Grayscale,
+            2 => ColorType::GrayscaleAlpha,
+            3 => ColorType::Rgb,
+            4 => ColorType::Rgba,
+            other => return Err(not_storable(format!("a PNG has 1 to 4 channels, not {other}"))),
+        };
+        let depth = match texture.bits {
+            8 => BitDepth::Eight,
+            16 => BitDepth::Sixteen,
+            other => return Err(not_storable(format!("a PNG texture has 8 or 16 bit, not {other}"))),
+        };
+        write_png(out, [texture.width, texture.height], colour, depth, metadata, |mut stream| {
+            write_rows(texture, rows, &mut stream)
+        })
+    })
+}
+
+fn write_rows(texture: &PngTexture, rows: &mut RowSource<'_>, stream: &mut impl Write) -> io::Result<()> {
+    let bytes_per_sample = texture.bits as usize / 8;
+    let step = texture.channels * bytes_per_sample;
+    let mut texels = vec![0.0; texture.width as usize];
+    let mut bytes = vec![0; texture.width as usize * step];
+    for row in 0..texture.height {
+        for channel in 0..texture.channels {
+            rows(Row { level: 0, slice: 0, channel, row }, &mut texels)?;
+            for (texel, place) in texels.iter().zip(bytes.chunks_exact_mut(step)) {
+                let place = &mut place[channel * bytes_per_sample..][..bytes_per_sample];
+                match texture.bits {
+                    8 => place[0] = unorm_code(*texel, 255) as u8,
+                    _ => place.copy_from_slice(&(unorm_code(*texel, 65535) as u16).to_be_bytes()),
+                }
+            }
+        }
+        stream.write_all(&bytes)?;
+    }
+    Ok(())
+}
+
+fn not_storable(what: String) -> WriteProblem {
+    WriteProblem::NotStorable(what)
+}

@@ -1,0 +1,10 @@
+//! Slow, obvious bakes that the fast ones are held to.
+
+pub mod cone;
+pub mod dilation_erosion;
+pub mod distance;
+pub mod frustum;
+pub mod horizon;
+pub mod normal;
+pub mod pyramid;
+pub mod visibility;

@@ -1,0 +1,44 @@
+//! Slopes and normals in `f64`, texel by texel.
+
+use relief::HeightMap;
+
+/// A slope along `u` and along `v`, metres up for a metre along.
+pub type Slope = [f64; 2];
+
+/// The slopes of the four patches that meet at a texel centre, left above, right above, left below, right below.
+pub fn patch_slopes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, [i, j]: [i64; 2]) -> [Slope; 4] {
+    let texel = [tile_m[0] / f64::from(map.width()), tile_m[1] / f64::from(map.height())];
+    let height = |i, j| f64::from(map.texel(i, j)) * scale_m;
+    let here = height(i, j);
+    let along_u = [(here - height(i - 1, j)) / texel[0], (height(i + 1, j) - here) / texel[0]];
+    let along_v = [(here - height(i, j - 1)) / texel[1], (height(i, j + 1) - here) / texel[1]];
+    [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[a, b]| [along_u[a], along_v[b]])
+}
+
+/// The mean of slopes.
+pub fn mean(slopes: &[Slope]) -> Slope {
+    [0, 1].map(|axis| slopes.iter().map(|slope| slope[axis]).sum::<f64>() / slopes.len() as f64)
+}
+
+/// The unit normal of a slope along the tangent, up in the picture and outward.
+pub fn normal([u, v]: Slope) -> [f64; 3] {
+    let length = (1.0 + u * u + v * v).sqrt();
+    [-u / length, v / length, 1.0 / length]
+}
+
+/// The unit vector along the sum of the normals of slopes.
+pub fn mean_normal(slopes: &[Slope]) -> [f64; 3] {
+    let sum = slopes
+        .iter()
+        .map(|&slope| normal(slope))
+        .fold([0.0; 3], |sum, normal| [sum[0] + normal[0], sum[1] + normal[1], sum[2] + normal[2]]);
+    let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
+    sum.map(|x| x / length)
+}
+
+/// The angle between two vectors in radians, precise for small ones too.
+pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+    cross.iter().map(|x| x * x).sum::<f64>().sqrt().atan2(dot)
+}

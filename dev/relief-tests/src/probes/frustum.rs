@@ -1,0 +1,79 @@
+//! Places ahead of a cell against its frustum.
+
+use relief::HeightMap;
+
+use super::place::{Place, ROUNDING};
+use crate::rng::Rng;
+
+/// The empty space over a rectangle of cells in one quadrant: `top`, and from the rectangle's edges on `slope` heights a texel
+/// of Chebyshev distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frustum {
+    /// Height of the top.
+    pub top: f64,
+    /// Heights a texel.
+    pub slope: f64,
+    /// First column and row of the rectangle in cells, not wrapped; may be minus infinity.
+    pub low: [f64; 2],
+    /// Where the rectangle ends; may be infinity.
+    pub high: [f64; 2],
+}
+
+impl Frustum {
+    /// The Chebyshev distance, in the quadrant, of a place from the rectangle.
+    pub fn distance(&self, place: &Place, forward: [bool; 2]) -> f64 {
+        let along = |axis: usize| {
+            // Whole cells first, so that what is within the cell keeps its digits.
+            let (cell, within) = (place.cell[axis] as f64, place.within[axis]);
+            if forward[axis] { (cell - self.high[axis]) + within } else { (self.low[axis] - cell) - within }
+        };
+        along(0).max(along(1)).max(0.0)
+    }
+
+    /// Whether the surface at a place of the quadrant is not above the frustum.
+    pub fn holds(&self, map: &HeightMap, place: &Place, forward: [bool; 2]) -> bool {
+        place.height(map) <= self.top + self.slope * self.distance(place, forward) + ROUNDING
+    }
+}
+
+/// A place where the surface is above a frustum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Escape {
+    /// The dual cell whose frustum it is, not wrapped.
+    pub cell: [i64; 2],
+    /// The quadrant.
+    pub forward: [bool; 2],
+    /// The place.
+    pub place: Place,
+}
+
+/// Probes so many places ahead of cells: at every distance up to three tiles, more of the near ones, on the diagonal and beside it
+/// as often as elsewhere. `read` is the frustum for a ray over a cell, not wrapped, in a quadrant. The first place where
+/// the surface is above it.
+pub fn probe(
+    map: &HeightMap,
+    read: impl Fn([i64; 2], [bool; 2]) -> Frustum,
+    count: usize,
+    seed: u64,
+) -> Option<Escape> {
+    let mut rng = Rng::new(seed);
+    let farthest = 3.0 * f64::from(map.width().max(map.height())) + 1.0;
+    (0..count).find_map(|_| {
+        let from = Place::draw(&mut rng, map);
+        let forward = [rng.below(2) == 0, rng.below(2) == 0];
+        let mut ahead = || rng.between(0.0, (farthest + 1.0).log2()).exp2() as i64 - 1;
+        let (u, v) = (ahead(), ahead());
+        let ahead = match rng.below(4) {
+            0 => [u, u],
+            1 => [u, u + i64::from(rng.below(3)) - 1],
+            _ => [u, v],
+        };
+        let mut place = Place::draw(&mut rng, map);
+        for axis in 0..2 {
+            let by = ahead[axis].max(0);
+            place.cell[axis] = from.cell[axis] + if forward[axis] { by } else { -by };
+        }
+        let frustum = read(from.cell, forward);
+        (!frustum.holds(map, &place, forward)).then_some(Escape { cell: from.cell, forward, place })
+    })
+}
