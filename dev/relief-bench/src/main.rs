@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 mod accuracy;
+mod bake;
 mod trace;
 
 #[derive(Parser)]
@@ -21,6 +22,8 @@ struct Arguments {
 enum Command {
     /// How near every method comes to the truth, and whether the survey's order holds
     Accuracy(accuracy::Arguments),
+    /// The time of every kind of map
+    Bake(bake::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
     Trace(trace::Arguments),
 }
@@ -28,6 +31,7 @@ enum Command {
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Accuracy(arguments) => accuracy::run(&arguments),
+        Command::Bake(arguments) => bake::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
     };
     match done {
