@@ -133,3 +133,17 @@ fn relaxed_cones_are_wider_and_near_what_rays_allow() {
         }
     }
 }
+
+#[test]
+fn tiles_very_much_longer_than_wide_get_plain_cones() {
+    // Found by fuzzing: the images near enough to matter were millions.
+    let metric = Metric::new([0.00390625, 128.0], 128.0).expect("lengths");
+    for wrap in [Wrap::Repeat, Wrap::Mirror] {
+        let map = HeightMap::from_fn(16, 16, wrap, |i, j| ((i * 7 + j * 13) % 11) as f32 / 10.0)
+            .expect("a valid map");
+        let relaxed =
+            relaxed_cone_ratios(&map, &metric, RelaxedApex::Footprint, &Progress::none()).expect("a bake");
+        let plain = cone_ratios(&map, &metric, ConeApex::Footprint, &Progress::none()).expect("a bake");
+        assert_eq!(relaxed, plain);
+    }
+}

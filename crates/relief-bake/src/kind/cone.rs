@@ -152,7 +152,7 @@ pub(super) fn each_texel<V: Send + Copy + Default>(
 }
 
 /// The squared slope of the steepest rise from an apex of the texel, and the cell that it rises to.
-fn steepest(
+pub(super) fn steepest(
     field: &Field,
     texel: [i64; 2],
     region: Region,

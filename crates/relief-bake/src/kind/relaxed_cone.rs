@@ -12,7 +12,7 @@ use relief::registry::{Param, Source as Publication};
 use relief::{HeightMap, Wrap};
 
 use self::own::own_bound;
-use super::cone::{Apexes, Field, Node, OWN_CELLS, Region, Seen, each_texel, ratio, texture};
+use super::cone::{self, Apexes, Field, Node, OWN_CELLS, Region, Seen, each_texel, ratio, texture};
 use super::{BITS, Kind, Reach};
 use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
 
@@ -113,6 +113,10 @@ pub fn relaxed_cone_ratios(
     })
 }
 
+/// The most images of the map that are looked at. Tiles a hundred times longer than wide need more; larger, and such a map
+/// takes hours for cones that hardly differ.
+const MOST_IMAGES: i64 = 4096;
+
 fn steepest(
     field: &Field,
     texel: [i64; 2],
@@ -120,6 +124,10 @@ fn steepest(
     seed: Option<[i64; 2]>,
     stack: &mut Vec<Node>,
 ) -> (f64, Option<[i64; 2]>) {
+    if field.map.wrap() != Wrap::Clamp && field.most_images() > MOST_IMAGES {
+        // A cone that holds no surface is left after no entry at all, and for it the nearest image suffices.
+        return cone::steepest(field, texel, region, seed, stack);
+    }
     let apexes = Apexes::new(field, texel, region);
     let own = own_bound(field, texel, apexes.viewer.half);
     let mut whole = 0.0f64;

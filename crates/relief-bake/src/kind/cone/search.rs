@@ -55,6 +55,11 @@ impl<'a> Field<'a> {
         Self { map, texel_m, pyramid: MaxPyramid::new(map), size, most_tiles }
     }
 
+    /// How many images of the map may have to be looked at.
+    pub fn most_images(&self) -> i64 {
+        self.most_tiles.iter().map(|tiles| 2 * tiles + 1).product()
+    }
+
     /// The cell at that offset from a texel, whether or not it is in the map.
     pub fn cell(&self, texel: [i64; 2], offset: [i64; 2]) -> Seen {
         let [i, j] = [texel[0] + offset[0], texel[1] + offset[1]];
