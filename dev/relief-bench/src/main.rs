@@ -1,4 +1,4 @@
-//! Measurements of Relief: `cargo relief-bench accuracy` and `cargo relief-bench trace`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
