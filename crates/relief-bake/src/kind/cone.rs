@@ -164,9 +164,10 @@ pub(super) fn steepest(
     for offset in OWN_CELLS {
         best = best.max(apexes.own_slope2(&field.cell(texel, offset)));
     }
-    let images = field.map.wrap() == Wrap::Repeat;
+    // Distances along the axes are independent, so the nearest image of a point is in a tile beside the apex's.
+    let tiles = if field.map.wrap() == Wrap::Repeat { [1; 2] } else { [0; 2] };
     let look = |seen: &Seen, best: &mut f64| apexes.raise(seen, false, best);
-    let found = field.visit(&apexes.viewer, images, &mut best, seed, stack, look);
+    let found = field.visit(&apexes.viewer, tiles, &mut best, seed, stack, look);
     (best, found.or(seed))
 }
 

@@ -138,7 +138,7 @@ fn steepest(
     }
     let mut best = whole.min(own * own);
     // A patch that rises in the nearest image may fall in another.
-    let images = field.map.wrap() != Wrap::Clamp;
+    let tiles = if field.map.wrap() == Wrap::Clamp { [0; 2] } else { field.most_tiles };
     let look = |seen: &Seen, best: &mut f64| {
         if OWN_CELLS.contains(&seen.offset) || !may_fall(seen, apexes.viewer.half) {
             return;
@@ -150,7 +150,7 @@ fn steepest(
             *best = slope2.min(bound);
         }
     };
-    let found = field.visit(&apexes.viewer, images, &mut best, seed, stack, look);
+    let found = field.visit(&apexes.viewer, tiles, &mut best, seed, stack, look);
     (best, found.or(seed))
 }
 

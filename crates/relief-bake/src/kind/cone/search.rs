@@ -13,7 +13,7 @@ pub(in crate::kind) struct Field<'a> {
     pyramid: MaxPyramid,
     size: [i64; 2],
     /// How many tiles away, along either axis, a point may be nearer than the highest point of the nearest tiles.
-    most_tiles: [i64; 2],
+    pub most_tiles: [i64; 2],
 }
 
 /// A dual cell as seen from a texel.
@@ -76,7 +76,7 @@ impl<'a> Field<'a> {
     }
 
     /// Calls `look` for every cell that may hold a point with a squared slope above `best` from an apex, which `look`
-    /// raises, in the map and, if `images` says so, in its repeated or mirrored images. Returns the cell that raised it
+    /// raises, in the map and in its images at most so many tiles away. Returns the cell that raised it
     /// last; a cell returned for a texel nearby is a good seed.
     ///
     /// A map that does not repeat goes on for half a cell before its first texels, so that cell -1 comes with cell 0, which
@@ -84,7 +84,7 @@ impl<'a> Field<'a> {
     pub fn visit(
         &self,
         viewer: &Viewer,
-        images: bool,
+        tiles: [i64; 2],
         best: &mut f64,
         seed: Option<[i64; 2]>,
         stack: &mut Vec<Node>,
@@ -102,11 +102,10 @@ impl<'a> Field<'a> {
         if let Some(cell) = seed {
             leaf(cell, best);
         }
-        let most = if images { self.most_tiles } else { [0; 2] };
-        for y in 0..=most[1] {
+        for y in 0..=tiles[1] {
             let mut is_row_open = false;
             for y in signs(y) {
-                for x in 0..=most[0] {
+                for x in 0..=tiles[0] {
                     let mut is_open = false;
                     for x in signs(x) {
                         is_open |= self.visit_tile(viewer, [x, y], best, stack, &mut leaf);
