@@ -2,7 +2,7 @@
 //!
 //! [`mod@kind`] lists the map kinds, one file each. A bake takes a [`Source`], which is a height map and the [`Metric`] that it
 //! is laid out in, and the kind's [`Settings`], and hands its [`Texture`]s to a [`Sink`] slice by slice, so that a volume
-//! need not fit in memory. [`Collected`] is the sink that keeps them.
+//! need not fit in memory. [`Collected`] is the sink that keeps them; [`texels()`] is one of them as shaders take it.
 //!
 //! Where a kind states a bound, it holds for the *bilinear* surface between texel centres, and for what is stored: when
 //! values are quantised, heights are quantised first, the map is baked against the decoded heights, and values are rounded
@@ -17,6 +17,7 @@ mod progress;
 pub mod quantise;
 mod settings;
 mod sink;
+mod texels;
 
 pub use bake::{BakeError, bake};
 pub use kind::{KINDS, Kind, kind};
@@ -24,6 +25,7 @@ pub use metric::{Metric, MetricError};
 pub use progress::{Cancelled, Progress};
 pub use settings::{Settings, SettingsError};
 pub use sink::{Channel, Collected, CollectedTexture, Rounding, Sink, SinkError, Texture};
+pub use texels::texels;
 
 /// What a bake is made from.
 #[derive(Clone, Copy, Debug)]

@@ -26,6 +26,10 @@ pub struct MetricError {
 }
 
 impl Metric {
+    /// Texture units and heights as they are: a metre for each tile and for the scale. The maps that searches read are
+    /// baked in it, since a ray's path is given so, too.
+    pub const UNIT: Self = Self { tile_m: [1.0, 1.0], scale_m: 1.0 };
+
     /// A metric of those lengths.
     ///
     /// # Errors

@@ -8,6 +8,7 @@ use failure::Failure;
 
 mod commands;
 mod failure;
+mod map_cache;
 mod progress;
 mod values;
 

@@ -2,8 +2,8 @@
 
 use glam::{DMat4, DVec3, Vec3};
 use relief_io::Picture;
-use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Light as ShaderLight, Settings, Triangle};
+use relief_shaders::{SearchMap, SearchMapError, Selection};
 
 use crate::camera::Camera;
 use crate::job::{Job, TexelMap};
@@ -16,30 +16,43 @@ use crate::scene::Scene;
 const NEAR_OVER_FAR: f64 = 1e-4;
 
 /// What a job needs beyond the scene's own maps.
-pub struct Prepared {
+pub struct Prepared<'a> {
+    scene: &'a Scene,
+    search_map: Option<&'a SearchMap>,
     settings: Settings,
     triangles: Vec<Triangle>,
     view_projection: [[f32; 4]; 4],
 }
 
-impl Prepared {
+impl<'a> Prepared<'a> {
     /// Prepares a scene for the stages chosen.
-    pub fn new(scene: &Scene, selection: &Selection) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// When the scene lacks the baked map that the search reads.
+    pub fn new(scene: &'a Scene, selection: &Selection) -> Result<Self, SearchMapError> {
         let mesh = scene.mesh();
-        Self {
+        Ok(Self {
+            scene,
+            search_map: selection.map_among(scene.search_map(), scene.height_map())?,
             settings: settings(scene, selection),
             triangles: (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number)).collect(),
             view_projection: view_projection(scene.camera(), mesh, scene.size()).as_mat4().to_cols_array_2d(),
-        }
+        })
     }
 
-    /// The job of a prepared scene.
-    pub fn job<'a>(&'a self, scene: &'a Scene) -> Job<'a> {
+    /// The job of the scene.
+    pub fn job(&self) -> Job<'_> {
+        let scene = self.scene;
         let [width, height] = scene.size();
         let map = |picture: &'a Picture| TexelMap {
             width: picture.width,
             height: picture.height,
             texels: &picture.texels,
+        };
+        let baked = |map: &'a SearchMap| {
+            let [width, height] = map.size();
+            TexelMap { width, height, texels: map.texels() }
         };
         Job {
             width,
@@ -50,6 +63,7 @@ impl Prepared {
             height_map: scene.height_map(),
             color_map: scene.color().map(map),
             normal_map: scene.normal_map().map(map),
+            search_map: self.search_map.map(baked),
             two_sided: scene.two_sided(),
         }
     }

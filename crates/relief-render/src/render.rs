@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use relief::exact::FastTracer;
-use relief_shaders::Selection;
+use relief_shaders::{SearchMapError, Selection};
 
 use crate::cpu;
 #[cfg(feature = "gpu")]
@@ -37,6 +37,9 @@ pub enum RenderError {
     /// The method, search, refinement or a setting is not available.
     #[error(transparent)]
     Method(#[from] MethodError),
+    /// The search reads a baked map that the scene does not have.
+    #[error(transparent)]
+    SearchMap(#[from] SearchMapError),
     /// The CPU was asked for the sampling that only GPUs have.
     #[error(
         "sampling 'fast' uses a GPU's texture sampler, which the CPU backend does not have{0}: use --sampling exact"
@@ -55,19 +58,20 @@ pub enum RenderError {
 ///
 /// # Errors
 ///
-/// When the method is not available, the backend is not, or the backend fails.
+/// When the method is not available or lacks the baked map that it reads, the backend is not available, or the backend
+/// fails.
 pub fn render(scene: &Scene, progress: &(dyn Fn(f32) + Sync)) -> Result<Rendered, RenderError> {
     let selection = select(scene.method())?;
     match choose(scene)? {
         #[cfg(feature = "gpu")]
         Chosen::Gpu { gpu, reason } => {
-            let prepared = Prepared::new(scene, &selection);
+            let prepared = Prepared::new(scene, &selection)?;
             let started = Instant::now();
-            let rendering = gpu.render(&prepared.job(scene), scene.sampling(), progress)?;
+            let rendering = gpu.render(&prepared.job(), scene.sampling(), progress)?;
             let elapsed = started.elapsed();
             Ok(Rendered { rendering, backend: "gpu", device: gpu.description(), reason, selection, elapsed })
         }
-        Chosen::Cpu { reason } => Ok(on_cpu(scene, selection, reason, progress)),
+        Chosen::Cpu { reason } => on_cpu(scene, selection, reason, progress),
     }
 }
 
@@ -76,15 +80,15 @@ fn on_cpu(
     selection: Selection,
     reason: Option<String>,
     progress: &(dyn Fn(f32) + Sync),
-) -> Rendered {
+) -> Result<Rendered, RenderError> {
     let started = Instant::now();
-    let prepared = Prepared::new(scene, &selection);
+    let prepared = Prepared::new(scene, &selection)?;
     let base = RayCaster::new(scene.mesh());
     let tracer = selection.is_exact().then(|| FastTracer::new(scene.height_map()));
-    let rendering = cpu::render(&prepared.job(scene), &base, tracer.as_ref(), progress);
+    let rendering = cpu::render(&prepared.job(), &base, tracer.as_ref(), progress);
     let threads = rayon::current_num_threads();
     let device = format!("{threads} thread{}", if threads == 1 { "" } else { "s" });
-    Rendered { rendering, backend: "cpu", device, reason, selection, elapsed: started.elapsed() }
+    Ok(Rendered { rendering, backend: "cpu", device, reason, selection, elapsed: started.elapsed() })
 }
 
 enum Chosen {

@@ -284,10 +284,70 @@ pub struct Resources<'g> {
     pub height_map: rt::HeightTexture<'g>,
     #[doc = "group(0) binding(3)"]
     pub normal_map: rt::ColorTexture<'g>,
+    #[doc = "group(0) binding(5)"]
+    pub search_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(0)"]
     pub settings: Settings,
 }
 impl<'g> Resources<'g> {
+    pub fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_cell_of(rt::into(point)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
+    }
+    pub fn cell_after(
+        &self,
+        grid: Grid,
+        cell: impl rt::Into<rt::Vec2<f32>>,
+        leave: impl rt::Into<rt::Vec2<f32>>,
+        forward: impl rt::Into<rt::Vec2<bool>>,
+        t: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_cell_after(grid, rt::into(cell), rt::into(leave), rt::into(forward), rt::into(t)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_after(
+        &self,
+        grid: Grid,
+        cell: rt::Vec2<f32>,
+        leave: rt::Vec2<f32>,
+        forward: rt::Vec2<bool>,
+        t: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        let _e9 = self.v_cell_of((grid.origin + (grid.step * t)));
+        let ahead = _e9.max((cell + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t, t)))));
+        let behind = _e9.min((cell - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t, t)))));
+        return behind.select(ahead, forward);
+    }
+    pub fn gap_to(
+        &self,
+        path: Path,
+        grid_1: Grid,
+        cell_1: impl rt::Into<rt::Vec2<f32>>,
+        h: impl rt::Into<rt::Vec4<f32>>,
+        t_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_gap_to(path, grid_1, rt::into(cell_1), rt::into(h), rt::into(t_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_gap_to(
+        &self,
+        path: Path,
+        grid_1: Grid,
+        cell_1: rt::Vec2<f32>,
+        h: rt::Vec4<f32>,
+        t_1: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let bx = (h.y() - h.x());
+        let by = (h.z() - h.x());
+        let twist = ((h.x() - h.y()) + (h.w() - h.z()));
+        let at_4 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
+        let z = (path.h.x() + (t_1 * (path.h.y() + (t_1 * path.h.z()))));
+        let dz = (path.h.y() + ((rt::Scalar(2f32) * t_1) * path.h.z()));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_4.x())) + (by * at_4.y())) + ((twist * at_4.x()) * at_4.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_4.x() * grid_1.step.y()) + (at_4.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+    }
     pub fn wrap_index(
         &self,
         i: impl rt::Into<rt::Scalar<i32>>,
@@ -324,17 +384,17 @@ impl<'g> Resources<'g> {
         let folded = (((i % period) + period) % period);
         return ((period - rt::Scalar(1i32)) - folded).select(folded, folded.elementwise_lt(n));
     }
-    pub fn height_cell(&self, cell: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_height_cell(rt::into(cell)))
+    pub fn height_cell(&self, cell_2: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_height_cell(rt::into(cell_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_cell(&self, cell: rt::Vec2<i32>) -> rt::Vec4<f32> {
+    fn v_height_cell(&self, cell_2: rt::Vec2<i32>) -> rt::Vec4<f32> {
         let _e3 = self.settings.height_size;
-        let n_1 = _e3.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(cell.x(), n_1.x());
-        let _e12 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), n_1.x());
-        let _e15 = self.v_wrap_index(cell.y(), n_1.y());
-        let _e20 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), n_1.y());
+        let n_2 = _e3.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(cell_2.x(), n_2.x());
+        let _e12 = self.v_wrap_index((cell_2.x() + rt::Scalar(1i32)), n_2.x());
+        let _e15 = self.v_wrap_index(cell_2.y(), n_2.y());
+        let _e20 = self.v_wrap_index((cell_2.y() + rt::Scalar(1i32)), n_2.y());
         let _e24 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e29 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -343,92 +403,80 @@ impl<'g> Resources<'g> {
     }
     pub fn cell_gap(
         &self,
-        path: Path,
-        grid: Grid,
-        cell_1: impl rt::Into<rt::Vec2<f32>>,
-        t: impl rt::Into<rt::Scalar<f32>>,
+        path_1: Path,
+        grid_2: Grid,
+        cell_3: impl rt::Into<rt::Vec2<f32>>,
+        t_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path, grid, rt::into(cell_1), rt::into(t)))
+        rt::into(self.v_cell_gap(path_1, grid_2, rt::into(cell_3), rt::into(t_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_gap(
         &self,
-        path: Path,
-        grid: Grid,
-        cell_1: rt::Vec2<f32>,
-        t: rt::Scalar<f32>,
+        path_1: Path,
+        grid_2: Grid,
+        cell_3: rt::Vec2<f32>,
+        t_2: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_height_cell(cell_1.cast_elem_as_i32());
-        let bx = (_e5.y() - _e5.x());
-        let by = (_e5.z() - _e5.x());
-        let twist = ((_e5.x() - _e5.y()) + (_e5.w() - _e5.z()));
-        let at_4 = ((grid.origin - cell_1) + (grid.step * t));
-        let z = (path.h.x() + (t * (path.h.y() + (t * path.h.z()))));
-        let dz = (path.h.y() + ((rt::Scalar(2f32) * t) * path.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((_e5.x() + (bx * at_4.x())) + (by * at_4.y())) + ((twist * at_4.x()) * at_4.y()))), (dz - (((bx * grid.step.x()) + (by * grid.step.y())) + (twist * ((at_4.x() * grid.step.y()) + (at_4.y() * grid.step.x()))))), (path.h.z() - ((twist * grid.step.x()) * grid.step.y())));
+        let _e5 = self.v_height_cell(cell_3.cast_elem_as_i32());
+        let _e6 = self.v_gap_to(path_1, grid_2, cell_3, _e5, t_2);
+        return _e6;
     }
     pub fn cell_leave(
         &self,
-        grid_1: Grid,
-        cell_2: impl rt::Into<rt::Vec2<f32>>,
+        grid_3: Grid,
+        cell_4: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_leave(grid_1, rt::into(cell_2)))
+        rt::into(self.v_cell_leave(grid_3, rt::into(cell_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_leave(
         &self,
-        grid_1: Grid,
-        cell_2: rt::Vec2<f32>,
+        grid_3: Grid,
+        cell_4: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut leave: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let mut leave_1: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
 
-        if rt::Scalar::into_branch_condition(grid_1.step.x().elementwise_gt(rt::Scalar(0f32))) {
-            leave.set_x((((cell_2.x() + rt::Scalar(1f32)) - grid_1.origin.x()) / grid_1.step.x()));
+        if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_gt(rt::Scalar(0f32))) {
+            leave_1.set_x((((cell_4.x() + rt::Scalar(1f32)) - grid_3.origin.x()) / grid_3.step.x()));
         }
-        if rt::Scalar::into_branch_condition(grid_1.step.x().elementwise_lt(rt::Scalar(0f32))) {
-            leave.set_x(((cell_2.x() - grid_1.origin.x()) / grid_1.step.x()));
+        if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_lt(rt::Scalar(0f32))) {
+            leave_1.set_x(((cell_4.x() - grid_3.origin.x()) / grid_3.step.x()));
         }
-        if rt::Scalar::into_branch_condition(grid_1.step.y().elementwise_gt(rt::Scalar(0f32))) {
-            leave.set_y((((cell_2.y() + rt::Scalar(1f32)) - grid_1.origin.y()) / grid_1.step.y()));
+        if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_gt(rt::Scalar(0f32))) {
+            leave_1.set_y((((cell_4.y() + rt::Scalar(1f32)) - grid_3.origin.y()) / grid_3.step.y()));
         }
-        if rt::Scalar::into_branch_condition(grid_1.step.y().elementwise_lt(rt::Scalar(0f32))) {
-            leave.set_y(((cell_2.y() - grid_1.origin.y()) / grid_1.step.y()));
+        if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_lt(rt::Scalar(0f32))) {
+            leave_1.set_y(((cell_4.y() - grid_3.origin.y()) / grid_3.step.y()));
         }
-        let _e58 = leave;
+        let _e58 = leave_1;
         return _e58;
     }
     pub fn cell_next(
         &self,
-        grid_2: Grid,
-        cell_3: impl rt::Into<rt::Vec2<f32>>,
-        leave_1: impl rt::Into<rt::Vec2<f32>>,
+        grid_4: Grid,
+        cell_5: impl rt::Into<rt::Vec2<f32>>,
+        leave_2: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_next(grid_2, rt::into(cell_3), rt::into(leave_1)))
+        rt::into(self.v_cell_next(grid_4, rt::into(cell_5), rt::into(leave_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_next(
         &self,
-        grid_2: Grid,
-        cell_3: rt::Vec2<f32>,
-        leave_1: rt::Vec2<f32>,
+        grid_4: Grid,
+        cell_5: rt::Vec2<f32>,
+        leave_2: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut next: rt::Vec2<f32>;
 
-        next = cell_3;
-        if rt::Scalar::into_branch_condition(leave_1.x().elementwise_le(leave_1.y())) {
-            next.set_x((cell_3.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_2.step.x().elementwise_gt(rt::Scalar(0f32)))));
+        next = cell_5;
+        if rt::Scalar::into_branch_condition(leave_2.x().elementwise_le(leave_2.y())) {
+            next.set_x((cell_5.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
         } else {
-            next.set_y((cell_3.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_2.step.y().elementwise_gt(rt::Scalar(0f32)))));
+            next.set_y((cell_5.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
         }
         let _e27 = next;
         return _e27;
-    }
-    pub fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_of(rt::into(point)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
     }
     pub fn chosen_refine(&self) -> u32 {
         rt::into(self.v_chosen_refine())
@@ -468,16 +516,16 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_color_at(&self, uv: rt::Vec2<f32>) -> rt::Vec4<f32> {
         let _e3 = self.settings.color_size;
-        let n_2 = _e3.cast_elem_as_i32();
+        let n_3 = _e3.cast_elem_as_i32();
         let _e7 = self.settings.color_size;
         let point_2 = ((uv * _e7.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e14 = self.v_cell_of(point_2);
         let f = (point_2 - _e14);
-        let i_1 = _e14.cast_elem_as_i32();
-        let _e19 = self.v_wrap_index(i_1.x(), n_2.x());
-        let _e24 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
-        let _e27 = self.v_wrap_index(i_1.y(), n_2.y());
-        let _e32 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
+        let i_2 = _e14.cast_elem_as_i32();
+        let _e19 = self.v_wrap_index(i_2.x(), n_3.x());
+        let _e24 = self.v_wrap_index((i_2.x() + rt::Scalar(1i32)), n_3.x());
+        let _e27 = self.v_wrap_index(i_2.y(), n_3.y());
+        let _e32 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_3.y());
         let h00_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let h10_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let h01_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -558,6 +606,86 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
+    pub fn folded_cell(
+        &self,
+        i_1: impl rt::Into<rt::Scalar<i32>>,
+        n_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_folded_cell(rt::into(i_1), rt::into(n_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_folded_cell(
+        &self,
+        i_1: rt::Scalar<i32>,
+        n_1: rt::Scalar<i32>,
+    ) -> rt::Vec2<i32> {
+        let mut local_1: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(i_1.elementwise_ge(rt::Scalar(0i32))) {
+            local_1 = i_1.elementwise_lt(n_1);
+        } else {
+            local_1 = rt::Scalar(false);
+        }
+        let _e8 = local_1;
+        if rt::Scalar::into_branch_condition(_e8) {
+            return <rt::Vec2<i32>>::from_scalars(i_1, rt::Scalar(0i32));
+        }
+        let _e13 = rt::Scalar(self.settings.wrap);
+        if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_REPEAT)) {
+            return <rt::Vec2<i32>>::from_scalars((((i_1 % n_1) + n_1) % n_1), rt::Scalar(0i32));
+        }
+        let _e23 = rt::Scalar(self.settings.wrap);
+        if rt::Scalar::into_branch_condition(_e23.elementwise_eq(WRAP_MIRROR)) {
+            let period_1 = (rt::Scalar(2i32) * n_1);
+            let folded_1 = (((i_1 % period_1) + period_1) % period_1);
+            if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_1)) {
+                return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
+            }
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32).select(((period_1 - rt::Scalar(2i32)) - folded_1), folded_1.elementwise_lt((period_1 - rt::Scalar(1i32)))), rt::Scalar(1i32));
+        }
+        return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(0i32));
+    }
+    pub fn search_map_texel(&self, place: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_search_map_texel(rt::into(place)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_map_texel(&self, place: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e3 = rt::texture::Read::read_texel((&self.search_map), place, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return _e3;
+    }
+    pub fn frustum_slope(
+        &self,
+        cell_6: impl rt::Into<rt::Vec2<i32>>,
+        forward_1: impl rt::Into<rt::Vec2<bool>>,
+    ) -> f32 {
+        rt::into(self.v_frustum_slope(rt::into(cell_6), rt::into(forward_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_frustum_slope(
+        &self,
+        cell_6: rt::Vec2<i32>,
+        forward_1: rt::Vec2<bool>,
+    ) -> rt::Scalar<f32> {
+        let mut local_2: rt::Scalar<bool>;
+
+        let _e6 = self.settings.height_size.x();
+        let _e8 = self.v_folded_cell(cell_6.x(), _e6.cast_elem_as_i32());
+        let _e13 = self.settings.height_size.y();
+        let _e15 = self.v_folded_cell(cell_6.y(), _e13.cast_elem_as_i32());
+        if rt::Scalar::into_branch_condition((!_e8.x().elementwise_lt(rt::Scalar(0i32)))) {
+            local_2 = _e15.x().elementwise_lt(rt::Scalar(0i32));
+        } else {
+            local_2 = rt::Scalar(true);
+        }
+        let _e26 = local_2;
+        if rt::Scalar::into_branch_condition(_e26) {
+            return rt::Scalar(-1f32);
+        }
+        let _e31 = self.v_search_map_texel(<rt::Vec2<i32>>::from_scalars(_e8.x(), _e15.x()));
+        let right = forward_1.x().elementwise_eq(_e8.y().elementwise_eq(rt::Scalar(0i32)));
+        let down = forward_1.y().elementwise_eq(_e15.y().elementwise_eq(rt::Scalar(0i32)));
+        return _e31.w().select(_e31.z(), right).select(_e31.y().select(_e31.x(), right), down);
+    }
     pub fn height_size(&self) -> rt::Vec2<f32> {
         rt::into(self.v_height_size())
     }
@@ -566,41 +694,41 @@ impl<'g> Resources<'g> {
         let _e2 = self.settings.height_size;
         return _e2.cast_elem_as_f32();
     }
-    pub fn grid_of(&self, path_1: Path) -> Grid {
-        rt::into(self.v_grid_of(path_1))
+    pub fn grid_of(&self, path_2: Path) -> Grid {
+        rt::into(self.v_grid_of(path_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_1: Path) -> Grid {
+    fn v_grid_of(&self, path_2: Path) -> Grid {
         let _e1 = self.v_height_size();
-        return <Grid>::new(((path_1.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_1.duv * _e1));
+        return <Grid>::new(((path_2.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_2.duv * _e1));
     }
     pub fn has_interval(&self, found: Found) -> bool {
         rt::into(self.v_has_interval(found))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
-        let mut local_1: rt::Scalar<bool>;
-        let mut local_2: rt::Scalar<bool>;
         let mut local_3: rt::Scalar<bool>;
+        let mut local_4: rt::Scalar<bool>;
+        let mut local_5: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-                local_2 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_4 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_2 = rt::Scalar(true);
+                local_4 = rt::Scalar(true);
             }
-            let _e16 = local_2;
+            let _e16 = local_4;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_3 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+                local_5 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_3 = rt::Scalar(true);
+                local_5 = rt::Scalar(true);
             }
-            let _e24 = local_3;
-            local_1 = _e24;
+            let _e24 = local_5;
+            local_3 = _e24;
         } else {
-            local_1 = rt::Scalar(false);
+            local_3 = rt::Scalar(false);
         }
-        let _e26 = local_1;
+        let _e26 = local_3;
         return _e26;
     }
     pub fn height_and_slope(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -615,9 +743,9 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
         let top_1 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
         let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
-        let left = (_e10.x() + ((_e10.z() - _e10.x()) * f_1.y()));
-        let right = (_e10.y() + ((_e10.w() - _e10.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f_1.y())), ((right - left) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
+        let left_1 = (_e10.x() + ((_e10.z() - _e10.x()) * f_1.y()));
+        let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f_1.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
     }
     pub fn height_at(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> f32 {
         rt::into(self.v_height_at(rt::into(uv_3)))
@@ -635,18 +763,18 @@ impl<'g> Resources<'g> {
     }
     pub fn path_height(
         &self,
-        path_2: Path,
-        t_1: impl rt::Into<rt::Scalar<f32>>,
+        path_3: Path,
+        t_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_height(path_2, rt::into(t_1)))
+        rt::into(self.v_path_height(path_3, rt::into(t_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_height(
         &self,
-        path_2: Path,
-        t_1: rt::Scalar<f32>,
+        path_3: Path,
+        t_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_2.h.x() + (t_1 * (path_2.h.y() + (t_1 * path_2.h.z()))));
+        return (path_3.h.x() + (t_3 * (path_3.h.y() + (t_3 * path_3.h.z()))));
     }
     pub fn miss(&self, reads: impl rt::Into<rt::Scalar<u32>>) -> Hit {
         rt::into(self.v_miss(rt::into(reads)))
@@ -657,52 +785,52 @@ impl<'g> Resources<'g> {
     }
     pub fn path_uv(
         &self,
-        path_3: Path,
-        t_2: impl rt::Into<rt::Scalar<f32>>,
+        path_4: Path,
+        t_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_path_uv(path_3, rt::into(t_2)))
+        rt::into(self.v_path_uv(path_4, rt::into(t_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_uv(
         &self,
-        path_3: Path,
-        t_2: rt::Scalar<f32>,
+        path_4: Path,
+        t_4: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        return (path_3.uv + (path_3.duv * t_2));
+        return (path_4.uv + (path_4.duv * t_4));
     }
     pub fn hit_on_path(
         &self,
-        path_4: Path,
-        t_3: impl rt::Into<rt::Scalar<f32>>,
+        path_5: Path,
+        t_5: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         reads_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_4, rt::into(t_3), rt::into(exhausted), rt::into(reads_1)))
+        rt::into(self.v_hit_on_path(path_5, rt::into(t_5), rt::into(exhausted), rt::into(reads_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_4: Path,
-        t_3: rt::Scalar<f32>,
+        path_5: Path,
+        t_5: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         reads_1: rt::Scalar<u32>,
     ) -> Hit {
-        let mut local_4: rt::Scalar<bool>;
+        let mut local_6: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_3.elementwise_gt(rt::Scalar(path_4.exit))) {
-            let _e9 = self.v_path_height(path_4, rt::Scalar(path_4.exit));
-            local_4 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_5.elementwise_gt(rt::Scalar(path_5.exit))) {
+            let _e9 = self.v_path_height(path_5, rt::Scalar(path_5.exit));
+            local_6 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_4 = rt::Scalar(false);
+            local_6 = rt::Scalar(false);
         }
-        let _e13 = local_4;
+        let _e13 = local_6;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(reads_1);
             return _e14;
         }
-        let inside = t_3.clamp(rt::Scalar(0f32), rt::Scalar(path_4.exit));
-        let _e19 = self.v_path_uv(path_4, inside);
-        let _e20 = self.v_path_height(path_4, inside);
+        let inside = t_5.clamp(rt::Scalar(0f32), rt::Scalar(path_5.exit));
+        let _e19 = self.v_path_uv(path_5, inside);
+        let _e20 = self.v_path_height(path_5, inside);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_1);
     }
     pub fn inside_unit(
@@ -720,15 +848,15 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_5: rt::Scalar<bool>;
+        let mut local_7: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_5 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_7 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_5 = rt::Scalar(true);
+                local_7 = rt::Scalar(true);
             }
-            let _e13 = local_5;
+            let _e13 = local_7;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
@@ -738,22 +866,40 @@ impl<'g> Resources<'g> {
         let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
         return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
     }
+    pub fn least_at(
+        &self,
+        c_2: impl rt::Into<rt::Vec3<f32>>,
+        span_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_least_at(rt::into(c_2), rt::into(span_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_least_at(
+        &self,
+        c_2: rt::Vec3<f32>,
+        span_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(c_2.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_2.y()) / (rt::Scalar(2f32) * c_2.z())).clamp(rt::Scalar(0f32), span_1);
+        }
+        return span_1;
+    }
     pub fn normal_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_normal_at(rt::into(uv_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_at(&self, uv_4: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.settings.normal_size;
-        let n_3 = _e3.cast_elem_as_i32();
+        let n_4 = _e3.cast_elem_as_i32();
         let _e7 = self.settings.normal_size;
         let point_5 = ((uv_4 * _e7.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e14 = self.v_cell_of(point_5);
         let f_3 = (point_5 - _e14);
-        let i_2 = _e14.cast_elem_as_i32();
-        let _e19 = self.v_wrap_index(i_2.x(), n_3.x());
-        let _e24 = self.v_wrap_index((i_2.x() + rt::Scalar(1i32)), n_3.x());
-        let _e27 = self.v_wrap_index(i_2.y(), n_3.y());
-        let _e32 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_3.y());
+        let i_3 = _e14.cast_elem_as_i32();
+        let _e19 = self.v_wrap_index(i_3.x(), n_4.x());
+        let _e24 = self.v_wrap_index((i_3.x() + rt::Scalar(1i32)), n_4.x());
+        let _e27 = self.v_wrap_index(i_3.y(), n_4.y());
+        let _e32 = self.v_wrap_index((i_3.y() + rt::Scalar(1i32)), n_4.y());
         let h00_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let h10_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let h01_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -832,54 +978,54 @@ impl<'g> Resources<'g> {
     }
     pub fn normal_z(
         &self,
-        path_5: Path,
+        path_6: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_5, rt::into(slope)))
+        rt::into(self.v_normal_z(path_6, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_5: Path,
+        path_6: Path,
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m = path_5.metric;
+        let m = path_6.metric;
         let area = ((m.x() * m.z()) - (m.y() * m.y()));
         let squared = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared)).sqrt());
     }
     pub fn path_gap(
         &self,
-        path_6: Path,
-        t_4: impl rt::Into<rt::Scalar<f32>>,
+        path_7: Path,
+        t_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_gap(path_6, rt::into(t_4)))
+        rt::into(self.v_path_gap(path_7, rt::into(t_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_gap(
         &self,
-        path_6: Path,
-        t_4: rt::Scalar<f32>,
+        path_7: Path,
+        t_6: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_path_height(path_6, t_4);
-        let _e3 = self.v_path_uv(path_6, t_4);
+        let _e2 = self.v_path_height(path_7, t_6);
+        let _e3 = self.v_path_uv(path_7, t_6);
         let _e4 = self.v_height_at(_e3);
         return (_e2 - _e4);
     }
     pub fn path_slope(
         &self,
-        path_7: Path,
-        t_5: impl rt::Into<rt::Scalar<f32>>,
+        path_8: Path,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_7, rt::into(t_5)))
+        rt::into(self.v_path_slope(path_8, rt::into(t_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_7: Path,
-        t_5: rt::Scalar<f32>,
+        path_8: Path,
+        t_7: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_7.h.y() + ((rt::Scalar(2f32) * t_5) * path_7.h.z()));
+        return (path_8.h.y() + ((rt::Scalar(2f32) * t_7) * path_8.h.z()));
     }
     pub fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel)))
@@ -895,41 +1041,41 @@ impl<'g> Resources<'g> {
         &self,
         a_1: Corner,
         b_1: Corner,
-        c_2: Corner,
+        c_3: Corner,
         side: impl rt::Into<rt::Scalar<f32>>,
         point_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_1, b_1, c_2, rt::into(side), rt::into(point_1)))
+        rt::into(self.v_pixel_of(a_1, b_1, c_3, rt::into(side), rt::into(point_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_pixel_of(
         &self,
         a_1: Corner,
         b_1: Corner,
-        c_2: Corner,
+        c_3: Corner,
         side: rt::Scalar<f32>,
         point_1: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e7 = self.settings.eye;
         let _e9 = self.v_pixel_direction(point_1);
-        return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_2);
+        return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_3);
     }
-    pub fn starting_point(&self, path_8: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_8, found_1))
+    pub fn starting_point(&self, path_9: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_9, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_8: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_6: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_9: Path, found_1: Found) -> rt::Scalar<f32> {
+        let mut local_8: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_8.base);
+            return rt::Scalar(path_9.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_6 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_8 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_6 = rt::Scalar(true);
+            local_8 = rt::Scalar(true);
         }
-        let _e16 = local_6;
+        let _e16 = local_8;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -937,16 +1083,16 @@ impl<'g> Resources<'g> {
     }
     pub fn refine_none(
         &self,
-        path_9: Path,
+        path_10: Path,
         found_2: Found,
         params: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_9, found_2, rt::into(params)))
+        rt::into(self.v_refine_none(path_10, found_2, rt::into(params)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_9: Path,
+        path_10: Path,
         found_2: Found,
         params: rt::Vec4<f32>,
     ) -> Hit {
@@ -955,35 +1101,35 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_9, found_2);
-        let _e16 = self.v_hit_on_path(path_9, _e14, exhausted_1, rt::Scalar(found_2.reads));
+        let _e14 = self.v_starting_point(path_10, found_2);
+        let _e16 = self.v_hit_on_path(path_10, _e14, exhausted_1, rt::Scalar(found_2.reads));
         return _e16;
     }
     pub fn refine_binary(
         &self,
-        path_10: Path,
+        path_11: Path,
         found_3: Found,
         params_1: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_10, found_3, rt::into(params_1)))
+        rt::into(self.v_refine_binary(path_11, found_3, rt::into(params_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_10: Path,
+        path_11: Path,
         found_3: Found,
         params_1: rt::Vec4<f32>,
     ) -> Hit {
         let mut near: rt::Scalar<f32>;
         let mut far: rt::Scalar<f32>;
         let mut reads_2: rt::Scalar<u32>;
-        let mut local_7: rt::Scalar<bool>;
+        let mut local_9: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_3);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_10, found_3, params_1);
+            let _e5 = self.v_refine_none(path_11, found_3, params_1);
             return _e5;
         }
         near = rt::Scalar(found_3.near);
@@ -991,12 +1137,12 @@ impl<'g> Resources<'g> {
         reads_2 = rt::Scalar(found_3.reads);
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far;
-            let _e19 = self.v_path_height(path_10, _e18);
-            local_7 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_11, _e18);
+            local_9 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_7 = rt::Scalar(true);
+            local_9 = rt::Scalar(true);
         }
-        let _e23 = local_7;
+        let _e23 = local_9;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -1011,7 +1157,7 @@ impl<'g> Resources<'g> {
                     let middle = (rt::Scalar(0.5f32) * (_e30 + _e31));
                     let _e35 = reads_2;
                     reads_2 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = self.v_path_gap(path_10, middle);
+                    let _e38 = self.v_path_gap(path_11, middle);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
                         far = middle;
                         crossed = rt::Scalar(true);
@@ -1032,55 +1178,55 @@ impl<'g> Resources<'g> {
         let _e49 = near;
         let _e50 = far;
         let _e55 = reads_2;
-        let _e56 = self.v_hit_on_path(path_10, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
+        let _e56 = self.v_hit_on_path(path_11, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
     }
     pub fn refine_offset(
         &self,
-        path_11: Path,
+        path_12: Path,
         found_4: Found,
         params_2: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_11, found_4, rt::into(params_2)))
+        rt::into(self.v_refine_offset(path_12, found_4, rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_11: Path,
+        path_12: Path,
         found_4: Found,
         params_2: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_6: rt::Scalar<f32>;
+        let mut t_8: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_4.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_11, found_4);
-        let _e9 = self.v_path_uv(path_11, _e8);
+        let _e8 = self.v_starting_point(path_12, found_4);
+        let _e9 = self.v_path_uv(path_12, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_slope(path_11, _e8);
-        t_6 = _e8;
+        let _e11 = self.v_path_slope(path_12, _e8);
+        t_8 = _e8;
         if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
-            let _e15 = self.v_path_height(path_11, _e8);
-            t_6 = (_e8 + ((_e10 - _e15) / _e11));
+            let _e15 = self.v_path_height(path_12, _e8);
+            t_8 = (_e8 + ((_e10 - _e15) / _e11));
         }
-        let _e19 = t_6;
-        let _e29 = self.v_hit_on_path(path_11, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
+        let _e19 = t_8;
+        let _e29 = self.v_hit_on_path(path_12, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
         return _e29;
     }
     pub fn refine_offset_limited(
         &self,
-        path_12: Path,
+        path_13: Path,
         found_5: Found,
         params_3: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_12, found_5, rt::into(params_3)))
+        rt::into(self.v_refine_offset_limited(path_13, found_5, rt::into(params_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_12: Path,
+        path_13: Path,
         found_5: Found,
         params_3: rt::Vec4<f32>,
     ) -> Hit {
@@ -1090,12 +1236,12 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_5.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_12, found_5);
-        let _e9 = self.v_path_uv(path_12, _e8);
+        let _e8 = self.v_starting_point(path_13, found_5);
+        let _e9 = self.v_path_uv(path_13, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_height(path_12, _e8);
-        let rise_m = ((_e10 - _e11) * path_12.metric.w());
-        let _e26 = self.v_hit_on_path(path_12, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        let _e11 = self.v_path_height(path_13, _e8);
+        let rise_m = ((_e10 - _e11) * path_13.metric.w());
+        let _e26 = self.v_hit_on_path(path_13, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
         hit = _e26;
         let _e29 = rt::Scalar(hit.found);
         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
@@ -1106,41 +1252,41 @@ impl<'g> Resources<'g> {
     }
     pub fn refine_patch(
         &self,
-        path_13: Path,
+        path_14: Path,
         found_6: Found,
         params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_13, found_6, rt::into(params_4)))
+        rt::into(self.v_refine_patch(path_14, found_6, rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_13: Path,
+        path_14: Path,
         found_6: Found,
         params_4: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_7: rt::Scalar<f32>;
-        let mut cell_4: rt::Vec2<f32>;
+        let mut t_9: rt::Scalar<f32>;
+        let mut cell_7: rt::Vec2<f32>;
         let mut reads_3: rt::Scalar<u32>;
-        let mut local_8: rt::Scalar<bool>;
+        let mut local_10: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_6.reads));
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_13, rt::Scalar(found_6.near), rt::Scalar(1u32), rt::Scalar(found_6.reads));
+            let _e14 = self.v_hit_on_path(path_14, rt::Scalar(found_6.near), rt::Scalar(1u32), rt::Scalar(found_6.reads));
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_13, rt::Scalar(found_6.near), rt::Scalar(0u32), rt::Scalar(found_6.reads));
+            let _e21 = self.v_hit_on_path(path_14, rt::Scalar(found_6.near), rt::Scalar(0u32), rt::Scalar(found_6.reads));
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_13);
-        t_7 = rt::Scalar(found_6.near);
-        let _e27 = t_7;
+        let _e22 = self.v_grid_of(path_14);
+        t_9 = rt::Scalar(found_6.near);
+        let _e27 = t_9;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_4 = _e30;
+        cell_7 = _e30;
         reads_3 = rt::Scalar(found_6.reads);
         let _e34 = reads_3;
         let limit = (_e34 + params_4.x().cast_elem_as_u32());
@@ -1152,70 +1298,70 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = cell_4;
+                    let _e40 = cell_7;
                     let _e41 = self.v_cell_leave(_e22, _e40);
                     let end = _e41.x().min(_e41.y()).min(rt::Scalar(found_6.far));
-                    let _e47 = t_7;
-                    let span_1 = (end - _e47).max(rt::Scalar(0f32));
-                    let _e51 = cell_4;
-                    let _e52 = t_7;
-                    let _e53 = self.v_cell_gap(path_13, _e22, _e51, _e52);
+                    let _e47 = t_9;
+                    let span_3 = (end - _e47).max(rt::Scalar(0f32));
+                    let _e51 = cell_7;
+                    let _e52 = t_9;
+                    let _e53 = self.v_cell_gap(path_14, _e22, _e51, _e52);
                     let _e54 = reads_3;
                     reads_3 = (_e54 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e60 = t_7;
+                        let _e60 = t_9;
                         let _e62 = reads_3;
-                        let _e63 = self.v_hit_on_path(path_13, _e60, rt::Scalar(0u32), _e62);
+                        let _e63 = self.v_hit_on_path(path_14, _e60, rt::Scalar(0u32), _e62);
                         return _e63;
                     }
-                    let _e64 = self.v_first_root(_e53, span_1);
+                    let _e64 = self.v_first_root(_e53, span_3);
                     if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e67 = t_7;
+                        let _e67 = t_9;
                         let _e70 = reads_3;
-                        let _e71 = self.v_hit_on_path(path_13, (_e67 + _e64), rt::Scalar(0u32), _e70);
+                        let _e71 = self.v_hit_on_path(path_14, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
                     if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_6.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_8 = rt::Scalar(found_6.status).elementwise_eq(FOUND_BELOW);
+                            local_10 = rt::Scalar(found_6.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_8 = rt::Scalar(true);
+                            local_10 = rt::Scalar(true);
                         }
-                        let _e84 = local_8;
+                        let _e84 = local_10;
                         if rt::Scalar::into_branch_condition(_e84) {
                             let _e87 = reads_3;
-                            let _e88 = self.v_hit_on_path(path_13, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
+                            let _e88 = self.v_hit_on_path(path_14, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
                             return _e88;
                         }
                         let _e89 = reads_3;
                         let _e90 = self.v_miss(_e89);
                         return _e90;
                     }
-                    let _e91 = cell_4;
+                    let _e91 = cell_7;
                     let _e92 = self.v_cell_next(_e22, _e91, _e41);
-                    cell_4 = _e92;
-                    let _e93 = t_7;
-                    t_7 = _e93.max(end);
+                    cell_7 = _e92;
+                    let _e93 = t_9;
+                    t_9 = _e93.max(end);
                 }
             }
         }
-        let _e95 = t_7;
+        let _e95 = t_9;
         let _e97 = reads_3;
-        let _e98 = self.v_hit_on_path(path_13, _e95, rt::Scalar(1u32), _e97);
+        let _e98 = self.v_hit_on_path(path_14, _e95, rt::Scalar(1u32), _e97);
         return _e98;
     }
     pub fn refine_secant(
         &self,
-        path_14: Path,
+        path_15: Path,
         found_7: Found,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_14, found_7, rt::into(params_5)))
+        rt::into(self.v_refine_secant(path_15, found_7, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_14: Path,
+        path_15: Path,
         found_7: Found,
         params_5: rt::Vec4<f32>,
     ) -> Hit {
@@ -1224,12 +1370,12 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut reads_4: rt::Scalar<u32>;
-        let mut t_8: rt::Scalar<f32>;
+        let mut t_10: rt::Scalar<f32>;
         let mut k_1: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_14, found_7, params_5);
+            let _e5 = self.v_refine_none(path_15, found_7, params_5);
             return _e5;
         }
         near_1 = rt::Scalar(found_7.near);
@@ -1239,10 +1385,10 @@ impl<'g> Resources<'g> {
         reads_4 = rt::Scalar(found_7.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_1;
-            let _e20 = self.v_path_gap(path_14, _e19);
+            let _e20 = self.v_path_gap(path_15, _e19);
             near_gap = _e20;
             let _e21 = far_1;
-            let _e22 = self.v_path_gap(path_14, _e21);
+            let _e22 = self.v_path_gap(path_15, _e21);
             far_gap = _e22;
             let _e23 = reads_4;
             reads_4 = (_e23 + rt::Scalar(2u32));
@@ -1254,7 +1400,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e31 = far_1;
-        t_8 = _e31;
+        t_10 = _e31;
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_1;
@@ -1273,19 +1419,19 @@ impl<'g> Resources<'g> {
                     let _e45 = far_1;
                     let _e46 = near_1;
                     let _e48 = near_gap;
-                    t_8 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
+                    t_10 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
                     let _e52 = k_1;
                     if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_5.x())) {
-                        let _e55 = t_8;
-                        let _e56 = self.v_path_gap(path_14, _e55);
+                        let _e55 = t_10;
+                        let _e56 = self.v_path_gap(path_15, _e55);
                         let _e57 = reads_4;
                         reads_4 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
-                            let _e62 = t_8;
+                            let _e62 = t_10;
                             far_1 = _e62;
                             far_gap = _e56;
                         } else {
-                            let _e63 = t_8;
+                            let _e63 = t_10;
                             near_1 = _e63;
                             near_gap = _e56;
                         }
@@ -1295,68 +1441,68 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e67 = t_8;
+        let _e67 = t_10;
         let _e69 = reads_4;
-        let _e70 = self.v_hit_on_path(path_14, _e67, rt::Scalar(0u32), _e69);
+        let _e70 = self.v_hit_on_path(path_15, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
     pub fn refine_slope(
         &self,
-        path_15: Path,
+        path_16: Path,
         found_8: Found,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_15, found_8, rt::into(params_6)))
+        rt::into(self.v_refine_slope(path_16, found_8, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_15: Path,
+        path_16: Path,
         found_8: Found,
         params_6: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_9: rt::Scalar<f32>;
+        let mut t_11: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_8.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_15, found_8);
-        let _e9 = self.v_path_uv(path_15, _e8);
+        let _e8 = self.v_starting_point(path_16, found_8);
+        let _e9 = self.v_path_uv(path_16, _e8);
         let _e10 = self.v_height_and_slope(_e9);
-        let _e12 = self.v_path_height(path_15, _e8);
+        let _e12 = self.v_path_height(path_16, _e8);
         let rise = (_e10.x() - _e12);
-        t_9 = _e8;
+        t_11 = _e8;
         if rt::Scalar::into_branch_condition(params_6.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e18 = self.v_path_slope(path_15, _e8);
-            let closing = (_e18 - ((_e10.y() * path_15.duv.x()) + (_e10.z() * path_15.duv.y())));
+            let _e18 = self.v_path_slope(path_16, _e8);
+            let closing = (_e18 - ((_e10.y() * path_16.duv.x()) + (_e10.z() * path_16.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_9 = (_e8 + (rise / closing));
+                t_11 = (_e8 + (rise / closing));
             }
         } else {
-            let _e39 = self.v_normal_z(path_15, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_9 = (_e8 - ((rise * path_15.metric.w()) * _e39));
+            let _e39 = self.v_normal_z(path_16, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
+            t_11 = (_e8 - ((rise * path_16.metric.w()) * _e39));
         }
-        let _e42 = t_9;
-        let _e52 = self.v_hit_on_path(path_15, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
+        let _e42 = t_11;
+        let _e52 = self.v_hit_on_path(path_16, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
         return _e52;
     }
     pub fn refine_slope_iterative(
         &self,
-        path_16: Path,
+        path_17: Path,
         found_9: Found,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_16, found_9, rt::into(params_7)))
+        rt::into(self.v_refine_slope_iterative(path_17, found_9, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_16: Path,
+        path_17: Path,
         found_9: Found,
         params_7: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_10: rt::Scalar<f32>;
+        let mut t_12: rt::Scalar<f32>;
         let mut reads_5: rt::Scalar<u32>;
         let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -1364,8 +1510,8 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_9.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_16, found_9);
-        t_10 = _e8;
+        let _e8 = self.v_starting_point(path_17, found_9);
+        t_12 = _e8;
         reads_5 = rt::Scalar(found_9.reads);
         'naga_break: loop {
             'naga_continue: {
@@ -1375,51 +1521,51 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = t_10;
-                    let _e18 = self.v_path_uv(path_16, _e17);
+                    let _e17 = t_12;
+                    let _e18 = self.v_path_uv(path_17, _e17);
                     let _e19 = self.v_height_and_slope(_e18);
                     let _e20 = reads_5;
                     reads_5 = (_e20 + rt::Scalar(1u32));
-                    let _e24 = t_10;
-                    let _e25 = self.v_path_height(path_16, _e24);
+                    let _e24 = t_12;
+                    let _e25 = self.v_path_height(path_17, _e24);
                     let rise_1 = (_e19.x() - _e25);
                     if rt::Scalar::into_branch_condition(params_7.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e30 = t_10;
-                        let _e31 = self.v_path_slope(path_16, _e30);
-                        let closing_1 = (_e31 - ((_e19.y() * path_16.duv.x()) + (_e19.z() * path_16.duv.y())));
+                        let _e30 = t_12;
+                        let _e31 = self.v_path_slope(path_17, _e30);
+                        let closing_1 = (_e31 - ((_e19.y() * path_17.duv.x()) + (_e19.z() * path_17.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e44 = t_10;
-                            t_10 = (_e44 + (rise_1 / closing_1));
+                            let _e44 = t_12;
+                            t_12 = (_e44 + (rise_1 / closing_1));
                         }
                     } else {
-                        let _e47 = t_10;
-                        let _e54 = self.v_normal_z(path_16, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_10 = (_e47 - ((rise_1 * path_16.metric.w()) * _e54));
+                        let _e47 = t_12;
+                        let _e54 = self.v_normal_z(path_17, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
+                        t_12 = (_e47 - ((rise_1 * path_17.metric.w()) * _e54));
                     }
-                    let _e57 = t_10;
-                    t_10 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_16.exit));
+                    let _e57 = t_12;
+                    t_12 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_17.exit));
                     let _e61 = k_2;
                     k_2 = (_e61 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e64 = t_10;
+        let _e64 = t_12;
         let _e71 = reads_5;
-        let _e72 = self.v_hit_on_path(path_16, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
+        let _e72 = self.v_hit_on_path(path_17, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
         return _e72;
     }
     pub fn refine_true_secant(
         &self,
-        path_17: Path,
+        path_18: Path,
         found_10: Found,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_17, found_10, rt::into(params_8)))
+        rt::into(self.v_refine_true_secant(path_18, found_10, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_17: Path,
+        path_18: Path,
         found_10: Found,
         params_8: rt::Vec4<f32>,
     ) -> Hit {
@@ -1432,7 +1578,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_17, found_10, params_8);
+            let _e5 = self.v_refine_none(path_18, found_10, params_8);
             return _e5;
         }
         before = rt::Scalar(found_10.near);
@@ -1442,10 +1588,10 @@ impl<'g> Resources<'g> {
         reads_6 = rt::Scalar(found_10.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_17, _e19);
+            let _e20 = self.v_path_gap(path_18, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_17, _e21);
+            let _e22 = self.v_path_gap(path_18, _e21);
             last_gap = _e22;
             let _e23 = reads_6;
             reads_6 = (_e23 + rt::Scalar(2u32));
@@ -1474,15 +1620,15 @@ impl<'g> Resources<'g> {
                     let _e42 = last;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_12 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_15 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e52 = last;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last = t_12;
+                    last = t_15;
                     let _e54 = k_3;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
-                        let _e57 = self.v_path_gap(path_17, t_12);
+                        let _e57 = self.v_path_gap(path_18, t_15);
                         last_gap = _e57;
                         let _e58 = reads_6;
                         reads_6 = (_e58 + rt::Scalar(1u32));
@@ -1494,85 +1640,84 @@ impl<'g> Resources<'g> {
         }
         let _e64 = last;
         let _e66 = reads_6;
-        let _e67 = self.v_hit_on_path(path_17, _e64, rt::Scalar(0u32), _e66);
+        let _e67 = self.v_hit_on_path(path_18, _e64, rt::Scalar(0u32), _e66);
         return _e67;
     }
-    pub fn refine_stage(&self, path_18: Path, found_11: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_18, found_11))
+    pub fn refine_stage(&self, path_19: Path, found_11: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_19, found_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_18: Path, found_11: Found) -> Hit {
+    fn v_refine_stage(&self, path_19: Path, found_11: Found) -> Hit {
         let _e2 = self.v_chosen_refine();
         match rt::Scalar::into_inner(_e2) {
             0u32 => {
                 let _e5 = self.settings.refine_params;
-                let _e6 = self.v_refine_none(path_18, found_11, _e5);
+                let _e6 = self.v_refine_none(path_19, found_11, _e5);
                 return _e6;
             }
             1u32 => {
                 let _e9 = self.settings.refine_params;
-                let _e10 = self.v_refine_offset(path_18, found_11, _e9);
+                let _e10 = self.v_refine_offset(path_19, found_11, _e9);
                 return _e10;
             }
             2u32 => {
                 let _e13 = self.settings.refine_params;
-                let _e14 = self.v_refine_offset_limited(path_18, found_11, _e13);
+                let _e14 = self.v_refine_offset_limited(path_19, found_11, _e13);
                 return _e14;
             }
             3u32 => {
                 let _e17 = self.settings.refine_params;
-                let _e18 = self.v_refine_slope(path_18, found_11, _e17);
+                let _e18 = self.v_refine_slope(path_19, found_11, _e17);
                 return _e18;
             }
             4u32 => {
                 let _e21 = self.settings.refine_params;
-                let _e22 = self.v_refine_slope_iterative(path_18, found_11, _e21);
+                let _e22 = self.v_refine_slope_iterative(path_19, found_11, _e21);
                 return _e22;
             }
             5u32 => {
                 let _e25 = self.settings.refine_params;
-                let _e26 = self.v_refine_binary(path_18, found_11, _e25);
+                let _e26 = self.v_refine_binary(path_19, found_11, _e25);
                 return _e26;
             }
             6u32 => {
                 let _e29 = self.settings.refine_params;
-                let _e30 = self.v_refine_secant(path_18, found_11, _e29);
+                let _e30 = self.v_refine_secant(path_19, found_11, _e29);
                 return _e30;
             }
             7u32 => {
                 let _e33 = self.settings.refine_params;
-                let _e34 = self.v_refine_true_secant(path_18, found_11, _e33);
+                let _e34 = self.v_refine_true_secant(path_19, found_11, _e33);
                 return _e34;
             }
             _ => {
                 let _e37 = self.settings.refine_params;
-                let _e38 = self.v_refine_patch(path_18, found_11, _e37);
+                let _e38 = self.v_refine_patch(path_19, found_11, _e37);
                 return _e38;
             }
         }
     }
     pub fn search_cells(
         &self,
-        path_19: Path,
+        path_20: Path,
         params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_19, rt::into(params_9)))
+        rt::into(self.v_search_cells(path_20, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_19: Path,
+        path_20: Path,
         params_9: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_5: rt::Vec2<f32>;
-        let mut t_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_8: rt::Vec2<f32>;
+        let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_7: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_9: rt::Scalar<bool>;
-        let mut s_1: rt::Scalar<f32>;
+        let mut local_11: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_19);
+        let _e2 = self.v_grid_of(path_20);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_5 = _e4;
+        cell_8 = _e4;
         let limit_1 = params_9.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
@@ -1582,91 +1727,271 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e14 = cell_5;
+                    let _e14 = cell_8;
                     let _e15 = self.v_cell_leave(_e2, _e14);
-                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_19.exit));
-                    let _e21 = cell_5;
-                    let _e22 = t_11;
-                    let _e23 = self.v_cell_gap(path_19, _e2, _e21, _e22);
+                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_20.exit));
+                    let _e21 = cell_8;
+                    let _e22 = t_13;
+                    let _e23 = self.v_cell_gap(path_20, _e2, _e21, _e22);
                     let _e24 = reads_7;
                     reads_7 = (_e24 + rt::Scalar(1u32));
-                    let _e27 = t_11;
-                    let span_2 = (end_1 - _e27).max(rt::Scalar(0f32));
+                    let _e27 = t_13;
+                    let span_4 = (end_1 - _e27).max(rt::Scalar(0f32));
                     if rt::Scalar::into_branch_condition(_e23.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e34 = reads_7;
                         if rt::Scalar::into_branch_condition(_e34.elementwise_eq(rt::Scalar(1u32))) {
-                            local_9 = _e23.x().elementwise_lt(rt::Scalar(0f32));
+                            local_11 = _e23.x().elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_9 = rt::Scalar(false);
+                            local_11 = rt::Scalar(false);
                         }
-                        let _e43 = local_9;
+                        let _e43 = local_11;
                         if rt::Scalar::into_branch_condition(_e43) {
                             let _e47 = reads_7;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e23.x(), _e23.x(), _e47);
                         }
-                        let _e52 = t_11;
-                        let _e53 = t_11;
+                        let _e52 = t_13;
+                        let _e53 = t_13;
                         let _e56 = reads_7;
                         return <Found>::new(FOUND_BRACKET, _e52, _e53, _e23.x(), _e23.x(), _e56);
                     }
-                    s_1 = span_2;
-                    if rt::Scalar::into_branch_condition(_e23.z().elementwise_gt(rt::Scalar(0f32))) {
-                        s_1 = ((rt::Scalar(0f32) - _e23.y()) / (rt::Scalar(2f32) * _e23.z())).clamp(rt::Scalar(0f32), span_2);
+                    let _e58 = self.v_least_at(_e23, span_4);
+                    let _e59 = self.v_quadratic(_e23, _e58);
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_le(rt::Scalar(0f32))) {
+                        let _e63 = t_13;
+                        let _e64 = t_13;
+                        let _e67 = reads_7;
+                        return <Found>::new(FOUND_BRACKET, _e63, (_e64 + _e58), _e23.x(), _e59, _e67);
                     }
-                    let _e71 = s_1;
-                    let _e72 = self.v_quadratic(_e23, _e71);
-                    if rt::Scalar::into_branch_condition(_e72.elementwise_le(rt::Scalar(0f32))) {
-                        let _e76 = t_11;
-                        let _e77 = t_11;
-                        let _e78 = s_1;
-                        let _e81 = reads_7;
-                        return <Found>::new(FOUND_BRACKET, _e76, (_e77 + _e78), _e23.x(), _e72, _e81);
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_20.exit))) {
+                        let _e72 = t_13;
+                        let _e75 = self.v_quadratic(_e23, span_4);
+                        let _e76 = reads_7;
+                        return <Found>::new(FOUND_MISS, _e72, rt::Scalar(path_20.exit), _e23.x(), _e75, _e76);
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_19.exit))) {
-                        let _e86 = t_11;
-                        let _e89 = self.v_quadratic(_e23, span_2);
-                        let _e90 = reads_7;
-                        return <Found>::new(FOUND_MISS, _e86, rt::Scalar(path_19.exit), _e23.x(), _e89, _e90);
-                    }
-                    let _e92 = cell_5;
-                    let _e93 = self.v_cell_next(_e2, _e92, _e15);
-                    cell_5 = _e93;
-                    let _e94 = t_11;
-                    t_11 = _e94.max(end_1);
+                    let _e78 = cell_8;
+                    let _e79 = self.v_cell_next(_e2, _e78, _e15);
+                    cell_8 = _e79;
+                    let _e80 = t_13;
+                    t_13 = _e80.max(end_1);
                 }
             }
         }
-        let _e97 = t_11;
-        let _e99 = reads_7;
-        return <Found>::new(FOUND_EXHAUSTED, _e97, rt::Scalar(path_19.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e99);
+        let _e83 = t_13;
+        let _e85 = reads_7;
+        return <Found>::new(FOUND_EXHAUSTED, _e83, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e85);
+    }
+    pub fn stays_above(
+        &self,
+        above: impl rt::Into<rt::Vec3<f32>>,
+        slope_1: impl rt::Into<rt::Scalar<f32>>,
+        left: impl rt::Into<rt::Scalar<f32>>,
+        speed: impl rt::Into<rt::Scalar<f32>>,
+        lost: impl rt::Into<rt::Scalar<f32>>,
+        span_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_stays_above(rt::into(above), rt::into(slope_1), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_stays_above(
+        &self,
+        above: rt::Vec3<f32>,
+        slope_1: rt::Scalar<f32>,
+        left: rt::Scalar<f32>,
+        speed: rt::Scalar<f32>,
+        lost: rt::Scalar<f32>,
+        span_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let rise_2 = (slope_1 * speed.abs());
+        let gap = ((above.x() + (slope_1 * left)) - lost);
+        if rt::Scalar::into_branch_condition(gap.elementwise_le(rt::Scalar(0f32))) {
+            return rt::Scalar(0f32);
+        }
+        let closing_2 = ((rise_2 - above.y()) + (rt::Scalar(0.0000009536743f32) * (rise_2 + above.y().abs())));
+        if rt::Scalar::into_branch_condition(above.z().elementwise_ne(rt::Scalar(0f32))) {
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap, (rt::Scalar(0f32) - closing_2), above.z()), span_2);
+            return _e30;
+        }
+        if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
+            return (gap / closing_2);
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub fn search_frustum(
+        &self,
+        path_21: Path,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_frustum(path_21, rt::into(params_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_frustum(
+        &self,
+        path_21: Path,
+        params_10: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_9: rt::Vec2<f32>;
+        let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_1: rt::Scalar<f32>;
+        let mut slope_2: rt::Scalar<f32>;
+        let mut local_12: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_21);
+        let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_cell_of(_e2.origin);
+        cell_9 = _e9;
+        let limit_2 = params_10.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e17 = reads_8;
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_2)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e19 = reads_8;
+                    let first_1 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let _e22 = cell_9;
+                    let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
+                    let _e25 = reads_8;
+                    reads_8 = (_e25 + rt::Scalar(1u32));
+                    let _e28 = cell_9;
+                    let _e29 = self.v_cell_leave(_e2, _e28);
+                    let end_2 = _e29.x().min(_e29.y()).min(rt::Scalar(path_21.exit));
+                    let _e35 = t_14;
+                    let span_5 = (end_2 - _e35).max(rt::Scalar(0f32));
+                    let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
+                    let _e46 = t_14;
+                    let _e47 = self.v_path_height(path_21, _e46);
+                    let _e49 = t_14;
+                    let _e50 = self.v_path_slope(path_21, _e49);
+                    let above_1 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_21.h.z());
+                    let _e57 = t_14;
+                    let _e61 = t_14;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_21.h.x().abs() + (_e57 * (path_21.h.y().abs() + (_e61 * path_21.h.z().abs())))));
+                    let _e71 = t_14;
+                    next_1 = _e71.max(end_2);
+                    slope_2 = rt::Scalar(-1f32);
+                    let _e76 = self.v_least_at(above_1, span_5);
+                    let _e77 = self.v_quadratic(above_1, _e76);
+                    if rt::Scalar::into_branch_condition(_e77.elementwise_gt(of_heights)) {
+                        local_12 = above_1.x().elementwise_gt(of_heights);
+                    } else {
+                        local_12 = rt::Scalar(false);
+                    }
+                    let _e84 = local_12;
+                    if rt::Scalar::into_branch_condition(_e84) {
+                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_21.exit))) {
+                            let _e87 = cell_9;
+                            let _e89 = self.v_frustum_slope(_e87.cast_elem_as_i32(), forward_2);
+                            slope_2 = _e89;
+                            let _e90 = reads_8;
+                            let _e93 = slope_2;
+                            reads_8 = (_e90 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e93.elementwise_ge(rt::Scalar(0f32))));
+                        }
+                    } else {
+                        let _e98 = cell_9;
+                        let _e99 = t_14;
+                        let _e100 = self.v_gap_to(path_21, _e2, _e98, _e24, _e99);
+                        if rt::Scalar::into_branch_condition(_e100.x().elementwise_le(rt::Scalar(0f32))) {
+                            if rt::Scalar::into_branch_condition(first_1) {
+                                local_13 = _e100.x().elementwise_lt(rt::Scalar(0f32));
+                            } else {
+                                local_13 = rt::Scalar(false);
+                            }
+                            let _e110 = local_13;
+                            if rt::Scalar::into_branch_condition(_e110) {
+                                let _e114 = reads_8;
+                                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e100.x(), _e100.x(), _e114);
+                            }
+                            let _e119 = t_14;
+                            let _e120 = t_14;
+                            let _e123 = reads_8;
+                            return <Found>::new(FOUND_BRACKET, _e119, _e120, _e100.x(), _e100.x(), _e123);
+                        }
+                        let _e125 = self.v_least_at(_e100, span_5);
+                        let _e126 = self.v_quadratic(_e100, _e125);
+                        if rt::Scalar::into_branch_condition(_e126.elementwise_le(rt::Scalar(0f32))) {
+                            let _e130 = t_14;
+                            let _e131 = t_14;
+                            let _e134 = reads_8;
+                            return <Found>::new(FOUND_BRACKET, _e130, (_e131 + _e125), _e100.x(), _e126, _e134);
+                        }
+                    }
+                    let _e136 = slope_2;
+                    if rt::Scalar::into_branch_condition(_e136.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e140 = cell_9;
+                        let _e143 = t_14;
+                        let at_5 = ((_e2.origin - _e140) + (_e2.step * _e143));
+                        let left_2 = at_5.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_5), forward_2);
+                        let _e155 = t_14;
+                        let far_2 = ((_e2.origin.abs() + (_e2.step.abs() * _e155)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e163 = slope_2;
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e163) * far_2));
+                        let _e169 = t_14;
+                        let rest_1 = (rt::Scalar(path_21.exit) - _e169);
+                        let _e171 = slope_2;
+                        let _e176 = self.v_stays_above(above_1, _e171, left_2.x(), _e2.step.x(), lost_1.x(), rest_1);
+                        let _e177 = slope_2;
+                        let _e182 = self.v_stays_above(above_1, _e177, left_2.y(), _e2.step.y(), lost_1.y(), rest_1);
+                        let _e183 = next_1;
+                        let _e184 = t_14;
+                        next_1 = _e183.max((_e184 + _e176.min(_e182)));
+                    }
+                    let _e188 = next_1;
+                    if rt::Scalar::into_branch_condition(_e188.elementwise_ge(rt::Scalar(path_21.exit))) {
+                        let _e192 = t_14;
+                        let _e194 = reads_8;
+                        return <Found>::new(FOUND_MISS, _e192, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+                    }
+                    let _e198 = slope_2;
+                    if rt::Scalar::into_branch_condition(_e198.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e201 = cell_9;
+                        let _e202 = next_1;
+                        let _e203 = self.v_cell_after(_e2, _e201, _e29, forward_2, _e202);
+                        cell_9 = _e203;
+                    } else {
+                        let _e204 = cell_9;
+                        let _e205 = self.v_cell_next(_e2, _e204, _e29);
+                        cell_9 = _e205;
+                    }
+                    let _e206 = next_1;
+                    t_14 = _e206;
+                }
+            }
+        }
+        let _e208 = t_14;
+        let _e210 = reads_8;
+        return <Found>::new(FOUND_EXHAUSTED, _e208, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
     }
     pub fn search_linear(
         &self,
-        path_20: Path,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        path_22: Path,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_20, rt::into(params_10)))
+        rt::into(self.v_search_linear(path_22, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_20: Path,
-        params_10: rt::Vec4<f32>,
+        path_22: Path,
+        params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
-        let mut reads_8: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut reads_9: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine = (path_20.h.y().abs() * path_20.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_10.x() * params_10.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
-        let _e22 = self.v_path_gap(path_20, rt::Scalar(0f32));
+        let cosine = (path_22.h.y().abs() * path_22.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_11.x() * params_11.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
+        let _e22 = self.v_path_gap(path_22, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
         if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
             let _e30 = near_gap_1;
             let _e31 = near_gap_1;
-            let _e32 = reads_8;
+            let _e32 = reads_9;
             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e30, _e31, _e32);
         }
         'naga_break: loop {
@@ -1678,17 +2003,17 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e41 = k_4;
-                    let t_13 = (rt::Scalar(path_20.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_20, t_13);
-                    let _e45 = reads_8;
-                    reads_8 = (_e45 + rt::Scalar(1u32));
+                    let t_16 = (rt::Scalar(path_22.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_22, t_16);
+                    let _e45 = reads_9;
+                    reads_9 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_2;
                         let _e52 = near_gap_1;
-                        let _e53 = reads_8;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_13, _e52, _e44, _e53);
+                        let _e53 = reads_9;
+                        return <Found>::new(FOUND_BRACKET, _e51, t_16, _e52, _e44, _e53);
                     }
-                    near_2 = t_13;
+                    near_2 = t_16;
                     near_gap_1 = _e44;
                     let _e55 = k_4;
                     k_4 = (_e55 + rt::Scalar(1f32));
@@ -1699,45 +2024,50 @@ impl<'g> Resources<'g> {
         let _e60 = near_2;
         let _e61 = near_gap_1;
         let _e62 = near_gap_1;
-        let _e63 = reads_8;
+        let _e63 = reads_9;
         return <Found>::new(FOUND_MISS, _e59, _e60, _e61, _e62, _e63);
     }
     pub fn search_none(
         &self,
-        path_21: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        path_23: Path,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_21, rt::into(params_11)))
+        rt::into(self.v_search_none(path_23, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_21: Path,
-        params_11: rt::Vec4<f32>,
+        path_23: Path,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
-    pub fn search_stage(&self, path_22: Path) -> Found {
-        rt::into(self.v_search_stage(path_22))
+    pub fn search_stage(&self, path_24: Path) -> Found {
+        rt::into(self.v_search_stage(path_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_22: Path) -> Found {
+    fn v_search_stage(&self, path_24: Path) -> Found {
         let _e1 = self.v_chosen_search();
         match rt::Scalar::into_inner(_e1) {
             0u32 => {
                 let _e4 = self.settings.search_params;
-                let _e5 = self.v_search_none(path_22, _e4);
+                let _e5 = self.v_search_none(path_24, _e4);
                 return _e5;
             }
             1u32 => {
                 let _e8 = self.settings.search_params;
-                let _e9 = self.v_search_linear(path_22, _e8);
+                let _e9 = self.v_search_linear(path_24, _e8);
                 return _e9;
             }
-            _ => {
+            2u32 => {
                 let _e12 = self.settings.search_params;
-                let _e13 = self.v_search_cells(path_22, _e12);
+                let _e13 = self.v_search_cells(path_24, _e12);
                 return _e13;
+            }
+            _ => {
+                let _e16 = self.settings.search_params;
+                let _e17 = self.v_search_frustum(path_24, _e16);
+                return _e17;
             }
         }
     }
@@ -1821,14 +2151,14 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e24 = k_5;
-                    let place = self.settings.lights[rt::Scalar::into_array_index(_e24)].place;
+                    let place_1 = self.settings.lights[rt::Scalar::into_array_index(_e24)].place;
                     let _e30 = k_5;
                     let _e33 = self.settings.lights[rt::Scalar::into_array_index(_e30)].color;
                     let strength = _e33.xyz();
-                    toward = place.xyz();
+                    toward = place_1.xyz();
                     falloff = rt::Scalar(1f32);
-                    if rt::Scalar::into_branch_condition(place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-                        toward = (place.xyz() - position);
+                    if rt::Scalar::into_branch_condition(place_1.w().elementwise_gt(rt::Scalar(0.5f32))) {
+                        toward = (place_1.xyz() - position);
                         let _e44 = toward;
                         let _e45 = toward;
                         falloff = (rt::Scalar(1f32) / _e44.dot(_e45).max(rt::Scalar(0.000001f32)));
@@ -1886,14 +2216,14 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
-        let mut local_10: rt::Scalar<bool>;
+        let mut local_14: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(at_3.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_10 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
+            local_14 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_10 = rt::Scalar(true);
+            local_14 = rt::Scalar(true);
         }
-        let _e13 = local_10;
+        let _e13 = local_14;
         if rt::Scalar::into_branch_condition(_e13) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
         }
@@ -1920,22 +2250,22 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(&self, pixel_2: PixelIn) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_11: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
-        let mut leave_2: rt::Scalar<f32>;
+        let mut leave_3: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
 
         let a_3 = pixel_2.a.position;
         let e1_ = (pixel_2.b.position - a_3);
         let e2_ = (pixel_2.c.position - a_3);
-        let n_4 = e1_.cross(e2_);
-        let nn = n_4.dot(n_4);
-        let toward_1 = n_4.dot(pixel_2.direction);
-        let distance = (n_4.dot((a_3 - pixel_2.origin)) / toward_1);
+        let n_5 = e1_.cross(e2_);
+        let nn = n_5.dot(n_5);
+        let toward_1 = n_5.dot(pixel_2.direction);
+        let distance = (n_5.dot((a_3 - pixel_2.origin)) / toward_1);
         let point_6 = (pixel_2.origin + (pixel_2.direction * distance));
         let from_a = (point_6 - a_3);
-        let wb = (from_a.cross(e2_).dot(n_4) / nn);
-        let wc = (e1_.cross(from_a).dot(n_4) / nn);
+        let wb = (from_a.cross(e2_).dot(n_5) / nn);
+        let wc = (e1_.cross(from_a).dot(n_5) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
         let uv_8 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
         let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
@@ -1951,11 +2281,11 @@ impl<'g> Resources<'g> {
         let area_1 = ((tt * bb) - (tb * tb));
         let descent = (rt::Scalar(0f32) - normal_2.dot(direction));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_11 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
+            local_15 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_11 = rt::Scalar(true);
+            local_15 = rt::Scalar(true);
         }
-        let _e106 = local_11;
+        let _e106 = local_15;
         if rt::Scalar::into_branch_condition(_e106) {
             valid = rt::Scalar(0u32);
         }
@@ -1964,18 +2294,18 @@ impl<'g> Resources<'g> {
         let scale = _e119.max(rt::Scalar(0.000000001f32));
         let _e124 = rt::Scalar(self.settings.bias_m);
         let base_height = ((rt::Scalar(0f32) - _e124) / scale);
-        let slope_1 = ((rt::Scalar(0f32) - descent) / scale);
+        let slope_3 = ((rt::Scalar(0f32) - descent) / scale);
         let eye = ((rt::Scalar(0f32) - distance) * along);
-        let top_4 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
-        enter = top_4.max(eye);
-        leave_2 = ((base_height * scale) / descent);
-        let _e143 = leave_2;
-        let _e144 = leave_2;
-        leave_2 = (_e143 + ((_e144 - top_4) * rt::Scalar(0.000001f32)));
+        let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
+        enter = top_5.max(eye);
+        leave_3 = ((base_height * scale) / descent);
+        let _e143 = leave_3;
+        let _e144 = leave_3;
+        leave_3 = (_e143 + ((_e144 - top_5) * rt::Scalar(0.000001f32)));
         let _e151 = rt::Scalar(self.settings.wrap);
         if rt::Scalar::into_branch_condition(_e151.elementwise_eq(WRAP_CLAMP)) {
             let _e156 = enter;
-            let _e157 = leave_2;
+            let _e157 = leave_3;
             let _e159 = self.v_inside_unit(uv_8.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e156, _e157));
             interval_1 = _e159;
             let _e163 = interval_1;
@@ -1984,25 +2314,25 @@ impl<'g> Resources<'g> {
             let _e166 = interval_1.x();
             enter = _e166;
             let _e168 = interval_1.y();
-            leave_2 = _e168;
+            leave_3 = _e168;
         }
-        let _e169 = leave_2;
+        let _e169 = leave_3;
         let _e170 = enter;
         if rt::Scalar::into_branch_condition((!_e169.elementwise_gt(_e170))) {
             valid = rt::Scalar(0u32);
         }
         let _e174 = enter;
         let _e177 = enter;
-        let entry_height = (base_height + (slope_1 * _e174)).select(rt::Scalar(1f32), _e177.elementwise_eq(top_4));
+        let entry_height = (base_height + (slope_3 * _e174)).select(rt::Scalar(1f32), _e177.elementwise_eq(top_5));
         let _e181 = enter;
         let base_1 = (rt::Scalar(0f32) - _e181).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e187 = enter;
-        let _e192 = leave_2;
+        let _e192 = leave_3;
         let _e193 = enter;
         let _e197 = rt::Scalar(self.settings.scale_m);
-        let path_24 = <Path>::new((uv_8 + (duv * _e187)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_1, rt::Scalar(0f32)), (_e192 - _e193), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e197));
+        let path_26 = <Path>::new((uv_8 + (duv * _e187)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_3, rt::Scalar(0f32)), (_e192 - _e193), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e197));
         let _e200 = valid;
-        return <Entered>::new(_e200, path_24, point_6, uv_8, tangent, bitangent, normal_2);
+        return <Entered>::new(_e200, path_26, point_6, uv_8, tangent, bitangent, normal_2);
     }
     pub fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
@@ -2017,13 +2347,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub fn trace(&self, path_23: Path) -> Hit {
-        rt::into(self.v_trace(path_23))
+    pub fn trace(&self, path_25: Path) -> Hit {
+        rt::into(self.v_trace(path_25))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_23: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_23);
-        let _e2 = self.v_refine_stage(path_23, _e1);
+    fn v_trace(&self, path_25: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_25);
+        let _e2 = self.v_refine_stage(path_25, _e1);
         return _e2;
     }
     pub fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {

@@ -9,6 +9,9 @@
 //     params.y: grazing, times as many steps for a grazing ray (1 to 64, 1)
 //   SEARCH = 2: cells, every dual cell along the path, in order (section 4.3.1)
 //     params.x: limit, most cells visited before the search gives up (1 to 16777216, 1048576)
+//   SEARCH = 3: frustum, over the empty frustum on each cell that the path comes to (Relief)
+//     search_map: frustum slopes
+//     params.x: limit, most reads before the search gives up (1 to 16777216, 1048576)
 //   REFINE = 0: none, what the search found: the processed point, or the first sample below (section 4.1.1)
 //   REFINE = 1: offset, parallax mapping: a level surface at the starting point's height (section 4.1.2)
 //   REFINE = 2: offset-limited, parallax mapping with offset limiting: never farther than the height (section 4.1.3)
@@ -42,6 +45,7 @@ const LEAST_SCALE_M = 1e-9;
 const MAX_LIGHTS = 8u;
 const NEVER = 3e38;
 override REFINE: u32 = 0u;
+const ROUNDING = 9.5367431640625e-7;
 override SEARCH: u32 = 0u;
 override SHADE: u32 = 0u;
 override SURFACE: u32 = 0u;
@@ -204,6 +208,8 @@ var height_map: texture_2d<f32>;
 var normal_map: texture_2d<f32>;
 @group(2) @binding(2)
 var<storage, read_write> records: array<Record>;
+@group(0) @binding(5)
+var search_map: texture_2d<f32>;
 @group(0) @binding(0)
 var<uniform> settings: Settings;
 @group(2) @binding(0)
@@ -215,15 +221,15 @@ var<storage, read> triangles: array<Triangle>;
 @group(1) @binding(0)
 var<uniform> view_projection: mat4x4f;
 
+fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32) -> vec2f {
+    let near = cell_of(grid.origin + grid.step * t);
+    let ahead = max(near, cell + select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), leave <= vec2f(t, t)));
+    let behind = min(near, cell - select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), leave <= vec2f(t, t)));
+    return select(behind, ahead, forward);
+}
+
 fn cell_gap(path: Path, grid: Grid, cell: vec2f, t: f32) -> vec3f {
-    let h = height_cell(vec2i(cell));
-    let bx = h.y - h.x;
-    let by = h.z - h.x;
-    let twist = (h.x - h.y) + (h.w - h.z);
-    let at = (grid.origin - cell) + grid.step * t;
-    let z = path.h.x + t * (path.h.y + t * path.h.z);
-    let dz = path.h.y + 2.0 * t * path.h.z;
-    return vec3f(z - (h.x + bx * at.x + by * at.y + twist * at.x * at.y), dz - (bx * grid.step.x + by * grid.step.y + twist * (at.x * grid.step.y + at.y * grid.step.x)), path.h.z - twist * grid.step.x * grid.step.y);
+    return gap_to(path, grid, cell, height_cell(vec2i(cell)), t);
 }
 
 fn cell_leave(grid: Grid, cell: vec2f) -> vec2f {
@@ -326,6 +332,24 @@ fn first_root(c: vec3f, span: f32) -> f32 {
     return NEVER;
 }
 
+fn folded_cell(i: i32, n: i32) -> vec2i {
+    if (i >= 0 && i < n) {
+        return vec2i(i, 0);
+    }
+    if (settings.wrap == WRAP_REPEAT) {
+        return vec2i(((i % n) + n) % n, 0);
+    }
+    if (settings.wrap == WRAP_MIRROR) {
+        let period = 2 * n;
+        let folded = ((i % period) + period) % period;
+        if (folded < n) {
+            return vec2i(folded, 0);
+        }
+        return vec2i(select(-1, period - 2 - folded, folded < period - 1), 1);
+    }
+    return vec2i(-1, 0);
+}
+
 @fragment
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let side = select(-1.0, 1.0, front);
@@ -340,6 +364,28 @@ fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let number = i32(in.triangle) + 1;
     let reads = i32(hit.reads) + select(0, EXHAUSTED_BIT, hit.exhausted == 1u);
     return Traced(vec4f(hit.uv, hit.height, hit.t), vec2i(select(-number, number, front), reads));
+}
+
+fn frustum_slope(cell: vec2i, forward: vec2<bool>) -> f32 {
+    let u = folded_cell(cell.x, i32(settings.height_size.x));
+    let v = folded_cell(cell.y, i32(settings.height_size.y));
+    if (u.x < 0 || v.x < 0) {
+        return -1.0;
+    }
+    let slopes = search_map_texel(vec2i(u.x, v.x));
+    let right = forward.x == (u.y == 0);
+    let down = forward.y == (v.y == 0);
+    return select(select(slopes.w, slopes.z, right), select(slopes.y, slopes.x, right), down);
+}
+
+fn gap_to(path: Path, grid: Grid, cell: vec2f, h: vec4f, t: f32) -> vec3f {
+    let bx = h.y - h.x;
+    let by = h.z - h.x;
+    let twist = (h.x - h.y) + (h.w - h.z);
+    let at = (grid.origin - cell) + grid.step * t;
+    let z = path.h.x + t * (path.h.y + t * path.h.z);
+    let dz = path.h.y + 2.0 * t * path.h.z;
+    return vec3f(z - (h.x + bx * at.x + by * at.y + twist * at.x * at.y), dz - (bx * grid.step.x + by * grid.step.y + twist * (at.x * grid.step.y + at.y * grid.step.x)), path.h.z - twist * grid.step.x * grid.step.y);
 }
 
 fn grid_of(path: Path) -> Grid {
@@ -405,6 +451,13 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
     let a = (0.0 - x0) / dx;
     let b = (1.0 - x0) / dx;
     return vec2f(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
+}
+
+fn least_at(c: vec3f, span: f32) -> f32 {
+    if (c.z > 0.0) {
+        return clamp((0.0 - c.y) / (2.0 * c.z), 0.0, span);
+    }
+    return span;
 }
 
 fn mesostructure_normal(at: Entered, uv: vec2f) -> vec3f {
@@ -773,10 +826,7 @@ fn search_cells(path: Path, params: vec4f) -> Found {
             }
             return Found(FOUND_BRACKET, t, t, c.x, c.x, reads);
         }
-        var s = span;
-        if (c.z > 0.0) {
-            s = clamp((0.0 - c.y) / (2.0 * c.z), 0.0, span);
-        }
+        let s = least_at(c, span);
         let gap = quadratic(c, s);
         if (gap <= 0.0) {
             return Found(FOUND_BRACKET, t, t + s, c.x, gap, reads);
@@ -786,6 +836,69 @@ fn search_cells(path: Path, params: vec4f) -> Found {
         }
         cell = cell_next(grid, cell, leave);
         t = max(t, end);
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}
+
+fn search_frustum(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let forward = grid.step >= vec2f(0.0, 0.0);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while ((reads < limit)) {
+        let first = reads == 0u;
+        let heights = height_cell(vec2i(cell));
+        reads = reads + 1u;
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let span = max(end - t, 0.0);
+        let top = max(max(heights.x, heights.y), max(heights.z, heights.w));
+        let above = vec3f(path_height(path, t) - top, path_slope(path, t), path.h.z);
+        let of_heights = ROUNDING * (abs(path.h.x) + t * (abs(path.h.y) + t * abs(path.h.z)));
+        var next = max(t, end);
+        var slope = -1.0;
+        if (quadratic(above, least_at(above, span)) > of_heights && above.x > of_heights) {
+            if (end < path.exit) {
+                slope = frustum_slope(vec2i(cell), forward);
+                reads = reads + select(0u, 1u, slope >= 0.0);
+            }
+        }
+        else {
+            let c = gap_to(path, grid, cell, heights, t);
+            if (c.x <= 0.0) {
+                if (first && c.x < 0.0) {
+                    return Found(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, reads);
+                }
+                return Found(FOUND_BRACKET, t, t, c.x, c.x, reads);
+            }
+            let s = least_at(c, span);
+            let gap = quadratic(c, s);
+            if (gap <= 0.0) {
+                return Found(FOUND_BRACKET, t, t + s, c.x, gap, reads);
+            }
+        }
+        if (slope >= 0.0) {
+            let at = (grid.origin - cell) + grid.step * t;
+            let left = select(at, vec2f(1.0, 1.0) - at, forward);
+            let far = abs(grid.origin) + abs(grid.step) * t + vec2f(1.0, 1.0);
+            let lost = vec2f(of_heights, of_heights) + ROUNDING * slope * far;
+            let rest = path.exit - t;
+            let u = stays_above(above, slope, left.x, grid.step.x, lost.x, rest);
+            let v = stays_above(above, slope, left.y, grid.step.y, lost.y, rest);
+            next = max(next, t + min(u, v));
+        }
+        if (next >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        if (slope >= 0.0) {
+            cell = cell_after(grid, cell, leave, forward, next);
+        }
+        else {
+            cell = cell_next(grid, cell, leave);
+        }
+        t = next;
     }
     return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
 }
@@ -814,6 +927,10 @@ fn search_linear(path: Path, params: vec4f) -> Found {
     return Found(FOUND_MISS, near, near, near_gap, near_gap, reads);
 }
 
+fn search_map_texel(place: vec2i) -> vec4f {
+    return textureLoad(search_map, place, 0);
+}
+
 fn search_none(path: Path, params: vec4f) -> Found {
     return Found(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, 0u);
 }
@@ -826,8 +943,11 @@ fn search_stage(path: Path) -> Found {
         case 1u {
             return search_linear(path, settings.search_params);
         }
-        case default {
+        case 2u {
             return search_cells(path, settings.search_params);
+        }
+        case default {
+            return search_frustum(path, settings.search_params);
         }
     }
 }
@@ -917,6 +1037,22 @@ fn starting_point(path: Path, found: Found) -> f32 {
         return found.far;
     }
     return found.near;
+}
+
+fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span: f32) -> f32 {
+    let rise = slope * abs(speed);
+    let gap = above.x + slope * left - lost;
+    if (gap <= 0.0) {
+        return 0.0;
+    }
+    let closing = (rise - above.y) + ROUNDING * (rise + abs(above.y));
+    if (above.z != 0.0) {
+        return first_root(vec3f(gap, 0.0 - closing, above.z), span);
+    }
+    if (closing > 0.0) {
+        return gap / closing;
+    }
+    return NEVER;
 }
 
 fn surface_plane(pixel: PixelIn) -> Entered {

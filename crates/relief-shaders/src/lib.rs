@@ -11,12 +11,14 @@ pub mod cpu;
 mod methods;
 pub mod refine;
 pub mod search;
+mod search_map;
 mod selection;
 pub mod shade;
 pub mod surface;
 pub mod wgsl;
 
 pub use methods::{METHODS, Method, method};
+pub use search_map::{SearchMap, SearchMapError};
 pub use selection::{Selection, SelectionError};
 
 /// The most lights of a picture: the length of the shaders' array of lights.
@@ -59,6 +61,16 @@ mod tests {
             assert_eq!(listed.len(), entries.len(), "{stage}: a name stands twice");
             assert_eq!(stems(stage, "rs"), listed, "{stage}: Rust files and list differ");
             assert_eq!(stems(stage, "wesl"), listed, "{stage}: shader files and list differ");
+        }
+    }
+
+    #[test]
+    fn a_search_reads_one_baked_map_at_most_and_no_other_stage_does() {
+        for (stage, entries) in STAGES {
+            let most = usize::from(stage == "search");
+            for entry in entries {
+                assert!(entry.maps.len() <= most, "{stage} {}: the shaders bind one map", entry.name);
+            }
         }
     }
 

@@ -14,8 +14,8 @@ pub struct Entry {
     pub summary: &'static str,
     /// Where it was published.
     pub source: Source,
-    /// The maps it needs besides the height map.
-    pub maps: &'static [&'static str],
+    /// The baked maps that it reads besides the height map.
+    pub maps: &'static [MapInput],
     /// Its parameters, at most [`MAX_PARAMS`], in the order of the shader's parameter vector.
     pub params: &'static [Param],
     /// What it promises for each kind of ray.
@@ -27,12 +27,21 @@ pub struct Entry {
 /// The most parameters of an entry: they travel to the shader in one vector of four.
 pub const MAX_PARAMS: usize = 4;
 
+/// A baked map that a stage reads: a texture of a map kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MapInput {
+    /// Name of the map kind.
+    pub kind: &'static str,
+    /// Name of the texture among those of the kind; empty for the only one.
+    pub texture: &'static str,
+}
+
 /// Paper and section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
     /// Authors, year and short title, or "Relief" for what was published first here.
     pub paper: &'static str,
-    /// The section that defines it; empty when the whole text does.
+    /// The section that defines it; empty when the whole text does, and for what was published here.
     pub section: &'static str,
 }
 

@@ -7,9 +7,10 @@ use relief::exact::{ExactHit, cell_walk};
 use relief::metrics::{ErrorReport, compare};
 use relief::{HeightMap, Hit, Path, PathMetric, Wrap};
 use relief_io::{HeightOptions, read_height};
-use relief_shaders::Selection;
 use relief_shaders::cpu::Resources;
+use relief_shaders::{SearchMap, Selection};
 
+use crate::baked::search_map;
 use crate::maps::fractal;
 use crate::rng::Rng;
 
@@ -88,9 +89,19 @@ pub fn truth(map: &HeightMap, paths: &[Path]) -> Vec<ExactHit> {
     paths.par_iter().map(|path| cell_walk(map, path)).collect()
 }
 
-/// The hits of a pair of stages, by the translated shaders.
-pub fn hits(map: &HeightMap, selection: &Selection, paths: &[Path]) -> Vec<Hit> {
-    let resources = Resources::tracing(map, selection);
+/// The hits of a pair of stages, by the translated shaders, with the baked map that the search reads.
+///
+/// # Panics
+///
+/// When that map is missing or is none of the height map.
+pub fn hits(
+    map: &HeightMap,
+    selection: &Selection,
+    search_map: Option<&SearchMap>,
+    paths: &[Path],
+) -> Vec<Hit> {
+    let resources = Resources::tracing(map, selection, search_map);
+    let resources = resources.unwrap_or_else(|error| panic!("{error}"));
     paths.par_iter().map(|path| resources.first_hit(path)).collect()
 }
 
@@ -112,9 +123,14 @@ impl<'a> Case<'a> {
         Self { map, paths, truth }
     }
 
-    /// How wrong a pair of stages is.
+    /// How wrong a pair of stages is; a baked map that its search reads is baked first.
     pub fn report(&self, selection: &Selection) -> ErrorReport {
-        let hits = hits(self.map, selection, &self.paths);
+        self.report_with(selection, search_map(self.map, selection).as_ref())
+    }
+
+    /// How wrong a pair of stages is, with the baked map that its search reads.
+    pub fn report_with(&self, selection: &Selection, search_map: Option<&SearchMap>) -> ErrorReport {
+        let hits = hits(self.map, selection, search_map, &self.paths);
         compare(&self.truth, &hits, self.map).unwrap_or_default()
     }
 }

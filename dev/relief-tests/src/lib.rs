@@ -2,6 +2,7 @@
 //! compares one tracer with another. Never published.
 
 pub mod accuracy;
+pub mod baked;
 pub mod brute;
 pub mod claims;
 pub mod judge;

@@ -3,6 +3,7 @@
 use relief_shaders::Selection;
 use relief_tests::RAYS_PER_MAP;
 use relief_tests::accuracy::{Case, maps, mean_error};
+use relief_tests::baked::search_map;
 use relief_tests::claims::verdicts;
 
 /// Rays a map and angle: every claim traces four times the five maps.
@@ -42,15 +43,19 @@ fn relief_and_occlusion_come_nearer_with_every_doubling_of_their_steps() {
 }
 
 #[test]
-fn the_exact_pair_of_stages_finds_every_first_hit() {
-    let exact = Selection::method("exact").expect("a method");
-    for named in &maps() {
-        for degrees in [10.0, 60.0, 85.0] {
-            let report = Case::new(&named.map, degrees, RAYS).report(&exact);
-            // Rays that graze within the rounding of f32 may be judged either way.
-            let wrong = report.missed + report.false_hits + report.late + report.early + report.exhausted;
-            assert!(wrong <= 1e-3, "{} at {degrees} degrees: {report:?}", named.name);
-            assert!(report.distance_texels.median < 1e-3, "{} at {degrees} degrees: {report:?}", named.name);
+fn the_exact_pairs_of_stages_find_every_first_hit() {
+    for method in ["exact", "frustum"] {
+        let exact = Selection::method(method).expect("a method");
+        for named in &maps() {
+            let baked = search_map(&named.map, &exact);
+            for degrees in [10.0, 60.0, 85.0] {
+                let report = Case::new(&named.map, degrees, RAYS).report_with(&exact, baked.as_ref());
+                let name = format!("{method}, {} at {degrees} degrees", named.name);
+                // Rays that graze within the rounding of f32 may be judged either way.
+                let wrong = report.missed + report.false_hits + report.late + report.early + report.exhausted;
+                assert!(wrong <= 1e-3, "{name}: {report:?}");
+                assert!(report.distance_texels.median < 1e-3, "{name}: {report:?}");
+            }
         }
     }
 }

@@ -4,7 +4,7 @@
 //! files of a kind are whole do they take their names. A bake that fails or is cancelled removes the folder.
 
 mod files;
-mod identity;
+pub mod identity;
 mod spool;
 mod storage;
 #[cfg(test)]

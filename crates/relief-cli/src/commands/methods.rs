@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use clap::Args;
 use comfy_table::presets::ASCII_MARKDOWN;
 use comfy_table::{ContentArrangement, Table};
-use relief::registry::{Entry, Param};
+use relief::registry::{Entry, Param, Source};
 use relief_shaders::{METHODS, refine, search, shade, surface};
 use serde_json::{Value, json};
 
@@ -61,7 +61,7 @@ fn table(header: &[&str]) -> Table {
 fn methods_table() -> Table {
     let mut table = table(&["method", "search", "refinement", "section", "what it is"]);
     for method in METHODS {
-        table.add_row([method.name, method.search, method.refine, method.source.section, method.summary]);
+        table.add_row([method.name, method.search, method.refine, section(&method.source), method.summary]);
     }
     table
 }
@@ -72,13 +72,26 @@ fn entries_table(entries: &[Entry]) -> Table {
         let params: Vec<String> = entry.params.iter().map(param_text).collect();
         table.add_row([
             entry.name.to_owned(),
-            entry.source.section.to_owned(),
-            entry.summary.to_owned(),
+            section(&entry.source).to_owned(),
+            summary(entry),
             params.join("\n"),
             guarantees(entry).join(" / "),
         ]);
     }
     table
+}
+
+/// The survey's section; for what was published elsewhere, where.
+fn section(source: &Source) -> &'static str {
+    if source.section.is_empty() { source.paper } else { source.section }
+}
+
+fn summary(entry: &Entry) -> String {
+    let maps: Vec<&str> = entry.maps.iter().map(|map| map.kind).collect();
+    if maps.is_empty() {
+        return entry.summary.to_owned();
+    }
+    format!("{}; reads the baked map {}", entry.summary, maps.join(", "))
 }
 
 fn param_text(param: &Param) -> String {
@@ -91,8 +104,7 @@ fn guarantees(entry: &Entry) -> [&'static str; 3] {
 }
 
 fn as_json() -> Value {
-    let source =
-        |source: &relief::registry::Source| json!({ "paper": source.paper, "section": source.section });
+    let source = |source: &Source| json!({ "paper": source.paper, "section": source.section });
     let methods: Vec<Value> = METHODS
         .iter()
         .map(|method| {
@@ -110,6 +122,11 @@ fn as_json() -> Value {
             .iter()
             .map(|entry| {
                 let [view, bent, shadow] = guarantees(entry);
+                let maps: Vec<Value> = entry
+                    .maps
+                    .iter()
+                    .map(|map| json!({ "kind": map.kind, "texture": map.texture }))
+                    .collect();
                 let params: Vec<Value> = entry
                     .params
                     .iter()
@@ -122,7 +139,7 @@ fn as_json() -> Value {
                     .collect();
                 json!({
                     "id": entry.id, "name": entry.name, "summary": entry.summary, "source": source(&entry.source),
-                    "maps": entry.maps, "params": params, "argument": entry.argument,
+                    "maps": maps, "params": params, "argument": entry.argument,
                     "guarantee": { "view": view, "bent": bent, "shadow": shadow },
                 })
             })

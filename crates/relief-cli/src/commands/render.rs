@@ -1,4 +1,6 @@
-//! `relief render`: a scene to a picture.
+//! `relief render`: a scene to a picture. A baked map that the method reads is baked first and kept in a cache.
+
+mod search_map;
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -15,6 +17,7 @@ use relief_render::{RenderError, Rendered};
 use relief_shaders::METHODS;
 use serde_json::json;
 
+use self::search_map::{CacheArguments, Provided, provide};
 use super::maps::HeightArguments;
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -108,6 +111,8 @@ pub struct Arguments {
     /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true, help_heading = "Machine")]
     max_memory: Option<ByteSize>,
+    #[command(flatten)]
+    cache: CacheArguments,
 }
 
 fn method_help() -> String {
@@ -127,13 +132,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _reading = Progress::spinner("reading", arguments.json);
         spec.load().map_err(of_scene)?
     };
+    let (scene, provided) = provide(scene, &arguments.cache, arguments.json)?;
+    if let Some(note) = provided.as_ref().and_then(Provided::note)
+        && !arguments.json
+    {
+        eprintln!("note: {note}");
+    }
     let rendered = {
         let progress = Progress::bar("rendering", arguments.json);
         relief_render::render(&scene, &|part| progress.show(part))
             .map_err(|error| arguments.of_render(error))?
     };
     write(arguments, &scene, &rendered)?;
-    report(arguments, &rendered)
+    report(arguments, &rendered, provided.as_ref())
 }
 
 impl Arguments {
@@ -238,7 +249,7 @@ fn write(arguments: &Arguments, scene: &Scene, rendered: &Rendered) -> Result<()
         .map_err(Failure::work)
 }
 
-fn report(arguments: &Arguments, rendered: &Rendered) -> Result<(), Failure> {
+fn report(arguments: &Arguments, rendered: &Rendered, provided: Option<&Provided>) -> Result<(), Failure> {
     let Rendered { rendering, backend, device, reason, selection, elapsed } = rendered;
     let covered = rendering.pixels.iter().filter(|pixel| pixel.hit == 1);
     let exhausted = covered.clone().filter(|pixel| pixel.exhausted == 1).count();
@@ -255,6 +266,7 @@ fn report(arguments: &Arguments, rendered: &Rendered) -> Result<(), Failure> {
             "backend": backend, "device": device, "reason": reason, "seconds": seconds,
             "search": selection.search.name, "refine": selection.refine.name,
             "covered": covered, "exhausted": exhausted, "mean_reads": mean,
+            "search_map": provided.map(Provided::json),
         });
         writeln!(out, "{about:#}")?;
         return Ok(());
@@ -266,6 +278,9 @@ fn report(arguments: &Arguments, rendered: &Rendered) -> Result<(), Failure> {
         "{}: {width}x{height}, {search} + {refine}, on the {backend} ({device}) in {seconds:.2} s, {mean:.1} reads a pixel",
         arguments.output.display()
     )?;
+    if let Some(provided) = provided {
+        writeln!(out, "{}", provided.line())?;
+    }
     if let Some(reason) = reason {
         writeln!(out, "backend auto chose the {backend}: {reason}")?;
     }

@@ -33,10 +33,10 @@ impl Folder {
         std::fs::write(path, bytes).expect("the temporary folder is writable");
     }
 
-    /// The command in this folder, without arguments.
+    /// The command in this folder, without arguments. It keeps baked maps in a folder of the test's own.
     pub fn command(&self) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_relief"));
-        command.current_dir(self.0.path()).stdin(Stdio::null());
+        command.current_dir(self.0.path()).env("RELIEF_CACHE", self.path(".cache")).stdin(Stdio::null());
         command
     }
 

@@ -52,7 +52,7 @@ pub enum GpuError {
     /// A map is empty, or has not as many texels as its size says.
     #[error("the {what} of {width}x{height} texels has {given} texels")]
     WrongLength {
-        /// "colour map" or "normal map".
+        /// "colour map", "normal map" or "search's map".
         what: &'static str,
         /// Columns.
         width: u32,

@@ -36,6 +36,8 @@ pub(super) fn layout(gpu: &Gpu, sampling: Sampling) -> BindGroupLayout {
     if fast {
         entries.push(binding(4, stages, BindingType::Sampler(SamplerBindingType::Filtering)));
     }
+    // Loaded, never sampled.
+    entries.push(binding(5, stages, texture_binding(TextureSampleType::Float { filterable: false })));
     gpu.device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some("maps"), entries: &entries })
 }
 
@@ -52,9 +54,10 @@ pub(super) fn upload(
     let height = texture(gpu, "height map", map.width(), map.height(), TextureFormat::R32Float, texels)?;
     let color = colors(gpu, "colour map", job.color_map_or_blank())?;
     let normal = colors(gpu, "normal map", job.normal_map_or_blank())?;
+    let search = colors(gpu, "search's map", job.search_map_or_blank())?;
     let sampler = (sampling == Sampling::Fast).then(|| sampler(gpu, &job.settings));
     let mut entries = vec![BindGroupEntry { binding: 0, resource: settings.as_entire_binding() }];
-    for (number, view) in [(1, &height), (2, &color), (3, &normal)] {
+    for (number, view) in [(1, &height), (2, &color), (3, &normal), (5, &search)] {
         entries.push(BindGroupEntry { binding: number, resource: BindingResource::TextureView(view) });
     }
     if let Some(sampler) = &sampler {
@@ -66,7 +69,9 @@ pub(super) fn upload(
 /// Refuses a job whose maps cannot be uploaded.
 pub(super) fn check(gpu: &Gpu, job: &Job) -> Result<(), GpuError> {
     gpu.check_texture("height map", job.height_map.width(), job.height_map.height())?;
-    for (what, map) in [("colour map", job.color_map), ("normal map", job.normal_map)] {
+    let maps =
+        [("colour map", job.color_map), ("normal map", job.normal_map), ("search's map", job.search_map)];
+    for (what, map) in maps {
         let Some(TexelMap { width, height, texels }) = map else {
             continue;
         };

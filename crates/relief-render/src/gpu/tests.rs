@@ -40,6 +40,7 @@ fn job<'a>(map: &'a HeightMap, triangles: &'a [Triangle]) -> Job<'a> {
         height_map: map,
         color_map: None,
         normal_map: None,
+        search_map: None,
         two_sided: false,
     }
 }

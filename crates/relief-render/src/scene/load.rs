@@ -24,6 +24,10 @@ const BYTES_PER_PIXEL: u64 = 192;
 /// holds of it.
 const BYTES_PER_HEIGHT: u64 = 4 + 7;
 
+/// Memory that a texel of a height map takes more where the search reads a baked map: that map, and what is at hand while
+/// it is baked.
+const BYTES_PER_BAKED: u64 = 16 + 5 * 4 + 6;
+
 /// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the first part.
 const NORMAL_BYTES: [u64; 2] = [12, 16];
 
@@ -84,7 +88,7 @@ impl SceneSpec {
             max_bytes: left,
         };
         let height_map = relief_io::read_height(height, &options)?;
-        left = self.memory_beside_the_map(height, &height_map, left)?;
+        left = self.memory_beside_the_map(height, &height_map, &parts.method, left)?;
         let mut builder = self.builder(parts, height_map)?;
         if let Some(path) = &self.color {
             let color = relief_io::read_picture(path, left)?;
@@ -113,9 +117,17 @@ impl SceneSpec {
     }
 
     /// What is left for colours and normals once there is room for a height map and what is built on it.
-    fn memory_beside_the_map(&self, path: &Path, map: &HeightMap, left: u64) -> Result<u64, SceneError> {
+    fn memory_beside_the_map(
+        &self,
+        path: &Path,
+        map: &HeightMap,
+        method: &MethodChoice,
+        left: u64,
+    ) -> Result<u64, SceneError> {
         let (width, height) = (map.width(), map.height());
-        let needed = BYTES_PER_HEIGHT * u64::from(width) * u64::from(height);
+        let bakes = select(method).is_ok_and(|selection| selection.map_input().is_some());
+        let bytes = BYTES_PER_HEIGHT + if bakes { BYTES_PER_BAKED } else { 0 };
+        let needed = bytes * u64::from(width) * u64::from(height);
         left.checked_sub(needed).ok_or_else(|| {
             let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
             SceneError::TooMuchToTrace { path: path.to_owned(), width, height, needed, left, limit }

@@ -27,6 +27,7 @@ use crate::mesh::Mesh;
 use glam::Vec3;
 use relief::HeightMap;
 use relief_io::Picture;
+use relief_shaders::SearchMap;
 
 /// A complete scene.
 #[derive(Clone, Debug)]
@@ -35,6 +36,7 @@ pub struct Scene {
     pub(crate) height_map: HeightMap,
     pub(crate) color: Option<Picture>,
     pub(crate) normal_map: Option<Picture>,
+    pub(crate) search_map: Option<SearchMap>,
     pub(crate) camera: Camera,
     pub(crate) lights: Vec<Light>,
     pub(crate) ambient: Vec3,
@@ -74,6 +76,19 @@ impl Scene {
     /// falling `v`, `z` out of the surface, and a 0. Without one, normals are derived from the height map.
     pub fn normal_map(&self) -> Option<&Picture> {
         self.normal_map.as_ref()
+    }
+
+    /// The baked map that the method's search reads, if there is one.
+    pub fn search_map(&self) -> Option<&SearchMap> {
+        self.search_map.as_ref()
+    }
+
+    /// The same scene with the baked map that the method's search reads. Which that is says
+    /// [`Selection::map_input`](relief_shaders::Selection::map_input) of what [`select`](crate::select) makes of
+    /// [`Scene::method`]; it is to be baked from [`Scene::height_map`]. Rendering checks kind and size.
+    #[must_use]
+    pub fn with_search_map(self, map: SearchMap) -> Self {
+        Self { search_map: Some(map), ..self }
     }
 
     /// The camera.

@@ -4,7 +4,7 @@ use relief::{FoundState, HeightMap, PathMetric};
 
 use super::runtime::Vec4;
 use super::{ColorTexture, Found, HeightTexture, Hit, Light, Path, Resources, Settings};
-use crate::{MAX_LIGHTS, Selection};
+use crate::{MAX_LIGHTS, SearchMap, SearchMapError, Selection};
 
 impl From<&Path> for relief::Path {
     /// The same path, in `f64`.
@@ -125,15 +125,26 @@ impl Settings {
 }
 
 impl<'a> Resources<'a> {
-    /// What the stages are called on to trace a map: see [`Settings::tracing`].
-    pub fn tracing(map: &'a HeightMap, selection: &Selection) -> Self {
+    /// What the stages are called on to trace a map: see [`Settings::tracing`]. A search that reads a baked map needs it.
+    ///
+    /// # Errors
+    ///
+    /// When the search's map is missing or does not fit the height map.
+    pub fn tracing(
+        map: &'a HeightMap,
+        selection: &Selection,
+        search_map: Option<&'a SearchMap>,
+    ) -> Result<Self, SearchMapError> {
         const BLANK: &[[f32; 4]] = &[[0.0; 4]];
-        Self {
-            color_map: ColorTexture::new(1, BLANK),
+        let blank = ColorTexture::new(1, BLANK);
+        let search_map = selection.map_among(search_map, map)?;
+        Ok(Self {
+            color_map: blank,
             height_map: HeightTexture::new(map.width(), map.texels()),
-            normal_map: ColorTexture::new(1, BLANK),
+            normal_map: blank,
+            search_map: search_map.map_or(blank, |map| ColorTexture::new(map.size()[0], map.texels())),
             settings: Settings::tracing(map, selection),
-        }
+        })
     }
 
     /// Search and refinement of one path.

@@ -11,7 +11,7 @@ pub struct HeightTexture<'a> {
     texels: &'a [f32],
 }
 
-/// A colour or normal map as a texture: four numbers a texel, row by row from the top.
+/// A colour, normal or baked map as a texture: four numbers a texel, row by row from the top.
 #[derive(Clone, Copy, Debug)]
 pub struct ColorTexture<'a> {
     width: i32,

@@ -1,12 +1,14 @@
-//! Searches: what brackets the first hit. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
+//! Searches: what brackets the first hit. A new one is a `.wesl` and a `.rs` file here and its name in the list below;
+//! one that reads a baked map names it in its entry, and finds it bound.
 
 use relief::registry::Entry;
 
 use crate::SURVEY;
 
 mod cells;
+mod frustum;
 mod linear;
 mod none;
 
 /// All of them; the place of each is its number in the shaders.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, linear::ENTRY, cells::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY];

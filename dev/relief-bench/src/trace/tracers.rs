@@ -157,7 +157,8 @@ impl<'a> Contest<'a> {
         let shaders = METHODS.map(|method| {
             let selection = Selection::method(method).map_err(|error| error.to_string())?;
             let name = format!("shader, {method} ({} + {})", selection.search.name, selection.refine.name);
-            Ok((name, Resources::tracing(map, &selection)))
+            let resources = Resources::tracing(map, &selection, None).map_err(|error| error.to_string())?;
+            Ok((name, resources))
         });
         Ok(Self {
             map,

@@ -2,9 +2,10 @@
 
 use relief::registry::Entry;
 use relief::{HeightMap, Wrap};
-use relief_render::job::Job;
-use relief_shaders::Selection;
+use relief_render::job::{Job, TexelMap};
 use relief_shaders::cpu::{PixelIn, Probe, Resources, Settings, Shared};
+use relief_shaders::{SearchMap, Selection};
+use relief_tests::baked::search_map;
 use relief_tests::maps::NamedMap;
 use relief_tests::rng::Rng;
 
@@ -17,6 +18,7 @@ pub struct Case {
     pub name: String,
     pub map: HeightMap,
     settings: Settings,
+    search_map: Option<SearchMap>,
 }
 
 impl Case {
@@ -34,7 +36,12 @@ impl Case {
             "{} {of_search:?}, {} {of_refine:?}, {map_name} {wrap}, scale {scale_m}, bias {bias_m}",
             search.name, refine.name
         );
-        Self { name, settings: Settings::tracing(&map, &selection), map }
+        Self::with(name, map, &selection)
+    }
+
+    fn with(name: String, map: HeightMap, selection: &Selection) -> Self {
+        let search_map = search_map(&map, selection);
+        Self { name, settings: Settings::tracing(&map, selection), map, search_map }
     }
 
     /// A case of two stages by name, with default parameters.
@@ -44,7 +51,7 @@ impl Case {
             *value = value.min(LONGEST_LOOP);
         }
         let name = format!("{search}, {refine}, {}", map.wrap());
-        Self { name, settings: Settings::tracing(&map, &selection), map }
+        Self::with(name, map, &selection)
     }
 
     /// What the probe is given.
@@ -58,6 +65,7 @@ impl Case {
             height_map: &self.map,
             color_map: None,
             normal_map: None,
+            search_map: self.search_map.as_ref().map(texel_map),
             two_sided: false,
         }
     }
@@ -68,6 +76,12 @@ impl Case {
         let resources = job.resources();
         rays.iter().map(|ray| probe(&resources, ray, 0.0)).collect()
     }
+}
+
+/// A baked map as a job has it.
+pub fn texel_map(map: &SearchMap) -> TexelMap<'_> {
+    let [width, height] = map.size();
+    TexelMap { width, height, texels: map.texels() }
 }
 
 /// The stages over a ray whose path lies `higher` heights above the ray's own, as the probe shader writes them down.

@@ -174,6 +174,7 @@ fn pictures_agree() {
         (211, 160, "exact", Wrap::Clamp, true, false),
         (160, 211, "occlusion", Wrap::Mirror, true, true),
         (201, 99, "parallax-slope", Wrap::Clamp, false, false),
+        (180, 140, "frustum", Wrap::Mirror, false, true),
     ];
     for (width, height, method, wrap, normal_map, two_sided) in cases {
         let selection = Selection::method(method).expect("a method");

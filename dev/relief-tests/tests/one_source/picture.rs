@@ -4,9 +4,12 @@ use glam::{DVec3, Vec3};
 use relief::{HeightMap, Wrap};
 use relief_render::camera::Camera;
 use relief_render::job::{Job, Rendering, TexelMap};
-use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Light, PixelOut, Resources, Settings, Triangle};
+use relief_shaders::{SearchMap, Selection};
+use relief_tests::baked::search_map;
 use relief_tests::maps;
+
+use crate::cases::texel_map;
 
 /// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds corners to a
 /// 256th of a pixel, which on the small triangles here is less than this. Larger would excuse more pixels.
@@ -19,6 +22,7 @@ pub struct Picture {
     map: HeightMap,
     colors: Vec<[f32; 4]>,
     normals: Option<Vec<[f32; 4]>>,
+    search_map: Option<SearchMap>,
     triangles: Vec<Triangle>,
     settings: Settings,
     view_projection: [[f32; 4]; 4],
@@ -86,11 +90,12 @@ impl Picture {
         Self {
             width,
             height,
-            map,
             colors: texels(COLORS, |x| [x.fract(), 1.0 - x.fract(), 0.5, 1.0]),
             normals: variation
                 .normal_map
                 .then(|| texels(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0])),
+            search_map: search_map(&map, selection),
+            map,
             triangles: triangles(),
             settings,
             view_projection: view_projection.as_mat4().to_cols_array_2d(),
@@ -112,6 +117,7 @@ impl Picture {
                 let [width, height] = NORMALS;
                 TexelMap { width, height, texels }
             }),
+            search_map: self.search_map.as_ref().map(texel_map),
             two_sided: self.two_sided,
         }
     }

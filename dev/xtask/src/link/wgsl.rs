@@ -78,11 +78,19 @@ pub fn header(program: &str, sampling: &str) -> String {
     ];
     for (constant, entries) in stages {
         for entry in entries {
+            let section = match entry.source.section {
+                "" => entry.source.paper.to_owned(),
+                section => format!("section {section}"),
+            };
             let _ = writeln!(
                 text,
-                "//   {constant} = {}: {}, {} (section {})",
-                entry.id, entry.name, entry.summary, entry.source.section
+                "//   {constant} = {}: {}, {} ({section})",
+                entry.id, entry.name, entry.summary
             );
+            for map in entry.maps {
+                let texture = [map.kind, map.texture].join(" ");
+                let _ = writeln!(text, "//     search_map: {}", texture.trim_end());
+            }
             for (param, component) in entry.params.iter().zip(["x", "y", "z", "w"]) {
                 let _ = writeln!(
                     text,

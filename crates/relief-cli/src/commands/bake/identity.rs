@@ -32,7 +32,55 @@ pub fn source_hash(map: &HeightMap) -> String {
     hasher.finalize().to_hex().to_string()
 }
 
-/// What decides the bytes of a bake, and what all of its files say.
+/// What decides a bake's values, and what all of its files say of them: of a kind's bake from a map with that hash.
+fn inputs(
+    kind: &Kind,
+    settings: &Settings,
+    map: &HeightMap,
+    source_hash: &str,
+    metric: Metric,
+) -> Vec<(&'static str, String)> {
+    let [tile_u, tile_v] = metric.tile_m;
+    let settings: Vec<String> = settings.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    vec![
+        ("kind", kind.name.to_owned()),
+        ("source", format!("blake3:{source_hash}")),
+        ("source_size", format!("{} {}", map.width(), map.height())),
+        ("wrap", map.wrap().name().to_owned()),
+        ("tile_m", format!("{tile_u} {tile_v}")),
+        ("scale_m", metric.scale_m.to_string()),
+        ("settings", settings.join(" ")),
+        ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
+        ("units", "lengths in metres; heights in fractions of the scale; u and v in tiles".to_owned()),
+        ("guarantee", kind.guarantee.to_owned()),
+        ("published", format!("{} {}", kind.source.paper, kind.source.section).trim_end().to_owned()),
+        ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+    ]
+}
+
+/// The hash of texts, each with its length.
+fn hash_of<'a>(texts: impl Iterator<Item = &'a str>) -> blake3::Hash {
+    let mut hasher = blake3::Hasher::new();
+    for text in texts {
+        hasher.update(&(text.len() as u64).to_le_bytes());
+        hasher.update(text.as_bytes());
+    }
+    hasher.finalize()
+}
+
+/// The hash of everything that decides the values of a texture of a bake, whatever they are stored in.
+pub fn values_hash(
+    kind: &Kind,
+    texture: &str,
+    settings: &Settings,
+    map: &HeightMap,
+    metric: Metric,
+) -> blake3::Hash {
+    let inputs = inputs(kind, settings, map, &source_hash(map), metric);
+    hash_of(inputs.iter().flat_map(|(name, value)| [*name, value.as_str()]).chain(["texture", texture]))
+}
+
+/// What decides the bytes of a bake's files, and what all of them say.
 pub struct Identity {
     entries: Entries,
     key: String,
@@ -50,36 +98,16 @@ impl Identity {
         storage: Storage,
         zstd: bool,
     ) -> Self {
-        let [tile_u, tile_v] = metric.tile_m;
-        let settings: Vec<String> = settings.iter().map(|(name, value)| format!("{name}={value}")).collect();
-        let mut entries: Entries = [
-            ("kind", kind.name.to_owned()),
-            ("source", format!("blake3:{source_hash}")),
-            ("source_size", format!("{} {}", map.width(), map.height())),
-            ("wrap", map.wrap().name().to_owned()),
-            ("tile_m", format!("{tile_u} {tile_v}")),
-            ("scale_m", metric.scale_m.to_string()),
-            ("settings", settings.join(" ")),
-            ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
-            ("units", "lengths in metres; heights in fractions of the scale; u and v in tiles".to_owned()),
-            ("guarantee", kind.guarantee.to_owned()),
-            ("published", format!("{} {}", kind.source.paper, kind.source.section).trim_end().to_owned()),
-            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
-            ("stored_as", storage.name().to_owned()),
-        ]
-        .map(|(name, value)| (format!("relief.{name}"), value))
-        .into();
+        let mut about = inputs(kind, settings, map, source_hash, metric);
+        about.push(("stored_as", storage.name().to_owned()));
+        let mut entries: Entries =
+            about.into_iter().map(|(name, value)| (format!("relief.{name}"), value)).collect();
         if let Some([zero, one]) = map.physical_range() {
             entries.push(("relief.physical_range".to_owned(), format!("{zero} {one}")));
         }
-        let mut hasher = blake3::Hasher::new();
         let container = [format.extension(), if zstd { "zstd" } else { "plain" }];
         let entry_texts = entries.iter().flat_map(|(name, value)| [name.as_str(), value.as_str()]);
-        for text in entry_texts.chain(container) {
-            hasher.update(&(text.len() as u64).to_le_bytes());
-            hasher.update(text.as_bytes());
-        }
-        let key = hasher.finalize().to_hex().to_string();
+        let key = hash_of(entry_texts.chain(container)).to_hex().to_string();
         Self { entries, key }
     }
 

@@ -1,0 +1,120 @@
+//! The search `frustum` as the shaders have it, with the refinement `patch`, against the exact first hit: adversarial rays
+//! through adversarial maps in all wraps. `cells` with the same refinement is held to the same bound.
+
+use rayon::prelude::*;
+use relief::exact::{ExactHit, cell_walk};
+use relief::{HeightMap, Path, Wrap};
+use relief_shaders::cpu::Resources;
+use relief_shaders::{SearchMap, Selection};
+use relief_tests::baked::search_map;
+use relief_tests::judge::{Tally, Verdict, judge};
+use relief_tests::rays::{RayKind, Rays};
+use relief_tests::{RAYS_PER_MAP, maps};
+
+/// Roundings that an answer may be off by, of the terms in [`slack`].
+const ROUNDINGS: f64 = 2.0;
+
+/// The steepest slope of a map along an axis, in heights a texel.
+fn steepest(map: &HeightMap) -> f64 {
+    let cells = (0..i64::from(map.height())).flat_map(|j| (0..i64::from(map.width())).map(move |i| (i, j)));
+    cells.fold(0.0, |steepest, (i, j)| {
+        let [h00, h10, h01, h11] = map.cell(i, j).map(f64::from);
+        let slopes = [h10 - h00, h01 - h00, h11 - h01, h11 - h10].map(f64::abs);
+        slopes.into_iter().fold(steepest, f64::max)
+    })
+}
+
+/// What `f32` may make of heights along a path, in heights: roundings of the path's own heights, and of its places, in
+/// texels, where the surface is as steep as the map gets.
+fn slack(map: &HeightMap, steepest: f64, path: &Path) -> f64 {
+    let heights = path.h[0].abs() + path.exit * (path.h[1].abs() + path.exit * path.h[2].abs());
+    let texels = |axis: usize, side: u32| {
+        (path.uv[axis].abs() + path.exit * path.duv[axis].abs()) * f64::from(side) + 1.0
+    };
+    let places = texels(0, map.width()) + texels(1, map.height());
+    ROUNDINGS * f64::from(f32::EPSILON) * (1.0 + heights + steepest * places)
+}
+
+/// The rays for a map, as a shader is given them.
+fn paths(map: &HeightMap, seed: u64) -> impl Iterator<Item = (RayKind, Path)> + '_ {
+    let finite = Rays::new(map, seed).filter(|(kind, _)| *kind != RayKind::Endless);
+    finite.map(|(kind, path)| (kind, Path::from(&relief_shaders::cpu::Path::from(&path))))
+}
+
+/// A shader's answer to be judged: where its `t` says, which is checked, and there on the surface. Where a path begins
+/// below, the shader has the height of the path.
+fn answer(map: &HeightMap, resources: &Resources, path: &Path) -> ExactHit {
+    let mut hit = resources.first_hit(path);
+    if hit.found {
+        let [u, v, _] = path.at(hit.t);
+        for (axis, place) in [u, v].into_iter().enumerate() {
+            let terms = path.uv[axis].abs() + hit.t * path.duv[axis].abs();
+            let apart = (place - hit.uv[axis]).abs();
+            assert!(apart <= 2.0 * f64::from(f32::EPSILON) * terms, "{path:?} {hit:?}");
+        }
+        (hit.uv, hit.height) = ([u, v], map.height_at(u, v));
+    }
+    ExactHit { hit, ..ExactHit::miss(0, 0.0) }
+}
+
+/// The answers of a pair of stages, and the reads that they took.
+fn trial(map: &HeightMap, selection: &Selection, baked: Option<&SearchMap>, rays: usize) -> (Tally, f64) {
+    let resources = Resources::tracing(map, selection, baked).expect("the search's map");
+    let (mut tally, mut reads, steepest) = (Tally::default(), 0.0, steepest(map));
+    for (kind, path) in paths(map, 1).take(rays) {
+        let truth = cell_walk(map, &path);
+        let other = answer(map, &resources, &path);
+        match judge(map, &path, &truth, &other, slack(map, steepest, &path)) {
+            Ok(Verdict::Agree) => {}
+            Ok(Verdict::Grazing) => tally.grazing += 1,
+            Err(wrong) => panic!("{}, {} {kind:?}: {wrong}", selection.search.name, map.wrap()),
+        }
+        tally.hits += usize::from(truth.hit.found);
+        tally.misses += usize::from(!truth.hit.found);
+        reads += f64::from(other.hit.reads);
+    }
+    (tally, reads / rays as f64)
+}
+
+#[test]
+fn no_first_hit_is_missed_or_passed_on_any_map_in_any_wrap() {
+    for method in ["exact", "frustum"] {
+        let selection = Selection::method(method).expect("a method");
+        let cases: Vec<_> = maps::ALL.iter().flat_map(|named| Wrap::ALL.map(|wrap| (named, wrap))).collect();
+        let (tally, reads) = cases
+            .par_iter()
+            .map(|(named, wrap)| {
+                let map = named.build(*wrap);
+                trial(&map, &selection, search_map(&map, &selection).as_ref(), RAYS_PER_MAP / 2)
+            })
+            .reduce(|| (Tally::default(), 0.0), |(a, x), (b, y)| (a.plus(b), x + y));
+        println!("{method}: {tally:?}, {:.1} reads a ray", reads / cases.len() as f64);
+        assert!(tally.hits > tally.misses / 4 && tally.misses > tally.hits / 10, "{tally:?}");
+        assert!(tally.grazing < (tally.hits + tally.misses) / 10, "{tally:?}");
+    }
+}
+
+#[test]
+fn lower_slopes_and_another_wraps_map_are_noticed() {
+    let selection = Selection::method("frustum").expect("a method");
+    for (at, wrap, other) in [(0, Wrap::Repeat, Wrap::Clamp), (2, Wrap::Mirror, Wrap::Repeat)] {
+        let map = maps::ALL[at].build(wrap);
+        let steepest = steepest(&map);
+        let right = search_map(&map, &selection).expect("it reads a map");
+        let lowered = right.texels().iter().map(|slopes| slopes.map(|slope| slope * 0.8)).collect();
+        let lowered = SearchMap::new(right.input(), right.size(), lowered);
+        let swapped = right.texels().iter().map(|[x, y, z, w]| [*y, *x, *w, *z]).collect();
+        let swapped = SearchMap::new(right.input(), right.size(), swapped);
+        let foreign = search_map(&map.clone().with_wrap(other), &selection).expect("it reads a map");
+        for (name, wrong) in [("lowered", &lowered), ("swapped", &swapped), ("another wrap's", &foreign)] {
+            let resources = Resources::tracing(&map, &selection, Some(wrong)).expect("a map of that size");
+            let noticed = paths(&map, 2).take(20_000).filter(|(_, path)| {
+                let other = answer(&map, &resources, path);
+                judge(&map, path, &cell_walk(&map, path), &other, slack(&map, steepest, path)).is_err()
+            });
+            let noticed = noticed.count();
+            println!("{name}, {wrap}: noticed on {noticed} of 20000 rays");
+            assert!(noticed >= 5, "{name}, {wrap}: noticed on {noticed} of 20000 rays");
+        }
+    }
+}
