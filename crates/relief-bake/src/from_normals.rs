@@ -30,12 +30,26 @@
 //! Round trip from heights in `[0, 1]` through [`normals`](crate::kind::normal::normals), fractal ground of 512² with a relief
 //! a tenth of the tile, mean and checkerboards taken out, no damping: the root mean square error is 5e-9 of the relief from
 //! normals in `f32`, 4e-7 from 16 bits and 1.1e-4 from 8 bits; tested to twice that.
+//!
+//! The same through files, with four natural maps (cobbles, bricks, a fault's elevation model, a scan of rock; 256² to 1024²,
+//! reliefs of 0.03 to 0.1 of the tile) and every wrap: at most 3e-8 from floats, 5e-6 from 16 bits and 1.1e-3 from 8 bits. The
+//! three waves that a tiled map of even size loses are 8e-5 of the relief there. Damping of 0.1 takes 1e-4 to 1.4e-3, which
+//! 8 bits hide. No integer stands for a component of 0, and these figures are with the one that is meant read as 0
+//! (`relief_io::NormalVectors::with_zero_centred`): as it stands, a clamped scan comes back from 8 bits with a ramp, fourteen
+//! times as wrong.
+//!
+//! From the normal maps of four materials of other programs, beside their own height maps: correlations of 0.95 to 0.998,
+//! the misfit being 0.8 % to 33 % of the slopes, and the right green all four times, with a confidence of 0.49 to 1.
 
+mod green;
+mod slopes;
 mod spectrum;
 
 use rayon::prelude::*;
 use relief::{HeightMap, HeightMapError, Wrap};
 
+pub use self::green::{GreenFit, heights_from_either_green};
+pub use self::slopes::{NormalFaults, NormalSlopes, SHORTEST, UNIT_TOLERANCE};
 use self::spectrum::{Border, LineTransform, transpose};
 use crate::kind::normal::Axes;
 use crate::{Cancelled, Progress};
@@ -99,6 +113,9 @@ pub enum FromNormalsError {
         /// Row of the first such texel.
         row: u32,
     },
+    /// No normal has a direction.
+    #[error("no normal has a direction: all are shorter than {SHORTEST} or not finite")]
+    NoDirection,
     /// A number of the integration cannot be used.
     #[error("{what} is {value}: it must be {must}")]
     BadNumber {
@@ -143,22 +160,6 @@ pub fn heights_from_normals(
     progress: &Progress,
 ) -> Result<IntegratedHeights, FromNormalsError> {
     check(size, &normals, how)?;
-    let steepest = how.steepest as f32;
-    let slope = |at: usize| {
-        let [x, y, z] = normals.map(|plane| plane[at]);
-        let (x, down, upright) = match how.axes {
-            Axes::Tangent => (x, -y, z),
-            Axes::TangentGreenDown => (x, y, z),
-            Axes::World => (x, z, y),
-        };
-        let across = x.hypot(down);
-        if across <= steepest * upright && upright > 0.0 {
-            return ([-x / upright, -down / upright], false);
-        }
-        // Too steep: the direction is kept. A normal without any is level.
-        let part = if across > 0.0 { steepest / across } else { 0.0 };
-        ([-x * part, -down * part], true)
-    };
     let texels = normals[0].len();
     let (mut along_u, mut along_v) = (vec![0.0f32; texels], vec![0.0f32; texels]);
     let too_steep = along_u
@@ -166,9 +167,9 @@ pub fn heights_from_normals(
         .zip(&mut along_v)
         .enumerate()
         .map(|(at, (u, v))| {
-            let (slope, too_steep) = slope(at);
+            let (slope, fault) = slopes::slope(normals.map(|plane| plane[at]), how.axes, how.steepest as f32);
             [*u, *v] = slope;
-            usize::from(too_steep)
+            usize::from(fault.is_some())
         })
         .sum();
     let mut integrated = heights_from_slopes(size, [&along_u, &along_v], how, progress)?;
@@ -239,8 +240,13 @@ fn check(size: [u32; 2], planes: &[&[f32]], how: &Integration) -> Result<(), Fro
     if !(0.0..=1.0).contains(&how.damping) {
         return bad("the damping", how.damping, "between 0 and 1");
     }
-    if !(how.steepest > 0.0 && how.steepest <= 1e6) {
-        return bad("the steepest slope", how.steepest, "above 0 and at most 1e6");
+    check_steepest(how.steepest)
+}
+
+fn check_steepest(steepest: f64) -> Result<(), FromNormalsError> {
+    if !(steepest > 0.0 && steepest <= 1e6) {
+        let (what, must) = ("the steepest slope", "above 0 and at most 1e6");
+        return Err(FromNormalsError::BadNumber { what, value: steepest, must });
     }
     Ok(())
 }

@@ -9,6 +9,7 @@
 //! to the safe side.
 
 mod bake;
+mod fill;
 pub mod from_normals;
 pub mod kind;
 mod metric;

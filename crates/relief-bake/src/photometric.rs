@@ -13,13 +13,14 @@
 //! * A pixel is *known* when at least three lights that are well spread are left. The slopes of others are filled in
 //!   smoothly from known ones around them, coarse to fine, and their albedo likewise.
 
-mod fill;
+mod colour;
 
 use rayon::prelude::*;
 use relief::{HeightMap, HeightMapError};
 
+pub use self::colour::ColourAlbedo;
 use crate::kind::normal::{Axes, Planes};
-use crate::{Cancelled, Progress};
+use crate::{Cancelled, Progress, fill};
 
 /// The least determinant of the lights' second moments, in parts of what three lights at right angles have. With it, noise
 /// is amplified fifty times at most; smaller, more; larger, pixels that few lights reach are given up.
@@ -186,15 +187,39 @@ pub fn normals_from_photos(
     Ok(Photometry { normals: [x, y, z], albedo, known, misfit: (sum / count).sqrt() })
 }
 
+/// Whether lights, given as direction and intensity, tell normals apart; to be asked before photographs are read.
+///
+/// # Errors
+///
+/// When there are fewer than three, one has no direction or no positive intensity, or all lie close to one plane.
+pub fn check_lights(lights: &[([f64; 3], f64)]) -> Result<(), PhotometricError> {
+    scaled(lights).map(|_| ())
+}
+
 /// The unit vectors to the lights times their intensities.
+fn scaled(lights: &[([f64; 3], f64)]) -> Result<Vec<[f64; 3]>, PhotometricError> {
+    if lights.len() < 3 {
+        return Err(PhotometricError::TooFew(lights.len()));
+    }
+    let mut scaled = Vec::with_capacity(lights.len());
+    for (photo, (to_light, intensity)) in lights.iter().enumerate() {
+        let length = to_light.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if !(length.is_normal() && intensity.is_normal() && *intensity > 0.0) {
+            return Err(PhotometricError::BadLight(photo));
+        }
+        scaled.push(to_light.map(|x| x / length * intensity));
+    }
+    let samples: Vec<_> = scaled.iter().map(|&light| (light, 1.0)).collect();
+    if fit(&samples).is_none() { Err(PhotometricError::LightsInAPlane) } else { Ok(scaled) }
+}
+
+/// The lights of photographs that fit together.
 fn check(size: [u32; 2], photos: &[Photo]) -> Result<Vec<[f64; 3]>, PhotometricError> {
     let [width, height] = size;
     HeightMap::check_size(width, height)?;
-    if photos.len() < 3 {
-        return Err(PhotometricError::TooFew(photos.len()));
-    }
-    let mut lights = Vec::with_capacity(photos.len());
-    for (photo, Photo { pixels, to_light, intensity }) in photos.iter().enumerate() {
+    let lights: Vec<_> = photos.iter().map(|photo| (photo.to_light, photo.intensity)).collect();
+    let lights = scaled(&lights)?;
+    for (photo, Photo { pixels, .. }) in photos.iter().enumerate() {
         let given = pixels.len();
         if given as u64 != u64::from(width) * u64::from(height) {
             return Err(PhotometricError::WrongLength { photo, width, height, given });
@@ -203,14 +228,8 @@ fn check(size: [u32; 2], photos: &[Photo]) -> Result<Vec<[f64; 3]>, PhotometricE
             let (column, row) = ((at % width as usize) as u32, (at / width as usize) as u32);
             return Err(PhotometricError::BadPixel { photo, column, row, value: pixels[at] });
         }
-        let length = to_light.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if !(length.is_normal() && intensity.is_normal() && *intensity > 0.0) {
-            return Err(PhotometricError::BadLight(photo));
-        }
-        lights.push(to_light.map(|x| x / length * intensity));
     }
-    let samples: Vec<_> = lights.iter().map(|&light| (light, 1.0)).collect();
-    if fit(&samples).is_none() { Err(PhotometricError::LightsInAPlane) } else { Ok(lights) }
+    Ok(lights)
 }
 
 /// The fit after samples whose lights it is turned away from are left out. `None` when too few remain, or it is no relief's.

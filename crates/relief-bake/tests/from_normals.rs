@@ -1,7 +1,10 @@
 //! Heights from normals: round trips, and a dense least-squares solution for comparison.
 
 use relief::{HeightMap, Wrap};
-use relief_bake::from_normals::{FromNormalsError, Integration, heights_from_normals, heights_from_slopes};
+use relief_bake::from_normals::{
+    FromNormalsError, GreenFit, Integration, NormalFaults, NormalSlopes, heights_from_either_green,
+    heights_from_normals, heights_from_slopes,
+};
 use relief_bake::kind::normal::{Axes, Derivative, normals};
 use relief_bake::{Metric, Progress, quantise};
 use relief_tests::maps;
@@ -199,4 +202,108 @@ fn what_is_no_normal_map_is_refused_or_counted() {
     let cancelled =
         heights_from_normals([4, 3], [&level.0, &level.0, &level.1], &how, &Progress::new(&|_| {}, &flag));
     assert!(matches!(cancelled, Err(FromNormalsError::Cancelled(_))));
+}
+
+/// The normals of a map, one vector a texel.
+fn vectors(map: &HeightMap, metric: Metric, axes: Axes) -> Vec<[f32; 3]> {
+    let ([x, y, z], _) =
+        normals(map, metric, Derivative::Central, axes, &Progress::none()).expect("nobody cancels");
+    x.iter().zip(&y).zip(&z).map(|((&x, &y), &z)| [x, y, z]).collect()
+}
+
+/// Heights from normals whose green nobody knows, and what was found of it.
+fn of_either_green(map: &HeightMap, normals: &[[f32; 3]], metric: Metric) -> (Vec<f32>, GreenFit) {
+    let size = [map.width(), map.height()];
+    let slopes = NormalSlopes::of_normals(size, normals, Axes::Tangent, 1e6).expect("they have directions");
+    let (heights, slopes, fit) =
+        heights_from_either_green(slopes, &integration(map, metric), &Progress::none()).expect("slopes");
+    // The slopes that come back are those that the heights were made of.
+    let planes = [&slopes.along[0][..], &slopes.along[1]];
+    let again =
+        heights_from_slopes(size, planes, &integration(map, metric), &Progress::none()).expect("slopes");
+    assert_eq!(again.heights_m, heights.heights_m);
+    (heights.heights_m, fit)
+}
+
+#[test]
+fn natural_maps_say_which_way_green_points() {
+    let metric = metric([1.0, 1.5], 0.1);
+    for named in maps::ALL.iter().filter(|named| named.name.starts_with("natural")) {
+        for wrap in Wrap::ALL {
+            let map = named.build(wrap);
+            for (axes, is_down) in [(Axes::Tangent, false), (Axes::TangentGreenDown, true)] {
+                let mut normals = vectors(&map, metric, axes);
+                let (heights, fit) = of_either_green(&map, &normals, metric);
+                assert!(fit.is_sure() && fit.is_down == is_down, "{} {wrap} {axes:?}: {fit:?}", named.name);
+                assert!(fit.confidence > 0.9);
+                assert!(root_mean_square(&heights, &visible(&map, metric)) < 1e-6);
+                // Coarse normals say it, too.
+                normals.iter_mut().flatten().for_each(|n| *n = (*n * 31.0).round() / 31.0);
+                let (_, fit) = of_either_green(&map, &normals, metric);
+                assert!(fit.is_sure() && fit.is_down == is_down, "{} {wrap} {axes:?}: {fit:?}", named.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_fits_either_way_is_not_told() {
+    let metric = metric([1.0, 1.0], 0.2);
+    let mut rng = relief_tests::rng::Rng::new(8);
+    let furrows = HeightMap::from_fn(48, 30, Wrap::Repeat, |i, _| 0.5 + 0.5 * (i as f32 * 0.261_799).sin())
+        .expect("a valid map");
+    let noise: Vec<[f32; 3]> =
+        (0..48 * 30).map(|_| [rng.between(-0.5, 0.5) as f32, rng.between(-0.5, 0.5) as f32, 1.0]).collect();
+    let level = vec![[0.0, 0.0, 1.0]; 48 * 30];
+    for (what, normals) in
+        [("furrows", vectors(&furrows, metric, Axes::TangentGreenDown)), ("noise", noise), ("level", level)]
+    {
+        let (_, fit) = of_either_green(&furrows, &normals, metric);
+        assert!(!fit.is_sure() && !fit.is_down, "{what}: {fit:?}");
+    }
+}
+
+#[test]
+fn faults_of_normals_are_counted_and_mended() {
+    let map = HeightMap::new(64, 48, fractal(3, 64, 48, 0.4), Wrap::Clamp).expect("a valid map");
+    let metric = metric([1.0, 0.75], 0.1);
+    let good = vectors(&map, metric, Axes::Tangent);
+    let slopes = |normals: &[[f32; 3]]| NormalSlopes::of_normals([64, 48], normals, Axes::Tangent, 32.0);
+    let clean = slopes(&good).expect("they have directions");
+    assert_eq!(clean.faults, NormalFaults::default());
+    // Lengths do not count.
+    let long: Vec<[f32; 3]> = good.iter().map(|normal| normal.map(|x| 4.0 * x)).collect();
+    let long = slopes(&long).expect("they have directions");
+    assert_eq!(long.faults, NormalFaults { not_unit: 64 * 48, ..NormalFaults::default() });
+    for (a, b) in long.along.iter().flatten().zip(clean.along.iter().flatten()) {
+        assert!((a - b).abs() < 1e-5);
+    }
+    let mut broken = good.clone();
+    broken[64 * 20 + 30] = [f32::NAN, 0.0, 1.0];
+    broken[64 * 20 + 31] = [0.0; 3];
+    broken[64 * 21 + 30] = [f32::INFINITY, 0.0, 1.0];
+    broken[5] = [0.6, 0.0, -0.8];
+    broken[6] = [0.999_9, 0.0, 0.01];
+    let found = slopes(&broken).expect("others have directions");
+    let expected = NormalFaults {
+        without_direction: 3,
+        first_without_direction: Some([30, 20]),
+        below_horizon: 1,
+        too_steep: 1,
+        not_unit: 0,
+    };
+    assert_eq!(found.faults, expected);
+    assert_eq!([found.along[0][5], found.along[0][6]], [-32.0, -32.0]);
+    let steepest = clean.along.iter().flatten().fold(0.0f32, |most, slope| most.max(slope.abs()));
+    for at in [64 * 20 + 30, 64 * 20 + 31, 64 * 21 + 30] {
+        let [u, v] = [found.along[0][at], found.along[1][at]];
+        assert!(u.abs() <= steepest && v.abs() <= steepest && (u != 0.0 || v != 0.0), "{at}: {u} {v}");
+    }
+    let nothing = slopes(&vec![[0.0; 3]; 64 * 48]);
+    assert!(matches!(nothing, Err(FromNormalsError::NoDirection)));
+    assert!(matches!(slopes(&good[1..]), Err(FromNormalsError::WrongLength { .. })));
+    let steepest = NormalSlopes::of_normals([64, 48], &good, Axes::Tangent, f64::NAN);
+    assert!(matches!(steepest, Err(FromNormalsError::BadNumber { .. })));
+    let empty = NormalSlopes::of_normals([0, 48], &[], Axes::Tangent, 32.0);
+    assert!(matches!(empty, Err(FromNormalsError::Size(_))));
 }

@@ -2,7 +2,9 @@
 
 use relief::{HeightMap, Wrap};
 use relief_bake::from_normals::{Integration, heights_from_normals};
-use relief_bake::photometric::{Exposure, Photo, PhotometricError, normals_from_photos};
+use relief_bake::photometric::{
+    ColourAlbedo, Exposure, Photo, PhotometricError, check_lights, normals_from_photos,
+};
 use relief_bake::{Metric, Progress};
 use relief_tests::brute::normal as brute;
 use relief_tests::maps::fractal;
@@ -134,6 +136,39 @@ fn heights_come_back_from_photographs() {
 }
 
 #[test]
+fn colours_come_back_without_light_and_shadow() {
+    let scene = Scene::ring(6, 0.7, 0.25);
+    let pixels = scene.photos();
+    let photos = scene.with_lights(&pixels);
+    let found =
+        normals_from_photos([SIDE; 2], &photos, EXPOSURE, &Progress::none()).expect("good photographs");
+    // Red reflects as much as the brightness says, green half of it, blue none; the last is opacity.
+    let coloured =
+        |pixels: &[f32]| -> Vec<[f32; 4]> { pixels.iter().map(|&p| [p, 0.5 * p, 0.0, 1.0]).collect() };
+    let albedo = |exposure: Exposure| {
+        let mut albedo = ColourAlbedo::new(&found, exposure);
+        for photo in &photos {
+            albedo.add(photo, &coloured(photo.pixels));
+        }
+        albedo.finish([SIDE; 2])
+    };
+    let worst = |[red, green, blue]: &[Vec<f32>; 3]| {
+        let known = scene.texels().enumerate().filter(|(at, _)| found.known[*at]);
+        known.fold(0.0f64, |worst, (at, texel)| {
+            let whole = Scene::albedo(texel);
+            let off = [(red, whole), (green, 0.5 * whole), (blue, 0.0)]
+                .map(|(plane, expected)| (f64::from(plane[at]) - expected).abs());
+            off.into_iter().fold(worst, f64::max)
+        })
+    };
+    let colours = albedo(EXPOSURE);
+    assert!(worst(&colours) < 1e-4, "{}", worst(&colours));
+    assert!(colours.iter().flatten().all(|value| value.is_finite()));
+    // With shadows among the samples the albedo is wrong.
+    assert!(worst(&albedo(Exposure { shadow: -1.0, ..EXPOSURE })) > 0.1);
+}
+
+#[test]
 fn overexposed_samples_are_left_out() {
     let scene = Scene::ring(8, 0.9, 0.1);
     let mut pixels = scene.photos();
@@ -171,6 +206,12 @@ fn what_cannot_be_solved_is_refused() {
         photo.to_light = [x, 0.0, 1.0];
     }
     assert!(matches!(run(&photos), Err(PhotometricError::LightsInAPlane)));
+    // Lights are judged without their photographs, too.
+    let lights =
+        |photos: &[Photo]| photos.iter().map(|photo| (photo.to_light, photo.intensity)).collect::<Vec<_>>();
+    assert!(matches!(check_lights(&lights(&photos)), Err(PhotometricError::LightsInAPlane)));
+    assert!(matches!(check_lights(&lights(&good[1..])), Err(PhotometricError::TooFew(2))));
+    assert_eq!(check_lights(&lights(&good)), Ok(()));
     let night = vec![0.0; pixels[0].len()];
     photos = good.clone();
     photos.iter_mut().for_each(|photo| photo.pixels = &night);

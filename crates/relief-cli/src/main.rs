@@ -29,6 +29,8 @@ enum Command {
     Inspect(commands::inspect::Arguments),
     /// Bake a height map into the maps that methods read: cones, normals, horizons and more
     Bake(Box<commands::bake::Arguments>),
+    /// Make a height map from a normal map, or from photographs under known lights
+    Height(commands::height::Arguments),
     /// List every method, search and refinement with its parameters and guarantees
     Methods(commands::methods::Arguments),
 }
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         Command::Render(arguments) => (commands::render::run(arguments), arguments.json),
         Command::Inspect(arguments) => (commands::inspect::run(arguments), arguments.json),
         Command::Bake(arguments) => (commands::bake::run(arguments), arguments.json),
+        Command::Height(arguments) => (commands::height::run(arguments), arguments.json()),
         Command::Methods(arguments) => (commands::methods::run(arguments), arguments.json),
     };
     match result {

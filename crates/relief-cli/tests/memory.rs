@@ -1,5 +1,5 @@
 //! The command's peak of resident memory. Reading peaks at 8 bytes a texel and 32 MiB above the idle process, a refused
-//! header at 32 MiB; rendering keeps to what it counts against `--max-memory`.
+//! header at 32 MiB; rendering and integrating keep to what they count against `--max-memory`.
 //!
 //! The system counts the parent's memory against a child until the child's program has started, so the files are written
 //! row by row, and the tests run one after the other.
@@ -35,6 +35,9 @@ const FIXED: u64 = 32 * MIB;
 const READ_BYTES: u64 = 8;
 const EXACT_BYTES: u64 = 11;
 const METHOD_BYTES: u64 = 8;
+
+/// What a normal map may take a texel to become heights: it counts as much against `--max-memory`.
+const INTEGRATION_BYTES: u64 = 32;
 
 /// What rendering may take a pixel: it counts as much against `--max-memory`.
 const PIXEL_BYTES: u64 = 192;
@@ -157,6 +160,33 @@ fn reading_and_rendering_large_maps() {
         let tight = "render --backend cpu --size 8x8 -o a.png --height map.pgm --max-memory";
         assert_within(folder, idle, &format!("{tight} 100MiB"), 1, 0, FIXED);
         assert_within(folder, idle, &format!("{tight} 170MiB"), 1, 0, FIXED + READ_BYTES * TEXELS);
+    });
+}
+
+#[test]
+fn integrating_takes_what_is_counted_for_it() {
+    alone(|folder, idle| {
+        let side = 1536;
+        let mut encoder = Encoder::new(create(folder, "n.png"), side, side);
+        encoder.set_color(ColorType::Rgb);
+        encoder.set_compression(PngCompression::Fast);
+        let mut writer = encoder.write_header().expect("there is room");
+        let mut stream = writer.stream_writer().expect("there is room");
+        for y in 0..side {
+            let row = (0..side).flat_map(|x| [100 + (x * y % 57) as u8, 100 + ((x + y) % 57) as u8, 240]);
+            stream.write_all(&row.collect::<Vec<u8>>()).expect("there is room");
+        }
+        stream.finish().expect("there is room");
+        drop(writer);
+        let texels = u64::from(side).pow(2);
+        // Green that nobody told takes most.
+        let line = "height from-normals n.png -o h.exr --wrap";
+        for wrap in ["repeat", "clamp"] {
+            let most = FIXED + INTEGRATION_BYTES * texels;
+            assert_within(folder, idle, &format!("{line} {wrap}"), 0, 20 * texels, most);
+        }
+        assert_within(folder, idle, &format!("{line} clamp --max-memory 24MiB"), 1, 0, FIXED);
+        assert_within(folder, idle, &format!("{line} clamp --max-memory 70MiB"), 1, 0, FIXED + 12 * texels);
     });
 }
 

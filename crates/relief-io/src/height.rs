@@ -10,7 +10,7 @@ use relief::{HeightMap, Wrap};
 use crate::fill::fill_holes;
 use crate::samples::{Samples, Selection};
 use crate::source::{Layout, Source};
-use crate::{RawLayout, ReadError, ReadProblem};
+use crate::{HeightNote, RawLayout, ReadError, ReadProblem};
 
 /// What white means in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -102,7 +102,9 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 ///   nothing of what they hold. A constant map becomes 0.
 ///
 /// [`HeightMap::physical_range`] keeps those raw values, of texel 0 and of texel 1 (with the depth convention the first is
-/// the greater). [`HeightMap::texel_size_m`] comes from a GeoTIFF's georeference.
+/// the greater). [`HeightMap::texel_size_m`] comes from a GeoTIFF's georeference. Where the file has a
+/// [`HeightNote`](crate::HeightNote), both are what it says, in metres, and its values are fractions of their type's maximum
+/// or, in floats, as they are.
 ///
 /// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation for the exceptions.
 ///
@@ -122,11 +124,14 @@ fn read(path: &Path, options: &HeightOptions) -> Result<HeightMap, ReadProblem> 
     }
     let source = Source::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
     let selection = select(source.layout(), options.channel.as_deref())?;
-    let full_scale = source.layout().full_scale;
-    let texel_size_m = source.layout().texel_size_m;
+    let Layout { format, width, height, full_scale, texel_size_m, .. } = *source.layout();
+    let note = HeightNote::of_file(path, format);
     let samples = Samples::read(source, &selection)?;
-    let map = height_map(samples, full_scale, options)?;
-    Ok(match texel_size_m {
+    let mut map = height_map(samples, full_scale, options)?;
+    if let (Some(note), Some(range)) = (note, map.physical_range()) {
+        map = map.with_physical_range(range.map(|raw| note.metres(raw / full_scale.unwrap_or(1.0))))?;
+    }
+    Ok(match note.map(|note| note.texel_size_m([width, height])).or(texel_size_m) {
         Some(size_m) => map.with_texel_size_m(size_m)?,
         None => map,
     })

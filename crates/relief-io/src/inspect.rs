@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::height::{BYTES_PER_TEXEL, HeightOptions, select};
 use crate::samples::{Samples, Selection};
 use crate::source::{Channel, Format, Source};
-use crate::{ReadError, ReadProblem};
+use crate::{HeightNote, ReadError, ReadProblem};
 
 /// Bins of [`Values::histogram`].
 pub const HISTOGRAM_BINS: usize = 64;
@@ -25,6 +25,8 @@ pub struct SourceInfo {
     pub nodata_value: Option<f64>,
     /// Size of a texel along `u` and `v` in metres, where the file says so.
     pub texel_size_m: Option<[f64; 2]>,
+    /// What the file notes of its size in the world, where Relief wrote it.
+    pub note: Option<HeightNote>,
     /// The values of the channel that [`crate::read_height`] would read; none where it would ask for one.
     pub values: Option<Values>,
 }
@@ -82,6 +84,7 @@ pub fn inspect(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadE
 fn read(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadProblem> {
     let source = Source::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
     let layout = source.layout().clone();
+    let note = HeightNote::of_file(path, layout.format);
     let values = match select(&layout, options.channel.as_deref()) {
         Ok(selection) => {
             let first = match selection {
@@ -103,7 +106,10 @@ fn read(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadProblem>
         height: layout.height,
         channels: layout.channels,
         nodata_value: layout.nodata,
-        texel_size_m: layout.texel_size_m,
+        texel_size_m: note
+            .map(|note| note.texel_size_m([layout.width, layout.height]))
+            .or(layout.texel_size_m),
+        note,
         values,
     })
 }

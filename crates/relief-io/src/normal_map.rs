@@ -64,31 +64,71 @@ pub const SHORTEST: f32 = 0.1;
 
 const NORMAL_BYTES_PER_TEXEL: u64 = 12;
 
-/// Reads a normal map from the channels red, green and blue, whose `green` points as told.
+/// What the texels of a normal map's file stand for, before anything is made of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NormalVectors {
+    /// Width in texels.
+    pub width: u32,
+    /// Height in texels.
+    pub height: u32,
+    /// `x`, `y` and `z` of each texel, of any length and perhaps not finite, row by row from the top.
+    pub vectors: Vec<[f32; 3]>,
+    /// The greatest integer, 255 say, that components are stored in; none of floats.
+    pub most: Option<u32>,
+}
+
+impl NormalVectors {
+    /// The same with `x` and `y` of the two integers around the middle moved to the mean of what was rounded to them.
+    ///
+    /// No integer stands for 0: 128 of 255 is 1/255, 127 is -1/255, and whoever writes a level normal takes one of both. Level
+    /// parts of a map lean by 0.2° then, which shading does not show and integration adds up to a ramp. So the texels of
+    /// an integer that are more than the mean of its two neighbours' are taken for exact zeros, and the integer for the mean
+    /// of those and of the others: 0 where nothing but level normals has it, and hardly other than before where none has. What
+    /// that moves is at most 1/255.
+    #[must_use]
+    pub fn with_zero_centred(mut self) -> Self {
+        let Some(most) = self.most.map(f64::from) else { return self };
+        for axis in 0..2 {
+            // How many texels hold each of the four integers around the middle: -3, -1, 1 and 3 over the greatest.
+            let place = |value: f32| {
+                let steps = (f64::from(value) * most).round();
+                [-3.0, -1.0, 1.0, 3.0].iter().position(|&known| known == steps)
+            };
+            let mut counts = [0.0f64; 4];
+            for vector in &self.vectors {
+                if let Some(at) = place(vector[axis]) {
+                    counts[at] += 1.0;
+                }
+            }
+            let others = |at: usize| {
+                let beside = 0.5 * (counts[at - 1] + counts[at + 1]);
+                if counts[at] > 0.0 { (beside / counts[at]).min(1.0) } else { 1.0 }
+            };
+            let centred = [-3.0, -others(1), others(2), 3.0].map(|steps| (steps / most) as f32);
+            for vector in &mut self.vectors {
+                if let Some(at) = place(vector[axis]) {
+                    vector[axis] = centred[at];
+                }
+            }
+        }
+        self
+    }
+}
+
+/// Reads a normal map from the channels red, green and blue (or `x`, `y` and `z`), whose `green` points as told.
 ///
-/// Unsigned integers of up to 16 bit stand for `2 s / maximum - 1` (glTF 2.0, 3.9.3). Floats are taken as they are where
-/// any of them is negative, and otherwise as `2 s - 1`. Normals are then scaled to length 1; a texel without a direction
-/// becomes `(0, 0, 1)` and is counted. At most `max_bytes` of memory are taken, 12 bytes a texel.
+/// Vectors are those of [`read_normal_vectors`]. They are then scaled to length 1; a texel without a direction becomes
+/// `(0, 0, 1)` and is counted. At most `max_bytes` of memory are taken, 12 bytes a texel.
 ///
 /// # Errors
 ///
 /// When the file cannot be read, is damaged, too large, not a picture, or has no red, green and blue.
 pub fn read_normal_map(path: &Path, green: GreenSign, max_bytes: u64) -> Result<NormalMap, ReadError> {
-    read(path, green, max_bytes).map_err(|problem| problem.at(path))
-}
-
-fn read(path: &Path, green: GreenSign, max_bytes: u64) -> Result<NormalMap, ReadProblem> {
-    let source = Source::open(path, None, NORMAL_BYTES_PER_TEXEL, max_bytes)?;
-    let layout = source.layout().clone();
-    let channels = normal_channels(&layout)?;
-    let scale = layout.full_scale.unwrap_or(1.0);
-    let mut normals =
-        collect(source, &channels, [0.0f32; 3], |s| [0, 1, 2].map(|axis| (s[axis] / scale) as f32))?;
-    let signed = layout.full_scale.is_none() && normals.iter().flatten().any(|&value| value < 0.0);
+    let NormalVectors { width, height, vectors: mut normals, .. } = read_normal_vectors(path, max_bytes)?;
     let mut degenerate = 0;
     for normal in &mut normals {
-        let [x, y, z] = if signed { *normal } else { normal.map(|value| 2.0 * value - 1.0) };
-        let length = (x * x + y * y + z * z).sqrt();
+        let [x, y, z] = *normal;
+        let length = length(*normal);
         *normal = if length.is_finite() && length >= SHORTEST {
             let y = if green == GreenSign::PlusY { y } else { -y };
             [x / length, y / length, z / length]
@@ -97,19 +137,70 @@ fn read(path: &Path, green: GreenSign, max_bytes: u64) -> Result<NormalMap, Read
             [0.0, 0.0, 1.0]
         };
     }
-    Ok(NormalMap { width: layout.width, height: layout.height, normals, degenerate })
+    Ok(NormalMap { width, height, normals, degenerate })
 }
 
-fn normal_channels(layout: &Layout) -> Result<[usize; 3], ReadProblem> {
-    let [Some(r), Some(g), Some(b)] = ["r", "g", "b"].map(|name| layout.channel(name)) else {
+/// Reads what the texels of a normal map stand for, from the channels red, green and blue, or `x`, `y` and `z`.
+///
+/// Unsigned integers of up to 16 bit stand for `2 s / maximum - 1` (glTF 2.0, 3.9.3). Floats are taken as they are where
+/// the channels are `x`, `y` and `z` or any value is negative; otherwise as they are or as `2 s - 1`, whichever gives lengths
+/// nearer to 1. At most `max_bytes` of memory are taken, 12 bytes a texel.
+///
+/// # Errors
+///
+/// When the file cannot be read, is damaged, too large, not a picture, or has none of these channels.
+pub fn read_normal_vectors(path: &Path, max_bytes: u64) -> Result<NormalVectors, ReadError> {
+    read(path, max_bytes).map_err(|problem| problem.at(path))
+}
+
+fn read(path: &Path, max_bytes: u64) -> Result<NormalVectors, ReadProblem> {
+    let source = Source::open(path, None, NORMAL_BYTES_PER_TEXEL, max_bytes)?;
+    let layout = source.layout().clone();
+    let (channels, are_vectors) = normal_channels(&layout)?;
+    let scale = layout.full_scale.unwrap_or(1.0);
+    let mut vectors =
+        collect(source, &channels, [0.0f32; 3], |s| [0, 1, 2].map(|axis| (s[axis] / scale) as f32))?;
+    if layout.full_scale.is_some() || !(are_vectors || is_signed(&vectors)) {
+        vectors.iter_mut().for_each(|vector| *vector = unpacked(*vector));
+    }
+    let most = layout.full_scale.map(|full_scale| full_scale as u32);
+    Ok(NormalVectors { width: layout.width, height: layout.height, vectors, most })
+}
+
+fn length(vector: [f32; 3]) -> f32 {
+    vector.iter().map(|x| x * x).sum::<f32>().sqrt()
+}
+
+fn unpacked(vector: [f32; 3]) -> [f32; 3] {
+    vector.map(|value| 2.0 * value - 1.0)
+}
+
+/// Whether floats are directions as they stand.
+fn is_signed(vectors: &[[f32; 3]]) -> bool {
+    let off = |vector: [f32; 3]| {
+        let off = f64::from((length(vector) - 1.0).abs());
+        if off.is_finite() { off } else { 0.0 }
+    };
+    vectors.iter().flatten().any(|&value| value < 0.0)
+        || vectors.iter().map(|&vector| off(vector) - off(unpacked(vector))).sum::<f64>() < 0.0
+}
+
+/// The three channels, and whether their names say that they hold a vector.
+fn normal_channels(layout: &Layout) -> Result<([usize; 3], bool), ReadProblem> {
+    let named = |names: [&str; 3]| match names.map(|name| layout.channel(name)) {
+        [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+        _ => None,
+    };
+    let colours = named(["r", "g", "b"]);
+    let Some(channels) = colours.or_else(|| named(["x", "y", "z"])) else {
         return Err(ReadProblem::NoColour { what: "normal map", channels: layout.channel_names() });
     };
-    let sample = layout.channels[r].sample;
+    let sample = layout.channels[channels[0]].sample;
     if layout.full_scale.is_none() && sample.kind != SampleKind::Float {
         return Err(ReadProblem::Unsupported {
             what: format!("normals of {sample} samples"),
             advice: "export 8 or 16-bit unsigned integers, or floats",
         });
     }
-    Ok([r, g, b])
+    Ok((channels, colours.is_none()))
 }

@@ -19,22 +19,41 @@ pub struct Picture {
 
 const PICTURE_BYTES_PER_TEXEL: u64 = 16;
 
-/// Reads a picture: integers of up to 16 bit are decoded by the sRGB curve (IEC 61966-2-1), floats are linear as they
-/// are. Grey becomes three equal channels. At most `max_bytes` of memory are taken, 16 bytes a texel.
+/// By which curve integer samples of up to 16 bit were made of light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Curve {
+    /// That of sRGB (IEC 61966-2-1).
+    #[default]
+    Srgb,
+    /// None: samples are proportional to light.
+    Linear,
+}
+
+/// Reads a picture whose integers are sRGB; as [`read_picture_as`].
+///
+/// # Errors
+///
+/// As [`read_picture_as`].
+pub fn read_picture(path: &Path, max_bytes: u64) -> Result<Picture, ReadError> {
+    read_picture_as(path, Curve::Srgb, max_bytes)
+}
+
+/// Reads a picture: integers of up to 16 bit are decoded by the curve, floats are linear as they are. Grey becomes three
+/// equal channels. At most `max_bytes` of memory are taken, 16 bytes a texel.
 ///
 /// # Errors
 ///
 /// When the file cannot be read, is damaged, too large, not a picture, has channels that make no colour, or holds a NaN
 /// or an infinite value.
-pub fn read_picture(path: &Path, max_bytes: u64) -> Result<Picture, ReadError> {
-    read(path, max_bytes).map_err(|problem| problem.at(path))
+pub fn read_picture_as(path: &Path, curve: Curve, max_bytes: u64) -> Result<Picture, ReadError> {
+    read(path, curve, max_bytes).map_err(|problem| problem.at(path))
 }
 
-fn read(path: &Path, max_bytes: u64) -> Result<Picture, ReadProblem> {
+fn read(path: &Path, curve: Curve, max_bytes: u64) -> Result<Picture, ReadProblem> {
     let source = Source::open(path, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
     let layout = source.layout().clone();
     let channels = colour_channels(&layout)?;
-    let transfer = Transfer::of(&layout, channels[0])?;
+    let transfer = Transfer::of(&layout, channels[0], curve)?;
     // Colours come first, opacity last: of grey one colour, of colour three.
     let colours = if channels.len() >= 3 { 3 } else { 1 };
     let texels = collect(source, &channels, [0.0; 4], |samples| {
@@ -96,18 +115,21 @@ fn colour_channels(layout: &Layout) -> Result<Vec<usize>, ReadProblem> {
 /// How samples become light.
 enum Transfer {
     /// Linear values by sample, and the sample that stands for 1.
-    Srgb(Vec<f32>, f64),
+    Table(Vec<f32>, f64),
     Linear,
 }
 
 impl Transfer {
-    fn of(layout: &Layout, channel: usize) -> Result<Self, ReadProblem> {
+    fn of(layout: &Layout, channel: usize, curve: Curve) -> Result<Self, ReadProblem> {
         let sample = layout.channels[channel].sample;
         match (layout.full_scale, sample.kind) {
             (Some(full_scale), SampleKind::Unsigned) => {
                 let levels = full_scale as u32;
-                let curve = (0..=levels).map(|level| srgb_to_linear(f64::from(level) / full_scale) as f32);
-                Ok(Self::Srgb(curve.collect(), full_scale))
+                let linear = |level: u32| {
+                    let fraction = f64::from(level) / full_scale;
+                    if curve == Curve::Srgb { srgb_to_linear(fraction) } else { fraction }
+                };
+                Ok(Self::Table((0..=levels).map(|level| linear(level) as f32).collect(), full_scale))
             }
             (_, SampleKind::Float) => Ok(Self::Linear),
             _ => Err(ReadProblem::Unsupported {
@@ -119,14 +141,14 @@ impl Transfer {
 
     fn linear(&self, sample: f64) -> f32 {
         match self {
-            Self::Srgb(curve, _) => curve.get(sample as usize).copied().unwrap_or(1.0),
+            Self::Table(table, _) => table.get(sample as usize).copied().unwrap_or(1.0),
             Self::Linear => sample as f32,
         }
     }
 
     fn fraction(&self, sample: f64) -> f32 {
         match self {
-            Self::Srgb(_, full_scale) => (sample / full_scale) as f32,
+            Self::Table(_, full_scale) => (sample / full_scale) as f32,
             Self::Linear => sample as f32,
         }
     }
@@ -135,4 +157,22 @@ impl Transfer {
 /// The sRGB curve (IEC 61966-2-1), from encoded to linear, both in `[0, 1]`.
 fn srgb_to_linear(encoded: f64) -> f64 {
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The sRGB curve from linear to encoded, both in `[0, 1]`.
+pub fn linear_to_srgb(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 { linear * 12.92 } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_curve_and_its_inverse_cancel() {
+        for level in 0..=255 {
+            let encoded = f64::from(level) / 255.0;
+            assert!((linear_to_srgb(srgb_to_linear(encoded)) - encoded).abs() < 1e-6, "{level}");
+        }
+    }
 }

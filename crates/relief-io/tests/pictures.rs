@@ -10,7 +10,7 @@ use png::{BitDepth, ColorType};
 use relief::{HeightMap, Wrap};
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, ReadProblem, detect, read_normal_map,
-    read_picture, write_exr,
+    read_normal_vectors, read_picture, write_exr,
 };
 
 fn picture(path: &std::path::Path) -> Picture {
@@ -100,9 +100,38 @@ fn normals_have_length_one_and_point_up_in_green() {
     };
     assert_eq!(write(-0.6, 0.0, 0.8), [-0.6, 0.0, 0.8]);
     assert_eq!(write(0.5, 0.5, 1.0), [0.0, 0.0, 1.0]);
+    // A level normal has no negatives, and is one as it stands.
+    assert_eq!(write(0.0, 0.0, 1.0), [0.0, 0.0, 1.0]);
+    // Channels that are named for a vector hold it.
+    write_exr(&path, 1, 1, &[("x", &[0.6]), ("y", &[0.0]), ("z", &[0.8])]).expect("the folder is writable");
+    let named = read_normal_vectors(&path, DEFAULT_MAX_BYTES).expect("a normal map");
+    assert_eq!((named.vectors[0], named.most), ([0.6, 0.0, 0.8], None));
     let path = folder.file("grey.png", &png(1, 1, ColorType::Grayscale, BitDepth::Eight, &[7]));
     let error = read_normal_map(&path, GreenSign::PlusY, DEFAULT_MAX_BYTES).expect_err("it is grey");
     assert!(matches!(error.problem, ReadProblem::NoColour { .. }), "{error}");
+}
+
+#[test]
+fn zero_is_the_mean_of_what_was_rounded_to_the_middle() {
+    let folder = Folder::new();
+    let read = |reds: &[u8]| -> Vec<f32> {
+        let samples: Vec<u8> = reds.iter().flat_map(|&red| [red, 77, 255]).collect();
+        let bytes = png(reds.len() as u32, 1, ColorType::Rgb, BitDepth::Eight, &samples);
+        let vectors = read_normal_vectors(&folder.file("n.png", &bytes), DEFAULT_MAX_BYTES).expect("normals");
+        assert_eq!(vectors.most, Some(255));
+        vectors.with_zero_centred().vectors.iter().map(|vector| vector[0] * 255.0).collect()
+    };
+    // Nothing but level normals, whichever of both codes they were given: level.
+    assert_eq!(read(&[128; 4]), [0.0; 4]);
+    assert_eq!(read(&[127; 4]), [0.0; 4]);
+    // As many as the neighbours have: as they are. The others are never moved.
+    let as_they_are = read(&[126, 127, 128, 129, 0, 255]);
+    for (found, expected) in as_they_are.iter().zip([-3.0, -1.0, 1.0, 3.0, -255.0, 255.0]) {
+        assert!((found - expected).abs() < 1e-4, "{as_they_are:?}");
+    }
+    // Four level ones beside one that is not, as its neighbours tell.
+    let mixed = read(&[127, 128, 128, 128, 128, 128, 129]);
+    assert!((mixed[1] - 0.2).abs() < 1e-4, "{mixed:?}");
 }
 
 /// The normals of a landscape with slopes up to 1 or so: `x` against the slope along `u`, `y` with the one along `v`.

@@ -4,8 +4,8 @@ mod common;
 
 use common::{Folder, Random, channel};
 use relief_io::{
-    HeightOptions, Ktx2Texture, Metadata, PngTexture, Row, TexelFormat, WriteProblem, read_height,
-    read_metadata, write_exr_rows, write_ktx2, write_png_rows,
+    Convention, HeightNote, HeightOptions, Ktx2Texture, Metadata, PngTexture, Row, TexelFormat, WriteProblem,
+    inspect, read_height, read_metadata, write_exr_rows, write_ktx2, write_png_rows,
 };
 
 fn metadata() -> Metadata {
@@ -131,4 +131,38 @@ fn what_cannot_be_stored_is_refused_and_nothing_is_left() {
     let error = write_exr_rows(&path, 3, 3, &["a"], &metadata(), &mut missing).expect_err("a row is missing");
     assert!(matches!(error.problem, WriteProblem::Io(_)), "{error}");
     assert_eq!(std::fs::read_dir(folder.path()).expect("it is there").count(), 0);
+}
+
+#[test]
+fn a_noted_size_is_that_of_the_map_that_is_read() {
+    let folder = Folder::new();
+    let note = HeightNote { tile_m: [3.0, 0.5], scale_m: 0.25, bias_m: -0.1 };
+    let metadata = note.metadata(Vec::new()).expect("plain text");
+    let mut ramp = |_: Row, texels: &mut [f32]| {
+        texels.iter_mut().enumerate().for_each(|(column, texel)| *texel = column as f32 / 4.0);
+        Ok(())
+    };
+    let [png, exr, other] = ["a.png", "a.exr", "other.png"].map(|name| folder.path().join(name));
+    let texture = PngTexture { width: 5, height: 2, channels: 1, bits: 16 };
+    write_png_rows(&png, &texture, &metadata, &mut ramp).expect("the folder is writable");
+    write_exr_rows(&exr, 5, 2, &["height"], &metadata, &mut ramp).expect("the folder is writable");
+    for path in [&png, &exr] {
+        let read = |convention| {
+            let options = HeightOptions { convention, ..HeightOptions::default() };
+            read_height(path, &options).expect("it is a map")
+        };
+        let map = read(Convention::Height);
+        assert_eq!(map.texel_size_m(), Some([0.6, 0.25]));
+        let [zero, one] = map.physical_range().expect("it is known");
+        assert!((zero + 0.1).abs() < 1e-12 && (one - 0.15).abs() < 1e-12, "{zero} {one}");
+        let [zero, one] = read(Convention::Depth).physical_range().expect("it is known");
+        assert!((zero - 0.15).abs() < 1e-12 && (one + 0.1).abs() < 1e-12, "{zero} {one}");
+        let about = inspect(path, &HeightOptions::default()).expect("it is a map");
+        assert_eq!((about.note, about.texel_size_m), (Some(note), Some([0.6, 0.25])));
+    }
+    // Other kinds say other things by the same names.
+    let kind = |value: &str| Metadata::new(vec![("relief.kind".to_owned(), value.to_owned())]);
+    write_png_rows(&other, &texture, &kind("cone").expect("plain text"), &mut ramp).expect("writable");
+    let map = read_height(&other, &HeightOptions::default()).expect("it is a map");
+    assert_eq!((map.texel_size_m(), map.physical_range()), (None, Some([0.0, 65535.0])));
 }

@@ -312,9 +312,13 @@ impl Baked {
             self.files.iter().map(|file| folder.join(file).display().to_string()).collect();
         let files = files.join(", ");
         if self.up_to_date {
+            let (verb, files) = match self.files.len() {
+                1 => ("is", files),
+                count => ("are", format!("the {count} files {files}")),
+            };
             writeln!(
                 out,
-                "{}: nothing to do, {files} are of the same inputs (--force bakes again)",
+                "{}: nothing to do, {files} {verb} baked from the same inputs already (--force bakes again)",
                 self.kind
             )
         } else {

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use relief_io::{
-    Convention, DEFAULT_MAX_BYTES, Detection, GreenSign, HISTOGRAM_BINS, HeightOptions, SourceInfo, Tiling,
-    Values, detect, inspect, read_height, read_normal_map,
+    Convention, DEFAULT_MAX_BYTES, Detection, GreenSign, HISTOGRAM_BINS, HeightNote, HeightOptions,
+    SourceInfo, Tiling, Values, detect, inspect, read_height, read_normal_map,
 };
 use relief_render::scene::ByteSize;
 use serde_json::{Value, json};
@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use super::maps::FileArguments;
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::values;
 
 /// What `relief inspect` is given.
 #[derive(Args)]
@@ -89,6 +90,10 @@ fn print(
     }
     if let Some([u, v]) = info.texel_size_m {
         writeln!(out, "  texel       {u:.6} m x {v:.6} m")?;
+    }
+    if let Some(HeightNote { scale_m, bias_m, .. }) = info.note {
+        let [zero, one, scale] = [bias_m, bias_m + scale_m, scale_m].map(values::six_digits);
+        writeln!(out, "  relief      0 stands for {zero} m, 1 for {one} m: --scale {scale}")?;
     }
     if let Some(nodata) = info.nodata_value {
         writeln!(out, "  nodata      {nodata}")?;
@@ -183,7 +188,8 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
     });
     json!({
         "file": arguments.file.display().to_string(), "format": info.format.name(), "width": info.width, "height": info.height,
-        "channels": channels, "nodata": info.nodata_value, "texel_size_m": info.texel_size_m, "values": values,
+        "channels": channels, "nodata": info.nodata_value, "texel_size_m": info.texel_size_m,
+        "scale_m": info.note.map(|note| note.scale_m), "bias_m": info.note.map(|note| note.bias_m), "values": values,
         "detection": detection,
     })
 }

@@ -1,6 +1,7 @@
 //! The subcommands, one file each.
 
 pub mod bake;
+pub mod height;
 pub mod inspect;
 pub mod maps;
 pub mod methods;

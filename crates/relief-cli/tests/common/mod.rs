@@ -8,3 +8,4 @@ pub mod command;
 pub mod files;
 pub mod maps;
 pub mod reference;
+pub mod refused;

@@ -1,7 +1,7 @@
 //! Filling in of what is not known, from coarse to fine (push and pull, after Gortler et al. 1996, *The Lumigraph*).
 
 /// Replaces values that are not known by means of known ones around them. Where none is known, nothing changes.
-pub(super) fn fill(size: [usize; 2], values: &mut [f32], known: &[bool]) {
+pub(crate) fn fill(size: [usize; 2], values: &mut [f32], known: &[bool]) {
     if known.iter().all(|&known| known) {
         return;
     }

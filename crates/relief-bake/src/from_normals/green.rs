@@ -1,0 +1,60 @@
+//! Which way green points, by which of both ways the normals are more nearly a relief's.
+
+use super::{FromNormalsError, IntegratedHeights, Integration, NormalSlopes, heights_from_slopes};
+use crate::Progress;
+
+/// Below this confidence the ways are told apart by chance: texels of white noise reach a hundredth of it or so.
+const UNSURE: f64 = 0.05;
+
+/// Differences below this part of the slopes are rounding: a relief that goes up and down along one axis alone fits both ways.
+const ROUNDING: f64 = 1e-4;
+
+/// Which way green points in a tangent-space normal map.
+///
+/// Slopes of a relief have no curl; with one of them turned over they have one, unless the relief goes up and down along one
+/// axis alone. What of the slopes fits no relief ([`IntegratedHeights::misfit`]) is nothing for the right way, but for noise
+/// and cliffs, and for the wrong one about half of their square.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GreenFit {
+    /// Whether green points down in the picture (DirectX). When [`Self::is_sure`] is false it is taken to point up.
+    pub is_down: bool,
+    /// How sure that is, from 0 (nothing to see) to 1: the difference of the two squared misfits over their sum.
+    pub confidence: f64,
+    /// The misfits with green up and with green down.
+    pub misfits: [f64; 2],
+}
+
+impl GreenFit {
+    /// Whether the map says which way green points.
+    pub fn is_sure(&self) -> bool {
+        self.confidence >= UNSURE
+    }
+
+    fn new(misfits: [f64; 2], steepness: f64) -> Self {
+        let [up, down] = misfits.map(|misfit| misfit * misfit);
+        let sum = up + down + (ROUNDING * steepness).powi(2);
+        let confidence = if sum > 0.0 { (up - down).abs() / sum } else { 0.0 };
+        Self { is_down: down < up && confidence >= UNSURE, confidence, misfits }
+    }
+}
+
+/// Heights from slopes of normals that were read with green up, whichever way it points: both are tried, and the slopes become
+/// those that fit better. Takes twice the time of one and 4 bytes a texel more.
+///
+/// # Errors
+///
+/// As [`heights_from_slopes`].
+pub fn heights_from_either_green(
+    slopes: NormalSlopes,
+    how: &Integration,
+    progress: &Progress,
+) -> Result<(IntegratedHeights, NormalSlopes, GreenFit), FromNormalsError> {
+    let integrate = |slopes: &NormalSlopes, progress: &Progress| {
+        heights_from_slopes(slopes.size, [&slopes.along[0], &slopes.along[1]], how, progress)
+    };
+    let up = integrate(&slopes, &progress.piece(0.0, 0.5))?;
+    let slopes = slopes.turned_over();
+    let down = integrate(&slopes, &progress.piece(0.5, 1.0))?;
+    let fit = GreenFit::new([up.misfit, down.misfit], slopes.steepness());
+    Ok(if fit.is_down { (down, slopes, fit) } else { (up, slopes.turned_over(), fit) })
+}

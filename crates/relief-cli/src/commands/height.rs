@@ -1,0 +1,257 @@
+//! `relief height`: the way back, from a normal map or from photographs to a height map.
+
+mod from_normals;
+mod from_photos;
+mod lights;
+mod output;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clap::{Args, Subcommand};
+use relief::Wrap;
+use relief_bake::from_normals::{FromNormalsError, IntegratedHeights, Integration};
+use relief_bake::photometric::PhotometricError;
+use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
+use relief_render::scene::ByteSize;
+use serde_json::{Value, json};
+
+use self::output::{Content, Output};
+use crate::failure::Failure;
+use crate::values;
+
+/// What `relief height` is given.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Arguments {
+    #[command(subcommand)]
+    source: Source,
+}
+
+#[derive(Subcommand)]
+enum Source {
+    /// Integrate a tangent-space normal map to a height map
+    FromNormals(Box<from_normals::Arguments>),
+    /// Make a height map from photographs of one view under at least three known lights
+    FromPhotos(Box<from_photos::Arguments>),
+}
+
+const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
+    relief height from-normals wall_dx.png --green down --wrap clamp --texel-m 0.002 -o wall.png\n  \
+    relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n\n\
+    `relief height from-photos --help` shows a file of lights.";
+
+/// What a height map says of its texels, at the end of both helps.
+const WRITTEN: &str = "The height map has texels from 0 (lowest) to 1: PNG of 16 bit or EXR of 32-bit floats, by the \
+    output's name. The metres that belong to them are printed and stand in the file: `relief inspect` shows them, `relief bake` \
+    uses them. It is written aside and then renamed; Ctrl-C leaves nothing behind (exit code 1).";
+
+/// Flags of both ways.
+#[derive(Args)]
+struct Common {
+    /// How the map goes on beyond its edges: repeat, clamp or mirror
+    #[arg(long, value_name = "WRAP", help_heading = "Integration")]
+    wrap: Option<Wrap>,
+    /// Metres of a texel along u and v: one number or two [default: square texels, the map 1 m wide]
+    #[arg(
+        long,
+        value_name = "X[,Y]",
+        value_parser = values::one_or_two,
+        allow_hyphen_values = true,
+        help_heading = "Integration"
+    )]
+    texel_m: Option<[f64; 2]>,
+    /// How strongly waves of about two texels are kept down, 0 to 1: central differences hardly see them, so that noise grows
+    /// there
+    #[arg(long, value_name = "PART", allow_hyphen_values = true, help_heading = "Integration")]
+    damping: Option<f64>,
+    /// The steepest slope accepted, metres up for a metre along; steeper normals are taken for it
+    #[arg(
+        long,
+        value_name = "SLOPE",
+        default_value = "32",
+        allow_hyphen_values = true,
+        help_heading = "Integration"
+    )]
+    steepest: f64,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
+    max_memory: Option<ByteSize>,
+}
+
+impl Common {
+    fn max_bytes(&self) -> u64 {
+        self.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0)
+    }
+
+    /// Numbers that can be judged before any file is read.
+    fn check(&self) -> Result<(), Failure> {
+        let bad = |flag: &str, value: f64, must: &str| {
+            Err(Failure::Usage(format!("--{flag}: {value} cannot be used: it must be {must}")))
+        };
+        if let Some(&side) = self.texel_m.iter().flatten().find(|side| !(1e-12..=1e9).contains(*side)) {
+            return bad("texel-m", side, "from 1e-12 to 1e9 metres");
+        }
+        if let Some(damping) = self.damping.filter(|damping| !(0.0..=1.0).contains(damping)) {
+            return bad("damping", damping, "from 0 to 1");
+        }
+        if !(self.steepest > 0.0 && self.steepest <= 1e6) {
+            return bad("steepest", self.steepest, "above 0 and at most 1e6");
+        }
+        Ok(())
+    }
+
+    /// Whether so many texels of so many bytes are allowed.
+    fn check_memory(&self, size: [u32; 2], bytes_per_texel: u64) -> Result<(), Failure> {
+        let [width, height] = size;
+        let needed = (u64::from(width) * u64::from(height)).saturating_mul(bytes_per_texel);
+        let limit = self.max_bytes();
+        if needed <= limit {
+            return Ok(());
+        }
+        Err(Failure::Work(format!(
+            "{width}x{height} texels need {} MiB of memory to become heights, {} MiB are allowed: make the pictures smaller \
+             or raise --max-memory",
+            needed.div_ceil(1 << 20),
+            limit >> 20
+        )))
+    }
+}
+
+impl Arguments {
+    /// Whether the answer is for machines.
+    pub fn json(&self) -> bool {
+        match &self.source {
+            Source::FromNormals(arguments) => arguments.common.json,
+            Source::FromPhotos(arguments) => arguments.common.json,
+        }
+    }
+}
+
+/// Reads, integrates and writes.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.source {
+        Source::FromNormals(arguments) => from_normals::run(arguments),
+        Source::FromPhotos(arguments) => from_photos::run(arguments),
+    }
+}
+
+/// Set by Ctrl-C while there is something to clean up.
+static CANCEL: AtomicBool = AtomicBool::new(false);
+
+/// From here on Ctrl-C ends the work in order.
+fn catch_interrupts() -> Result<&'static AtomicBool, Failure> {
+    ctrlc::set_handler(|| CANCEL.store(true, Ordering::Relaxed)).map_err(Failure::work)?;
+    Ok(&CANCEL)
+}
+
+fn cancelled() -> Failure {
+    Failure::Work("cancelled: no file was written".to_owned())
+}
+
+fn of_integration(error: FromNormalsError) -> Failure {
+    match error {
+        FromNormalsError::Cancelled(_) => cancelled(),
+        other => Failure::work(other),
+    }
+}
+
+fn of_photos(error: PhotometricError) -> Failure {
+    match error {
+        PhotometricError::Cancelled(_) => cancelled(),
+        other => Failure::work(other),
+    }
+}
+
+/// Heights with what they mean, on their way to a file.
+struct Relief {
+    content: Content,
+    note: HeightNote,
+    how: Integration,
+    /// What of the slopes fits no relief, as a part of them; none of a level map.
+    misfit: Option<f64>,
+}
+
+impl Relief {
+    /// Of integrated heights, with metadata `more` beside those of every height map. `steepness` is the root mean square of
+    /// the slopes that they were made from.
+    fn new(
+        heights: IntegratedHeights,
+        steepness: f64,
+        how: Integration,
+        output: &Output,
+        more: Vec<(&'static str, String)>,
+    ) -> Result<Self, Failure> {
+        let misfit = (steepness > 0.0).then(|| heights.misfit / steepness);
+        let [width, height] = heights.size;
+        let map = heights.to_map(how.wrap).map_err(Failure::work)?;
+        drop(heights);
+        let tile_m = [how.texel_m[0] * f64::from(width), how.texel_m[1] * f64::from(height)];
+        let note = HeightNote { tile_m, scale_m: map.scale_m(), bias_m: map.bias_m() };
+        let Integration { damping, steepest, .. } = how;
+        let guarantee = if damping == 0.0 {
+            "least squares: no other heights have slopes nearer to those given"
+        } else {
+            "least squares of the slopes, and of waves of about two texels by the damping"
+        };
+        let mut entries = vec![
+            ("wrap", how.wrap.name().to_owned()),
+            ("settings", format!("damping={damping} steepest={steepest}")),
+            ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
+            ("units", "lengths in metres; heights in fractions of the scale, above the bias".to_owned()),
+            ("guarantee", guarantee.to_owned()),
+            ("published", "Szirmay-Kalos and Umenhoffer 2008 2.2".to_owned()),
+            ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+            ("channels", "height".to_owned()),
+            ("ranges", "0,1".to_owned()),
+            ("rounding", "nearest".to_owned()),
+            ("stored_as", output.stored_as().to_owned()),
+            ("size", format!("{width} {height} 1")),
+        ];
+        entries.extend(more);
+        let metadata = note.metadata(entries).map_err(|problem| Failure::Work(problem.to_string()))?;
+        let content = Content {
+            size: [width, height],
+            names: &["height"],
+            planes: vec![map.texels().to_vec()],
+            bits: 16,
+            metadata,
+        };
+        Ok(Self { content, note, how, misfit })
+    }
+
+    /// What is the same in the answers of both ways, for machines.
+    fn as_json(&self, output: &Output, seconds: f64) -> Value {
+        let [width, height] = self.content.size;
+        json!({
+            "output": output.path.display().to_string(), "width": width, "height": height, "scale_m": self.note.scale_m,
+            "bias_m": self.note.bias_m, "tile_m": self.note.tile_m, "texel_m": self.how.texel_m,
+            "wrap": self.how.wrap.name(), "damping": self.how.damping, "misfit": self.misfit, "seconds": seconds,
+        })
+    }
+
+    /// The same for people.
+    fn print(&self, out: &mut impl std::io::Write, output: &Output, seconds: f64) -> std::io::Result<()> {
+        let HeightNote { tile_m: [tile_u, tile_v], scale_m, bias_m } = self.note;
+        let [width, height] = self.content.size;
+        writeln!(out, "{}: {width}x{height} heights in {seconds:.2} s", output.path.display())?;
+        if scale_m == 0.0 {
+            writeln!(out, "  relief      none: all normals are alike, and every texel is 0")?;
+        } else {
+            let [zero, one, scale] = [bias_m, bias_m + scale_m, scale_m].map(values::six_digits);
+            writeln!(out, "  relief      0 stands for {zero} m, 1 for {one} m: --scale {scale}")?;
+        }
+        let [tile_u, tile_v] = [tile_u, tile_v].map(values::six_digits);
+        writeln!(out, "  tile        {tile_u} m x {tile_v} m, --wrap {}", self.how.wrap)?;
+        if let Some(misfit) = self.misfit {
+            writeln!(
+                out,
+                "  misfit      {:.2} % of the slopes fit no relief (root mean square)",
+                100.0 * misfit
+            )?;
+        }
+        Ok(())
+    }
+}

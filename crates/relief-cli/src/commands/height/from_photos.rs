@@ -1,0 +1,302 @@
+//! `relief height from-photos`: photographs under known lights to a height map (photometric stereo).
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Args;
+use relief_bake::Progress as BakeProgress;
+use relief_bake::from_normals::{Integration, NormalSlopes, heights_from_slopes};
+use relief_bake::kind::normal::Axes;
+use relief_bake::photometric::{ColourAlbedo, Photo, PhotometricError, Photometry, normals_from_photos};
+use relief_io::{Metadata, Picture, linear_to_srgb, read_picture_as};
+
+use super::lights::Lights;
+use super::output::{Content, Format, Output, Staged, is_same};
+use super::{Common, Relief, WRITTEN, cancelled, catch_interrupts, of_integration, of_photos};
+use crate::failure::Failure;
+use crate::progress::Progress;
+
+/// Bytes a texel that a photograph keeps: its brightness.
+const BYTES_PER_PHOTO: u64 = 4;
+
+/// Bytes a texel that are taken beside the brightnesses at their peak: a picture in colour, then normals, albedo and heights.
+const BYTES_PER_TEXEL: u64 = 60;
+
+/// The damping of photographs' normals, which have noise.
+const DEFAULT_DAMPING: f64 = 0.1;
+
+/// What `relief height from-photos` is given.
+#[derive(Args)]
+#[command(after_help = after_help())]
+pub struct Arguments {
+    /// TOML file that lists the photographs and their lights
+    lights: PathBuf,
+    /// Height map to write
+    #[arg(short, long, value_name = "FILE.png|exr")]
+    output: PathBuf,
+    /// Write the normals, too, with green up (+y): 16-bit PNG or EXR
+    #[arg(long, value_name = "FILE.png|exr")]
+    normals: Option<PathBuf>,
+    /// Write the albedo, too, the colour without light and shadow: 8-bit PNG in sRGB, or EXR in linear light
+    #[arg(long, value_name = "FILE.png|exr")]
+    albedo: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) common: Common,
+}
+
+fn after_help() -> String {
+    format!(
+        "A file of lights:\n\n  # Pictures of one matt thing from one place straight above, each with one distant light on.\n  \
+         [[photo]]\n  file = \"left.png\"         # from the folder of this file\n  \
+         light = [-0.5, 0.0, 0.8]  # to the light: right, up, towards the camera; of any length\n  \
+         [[photo]]\n  file = \"right.png\"\n  light = [0.5, 0.0, 0.8]\n  intensity = 1.2           # brightness of a white \
+         surface that faces it [default: 1]\n  [[photo]]\n  file = \"top.png\"\n  light = [0.0, 0.5, 0.8]\n\n\
+         Three lights or more, not in one plane with the surface. Above the list it may have:\n\n  \
+         linear = true       # integer samples are proportional to light [default: they are sRGB; floats are linear]\n  \
+         shadow = 0.01       # linear brightness up to which a sample is in shadow, and left out\n  \
+         overexposed = 1.0   # linear brightness from which a sample is left out; inf for never\n\n\
+         Example:\n  relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n\n\
+         Where fewer than three lights reach, slopes are filled in from their surroundings. --wrap is clamp, --damping 0.1. \
+         {WRITTEN}"
+    )
+}
+
+/// Reads, solves, integrates and writes.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let started = Instant::now();
+    let common = &arguments.common;
+    common.check()?;
+    let lights = Lights::read(&arguments.lights)?;
+    let outputs = arguments.outputs(&lights)?;
+    let (size, pixels) = {
+        let _reading = Progress::spinner("reading", common.json);
+        read_all(&lights, common)?
+    };
+    let how = Integration {
+        axes: Axes::Tangent,
+        texel_m: common.texel_m.unwrap_or([1.0 / f64::from(size[0]); 2]),
+        wrap: common.wrap.unwrap_or(relief::Wrap::Clamp),
+        damping: common.damping.unwrap_or(DEFAULT_DAMPING),
+        steepest: common.steepest,
+    };
+    // Until here nothing exists that an interrupted program would leave behind.
+    let cancel = catch_interrupts()?;
+    let photos = with_lights(&lights, &pixels);
+    let bar = Progress::bar("solving", common.json);
+    let report = |part: f32| bar.show(part);
+    let progress = BakeProgress::new(&report, cancel);
+    let found = normals_from_photos(size, &photos, lights.exposure, &progress.piece(0.0, 0.5));
+    let found = found.map_err(|error| of_solving(error, &lights))?;
+    let mut staged = Staged::default();
+    let mut brightest = None;
+    if let Some(albedo) = &outputs.albedo {
+        let content = colours(&lights, &photos, &found, size, albedo, common, || {
+            progress.at(0.5).map_err(|_| cancelled())
+        })?;
+        brightest = content.planes.iter().flatten().copied().reduce(f32::max);
+        staged.add(albedo, &encoded(content, albedo.format), cancel)?;
+    }
+    drop(pixels);
+    let unknown = found.known.iter().filter(|known| !**known).count();
+    let photo_misfit = found.misfit;
+    let (slopes, steepness) = {
+        let Photometry { normals: [x, y, z], .. } = found;
+        let vectors: Vec<[f32; 3]> = x.iter().zip(&y).zip(&z).map(|((&x, &y), &z)| [x, y, z]).collect();
+        if let Some(normals) = &outputs.normals {
+            staged.add(normals, &normal_map([x, y, z], size, normals.format)?, cancel)?;
+        }
+        let slopes =
+            NormalSlopes::of_normals(size, &vectors, how.axes, how.steepest).map_err(of_integration)?;
+        let steepness = slopes.steepness();
+        (slopes, steepness)
+    };
+    let [along_u, along_v] = &slopes.along;
+    let heights = heights_from_slopes(size, [along_u, along_v], &how, &progress.piece(0.6, 1.0));
+    let heights = heights.map_err(of_integration)?;
+    drop(slopes);
+    drop(bar);
+    let more = vec![("photographs", lights.photos.len().to_string())];
+    let relief = Relief::new(heights, steepness, how, &outputs.height, more)?;
+    staged.add(&outputs.height, &relief.content, cancel)?;
+    staged.finish()?;
+    let seconds = started.elapsed().as_secs_f64();
+    let mut out = io::stdout().lock();
+    if common.json {
+        let mut about = relief.as_json(&outputs.height, seconds);
+        let name = |output: &Option<Output>| output.as_ref().map(|output| output.path.display().to_string());
+        about["photographs"] = lights.photos.len().into();
+        about["normals"] = name(&outputs.normals).into();
+        about["albedo"] = name(&outputs.albedo).into();
+        about["filled_in"] = unknown.into();
+        about["brightness_misfit"] = photo_misfit.into();
+        writeln!(out, "{about:#}")?;
+        return Ok(());
+    }
+    relief.print(&mut out, &outputs.height, seconds)?;
+    writeln!(out, "  brightness  {photo_misfit:.4} off from what matt normals give (root mean square)")?;
+    if unknown > 0 {
+        writeln!(
+            out,
+            "  normals     {unknown} seen under fewer than three lights, filled in from their surroundings"
+        )?;
+    }
+    for output in [&outputs.normals, &outputs.albedo].into_iter().flatten() {
+        writeln!(out, "  wrote       {}", output.path.display())?;
+    }
+    if let (Some(brightest), Some(Output { format: Format::Png, .. })) = (brightest, &outputs.albedo)
+        && brightest > 1.0
+    {
+        writeln!(
+            out,
+            "  albedo      up to {brightest:.2}, cut off at 1 in the PNG: scale the intensities by that, or write an EXR"
+        )?;
+    }
+    Ok(())
+}
+
+struct Outputs {
+    height: Output,
+    normals: Option<Output>,
+    albedo: Option<Output>,
+}
+
+impl Arguments {
+    /// The outputs, of which none is another or an input.
+    fn outputs(&self, lights: &Lights) -> Result<Outputs, Failure> {
+        let photos = lights.photos.iter().map(|photo| photo.file.as_path());
+        let inputs: Vec<&Path> = photos.chain([self.lights.as_path()]).collect();
+        let optional = |flag: &str, path: &Option<PathBuf>| {
+            path.as_deref().map(|path| Output::new(flag, path, &inputs)).transpose()
+        };
+        let outputs = Outputs {
+            height: Output::new("--output", &self.output, &inputs)?,
+            normals: optional("--normals", &self.normals)?,
+            albedo: optional("--albedo", &self.albedo)?,
+        };
+        let named = [Some(&self.output), self.normals.as_ref(), self.albedo.as_ref()];
+        for (at, path) in named.iter().enumerate() {
+            let Some(path) = path else { continue };
+            if named[..at].iter().flatten().any(|other| is_same(other, path)) {
+                return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
+            }
+        }
+        Ok(outputs)
+    }
+}
+
+fn read_photo(lights: &Lights, photo: usize, max_bytes: u64) -> Result<Picture, Failure> {
+    let file = &lights.photos[photo].file;
+    read_picture_as(file, lights.curve, max_bytes).map_err(|error| lights.of_photo(photo, &error.to_string()))
+}
+
+/// The size of all photographs, and each one's brightness.
+fn read_all(lights: &Lights, common: &Common) -> Result<([u32; 2], Vec<Vec<f32>>), Failure> {
+    let mut size = None;
+    let mut pixels = Vec::with_capacity(lights.photos.len());
+    let kept = BYTES_PER_PHOTO * lights.photos.len() as u64;
+    for photo in 0..lights.photos.len() {
+        let picture = read_photo(lights, photo, common.max_bytes())?;
+        let given = [picture.width, picture.height];
+        let [width, height] = *size.get_or_insert(given);
+        if given != [width, height] {
+            let [first, here] = [0, photo].map(|photo| lights.photos[photo].file.display());
+            let what = format!(
+                "{here} has {}x{} pixels, {first} has {width}x{height}: photographs must be of one size",
+                given[0], given[1]
+            );
+            return Err(lights.of_photo(photo, &what));
+        }
+        common.check_memory(given, BYTES_PER_TEXEL + kept)?;
+        let overexposed = lights.exposure.overexposed;
+        pixels.push(picture.texels.iter().map(|&texel| brightness(texel, overexposed)).collect());
+    }
+    Ok((size.unwrap_or([0, 0]), pixels))
+}
+
+/// The luminance of a colour (BT.709), or overexposed where one of its channels is.
+fn brightness([r, g, b, _]: [f32; 4], overexposed: f32) -> f32 {
+    let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    if r.max(g).max(b) >= overexposed { luminance.max(overexposed) } else { luminance }
+}
+
+fn with_lights<'a>(lights: &Lights, pixels: &'a [Vec<f32>]) -> Vec<Photo<'a>> {
+    let photo = |(photo, pixels): (&super::lights::LitPhoto, &'a Vec<f32>)| Photo {
+        pixels,
+        to_light: photo.to_light,
+        intensity: photo.intensity,
+    };
+    lights.photos.iter().zip(pixels).map(photo).collect()
+}
+
+fn of_solving(error: PhotometricError, lights: &Lights) -> Failure {
+    match error {
+        PhotometricError::BadPixel { photo, column, row, value } => {
+            let what = format!(
+                "{}: pixel ({column}, {row}) has the brightness {value}, which is below 0",
+                lights.photos[photo].file.display()
+            );
+            lights.of_photo(photo, &what)
+        }
+        PhotometricError::NothingKnown => Failure::Work(format!(
+            "{}: no pixel is lit in three photographs whose lights are well spread: samples count from 'shadow' = {} to \
+             'overexposed' = {}",
+            lights.path.display(),
+            lights.exposure.shadow,
+            lights.exposure.overexposed
+        )),
+        other => of_photos(other),
+    }
+}
+
+/// The albedo, for which photographs are read once more, one at a time; `go_on` is asked before each.
+fn colours(
+    lights: &Lights,
+    photos: &[Photo],
+    found: &Photometry,
+    size: [u32; 2],
+    output: &Output,
+    common: &Common,
+    go_on: impl Fn() -> Result<(), Failure>,
+) -> Result<Content, Failure> {
+    let mut albedo = ColourAlbedo::new(found, lights.exposure);
+    for (index, photo) in photos.iter().enumerate() {
+        go_on()?;
+        let picture = read_photo(lights, index, common.max_bytes())?;
+        albedo.add(photo, &picture.texels);
+    }
+    let planes = albedo.finish(size).into();
+    let transfer = if output.format == Format::Png { "sRGB" } else { "linear" };
+    let metadata = metadata("albedo", size, transfer)?;
+    Ok(Content { size, names: &["R", "G", "B"], planes, bits: 8, metadata })
+}
+
+/// Colours as a file of that format holds them.
+fn encoded(mut content: Content, format: Format) -> Content {
+    if format == Format::Png {
+        let values = content.planes.iter_mut().flatten();
+        values.for_each(|value| *value = linear_to_srgb(f64::from(value.clamp(0.0, 1.0))) as f32);
+    }
+    content
+}
+
+/// Normals as a file of that format holds them: fractions in PNG, themselves in EXR.
+fn normal_map(mut planes: [Vec<f32>; 3], size: [u32; 2], format: Format) -> Result<Content, Failure> {
+    if format == Format::Png {
+        planes.iter_mut().flatten().for_each(|value| *value = 0.5 * *value + 0.5);
+    }
+    let metadata = metadata("photometric-normal", size, "tangent, +y up in the picture")?;
+    Ok(Content { size, names: &["R", "G", "B"], planes: planes.into(), bits: 16, metadata })
+}
+
+fn metadata(kind: &str, [width, height]: [u32; 2], space: &str) -> Result<Metadata, Failure> {
+    let entries = [
+        ("kind", kind.to_owned()),
+        ("size", format!("{width} {height} 1")),
+        ("note.space", space.to_owned()),
+        ("published", "Woodham 1980".to_owned()),
+        ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
+    ];
+    let entries = entries.map(|(name, value)| (format!("relief.{name}"), value));
+    Metadata::new(entries.into()).map_err(|problem| Failure::Work(problem.to_string()))
+}

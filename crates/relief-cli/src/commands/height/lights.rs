@@ -1,0 +1,155 @@
+//! The file that lists photographs and their lights: TOML.
+
+use std::fs::File;
+use std::io::Read;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use relief_bake::photometric::{Exposure, PhotometricError, check_lights};
+use relief_io::Curve;
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::failure::Failure;
+
+/// The longest file that is read, in bytes: longer ones are something else.
+const MAX_FILE_BYTES: u64 = 1 << 20;
+
+/// Samples at or below it are in shadow, unless the file says otherwise: 28 of 255 in sRGB.
+const DEFAULT_SHADOW: f32 = 0.01;
+
+/// Samples at or above it are overexposed, unless the file says otherwise: white in files of integers.
+const DEFAULT_OVEREXPOSED: f32 = 1.0;
+
+/// Photographs and their lights.
+pub struct Lights {
+    /// The file.
+    pub path: PathBuf,
+    text: String,
+    pub curve: Curve,
+    pub exposure: Exposure,
+    pub photos: Vec<LitPhoto>,
+}
+
+/// A photograph and its light.
+pub struct LitPhoto {
+    /// Where the picture is.
+    pub file: PathBuf,
+    pub to_light: [f64; 3],
+    pub intensity: f64,
+    /// Where in the text each of them stands.
+    file_at: Range<usize>,
+    light_at: Range<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Text {
+    #[serde(default)]
+    linear: bool,
+    shadow: Option<Spanned<f32>>,
+    overexposed: Option<Spanned<f32>>,
+    #[serde(default)]
+    photo: Vec<PhotoText>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PhotoText {
+    file: Spanned<PathBuf>,
+    light: Spanned<[f64; 3]>,
+    intensity: Option<Spanned<f64>>,
+}
+
+impl Lights {
+    /// Reads the file and checks all that needs no picture. Relative names in it start at the folder that it lies in.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let text = read_text(path).map_err(|what| Failure::Work(format!("{}: {what}", path.display())))?;
+        let found: Text = toml::from_str(&text).map_err(|error| {
+            Failure::Work(format!("{}: {}", path.display(), error.to_string().trim_end()))
+        })?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let mut lights = Self {
+            path: path.to_owned(),
+            curve: if found.linear { Curve::Linear } else { Curve::Srgb },
+            exposure: Exposure { shadow: DEFAULT_SHADOW, overexposed: DEFAULT_OVEREXPOSED },
+            photos: Vec::new(),
+            text,
+        };
+        let number = |value: &Spanned<f32>, must: &str, fits: bool| {
+            let what = format!("{} must be {must}", value.as_ref());
+            if fits { Ok(*value.as_ref()) } else { Err(lights.failure(&value.span(), &what)) }
+        };
+        let mut exposure = lights.exposure;
+        if let Some(shadow) = &found.shadow {
+            exposure.shadow = number(shadow, "from 0 to 1e9", (0.0..=1e9).contains(shadow.as_ref()))?;
+        }
+        if let Some(overexposed) = &found.overexposed {
+            let fits = *overexposed.as_ref() > exposure.shadow;
+            exposure.overexposed = number(overexposed, "above 'shadow' (inf for never)", fits)?;
+        }
+        lights.exposure = exposure;
+        for PhotoText { file, light, intensity } in found.photo {
+            if let Some(intensity) = &intensity
+                && !(1e-12..=1e12).contains(intensity.as_ref())
+            {
+                let what =
+                    format!("the intensity {} must be above 0, from 1e-12 to 1e12", intensity.as_ref());
+                return Err(lights.failure(&intensity.span(), &what));
+            }
+            lights.photos.push(LitPhoto {
+                file_at: file.span(),
+                light_at: light.span(),
+                file: folder.join(file.into_inner()),
+                to_light: light.into_inner(),
+                intensity: intensity.map_or(1.0, Spanned::into_inner),
+            });
+        }
+        lights.check()?;
+        Ok(lights)
+    }
+
+    fn check(&self) -> Result<(), Failure> {
+        let lights: Vec<_> = self.photos.iter().map(|photo| (photo.to_light, photo.intensity)).collect();
+        check_lights(&lights).map_err(|error| match error {
+            PhotometricError::BadLight(photo) => {
+                let what = "the light needs a direction of finite numbers that are not all 0";
+                self.failure(&self.photos[photo].light_at, what)
+            }
+            PhotometricError::TooFew(count) => Failure::Work(format!(
+                "{}: three or more photographs are needed, each under [[photo]], {count} are listed",
+                self.path.display()
+            )),
+            other => Failure::Work(format!("{}: {other}", self.path.display())),
+        })?;
+        // With a light below the surface, or along it, nothing that it shines on is seen.
+        match self.photos.iter().find(|photo| photo.to_light[2] <= 0.0) {
+            Some(photo) => {
+                let what = "the light is not above the surface: its third number, towards the camera, must be above 0";
+                Err(self.failure(&photo.light_at, what))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// What is wrong with the file of a photograph, with its place in the list.
+    pub fn of_photo(&self, photo: usize, what: &str) -> Failure {
+        self.failure(&self.photos[photo].file_at, what)
+    }
+
+    fn failure(&self, at: &Range<usize>, what: &str) -> Failure {
+        let line = self.text[..at.start.min(self.text.len())].matches('\n').count() + 1;
+        Failure::Work(format!("{}, line {line}: {what}", self.path.display()))
+    }
+}
+
+fn read_text(path: &Path) -> Result<String, String> {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes));
+    read.map_err(|error| format!("cannot be read: {error}"))?;
+    let no_list = "no list of lights, which is a short TOML file (--help shows one)";
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        return Err(format!("is too long: {no_list}"));
+    }
+    String::from_utf8(bytes).map_err(|_| format!("holds no text: {no_list}"))
+}

@@ -1,0 +1,38 @@
+//! What every refusal has in common.
+
+use std::path::Path;
+
+use super::command::{Folder, Ran};
+
+/// Where outputs go; nothing else is ever there.
+pub const OUT: &str = "out";
+
+/// What a folder holds.
+pub fn entries(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).expect("the folder is there");
+    entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect()
+}
+
+/// A folder with an empty one for outputs.
+pub fn with_out() -> Folder {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path(OUT)).expect("the temporary folder is writable");
+    folder
+}
+
+/// Fails unless the command failed as it should: with that code, in a paragraph that has those words, without a trace.
+pub fn assert_refused(folder: &Folder, ran: &Ran, code: i32, words: &[&str]) {
+    let Ran { line, stderr, stdout, .. } = ran;
+    assert_eq!(ran.code, Some(code), "relief {line}: {stderr}");
+    assert_eq!(stdout, "", "relief {line}");
+    assert!(stderr.starts_with("error: "), "relief {line}: {stderr}");
+    assert!(!stderr.contains("panicked") && !stderr.contains("RUST_BACKTRACE"), "relief {line}: {stderr}");
+    assert!(stderr.len() > 20, "relief {line}: {stderr}");
+    // What clap refuses has its usage below; everything else is one paragraph.
+    let usage = stderr.contains("\n\nUsage:") || stderr.contains("\n\nFor more information");
+    assert!(usage || !stderr.trim_end().contains("\n\n"), "relief {line}: {stderr}");
+    for word in words {
+        assert!(stderr.contains(word), "relief {line} does not say '{word}': {stderr}");
+    }
+    assert_eq!(entries(&folder.path(OUT)), Vec::<String>::new(), "relief {line} left something behind");
+}

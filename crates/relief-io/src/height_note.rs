@@ -1,0 +1,101 @@
+//! What a height map's file that Relief wrote says of its size in the world.
+
+use std::path::Path;
+
+use crate::source::Format;
+use crate::{Metadata, WriteProblem, read_metadata};
+
+/// The kind that such a file names.
+const KIND: &str = "height";
+
+/// The size in the world of a height map whose texels are in `[0, 1]`, as metadata of its file: `relief.kind` is `height`,
+/// `relief.tile_m` is the tile's length along `u` and `v`, `relief.scale_m` the displacement of 1 above 0 and `relief.bias_m`
+/// that of 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeightNote {
+    /// Length of the tile along `u` and `v` in metres.
+    pub tile_m: [f64; 2],
+    /// Displacement of texel 1 above texel 0 in metres; 0 for a level map.
+    pub scale_m: f64,
+    /// Displacement of texel 0 in metres.
+    pub bias_m: f64,
+}
+
+impl HeightNote {
+    /// The metadata of a file that says so, and `more` beside it, each name without `relief.`.
+    ///
+    /// # Errors
+    ///
+    /// When `more` holds what metadata cannot, or a name of these.
+    pub fn metadata(&self, more: Vec<(&str, String)>) -> Result<Metadata, WriteProblem> {
+        let [tile_u, tile_v] = self.tile_m;
+        let own = [
+            ("kind", KIND.to_owned()),
+            ("tile_m", format!("{tile_u} {tile_v}")),
+            ("scale_m", self.scale_m.to_string()),
+            ("bias_m", self.bias_m.to_string()),
+        ];
+        let entries = own.into_iter().chain(more);
+        Metadata::new(entries.map(|(name, value)| (format!("relief.{name}"), value)).collect())
+    }
+
+    /// What a file says, if it is one that says so. Numbers that cannot be are as good as none.
+    pub(crate) fn of_file(path: &Path, format: Format) -> Option<Self> {
+        if !matches!(format, Format::Png | Format::Exr) {
+            return None;
+        }
+        Self::of(&read_metadata(path).ok()?)
+    }
+
+    fn of(metadata: &Metadata) -> Option<Self> {
+        if metadata.get("relief.kind") != Some(KIND) {
+            return None;
+        }
+        let number = |text: &str| text.parse::<f64>().ok().filter(|number| number.is_finite());
+        let (u, v) = metadata.get("relief.tile_m")?.split_once(' ')?;
+        let tile_m = [number(u)?, number(v)?];
+        let [scale_m, bias_m] =
+            [number(metadata.get("relief.scale_m")?)?, number(metadata.get("relief.bias_m")?)?];
+        (tile_m.iter().all(|side| *side > 0.0) && scale_m >= 0.0).then_some(Self { tile_m, scale_m, bias_m })
+    }
+
+    /// Size of a texel of a map of that size along `u` and `v` in metres.
+    pub(crate) fn texel_size_m(&self, [width, height]: [u32; 2]) -> [f64; 2] {
+        [self.tile_m[0] / f64::from(width), self.tile_m[1] / f64::from(height)]
+    }
+
+    /// The displacement that a texel value stands for, in metres.
+    pub(crate) fn metres(&self, texel: f64) -> f64 {
+        self.bias_m + self.scale_m * texel
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_noted_is_found_and_nonsense_is_not() {
+        let note = HeightNote { tile_m: [2.0, 0.3], scale_m: 0.125, bias_m: -0.1 };
+        let metadata = note.metadata(vec![("wrap", "clamp".to_owned())]).expect("plain text");
+        assert_eq!(HeightNote::of(&metadata), Some(note));
+        assert_eq!(metadata.get("relief.wrap"), Some("clamp"));
+        assert!(note.metadata(vec![("kind", "cone".to_owned())]).is_err());
+        for (key, value) in [
+            ("kind", "normal"),
+            ("tile_m", "1"),
+            ("tile_m", "0 1"),
+            ("tile_m", "nan 1"),
+            ("scale_m", "-1"),
+            ("scale_m", "inf"),
+            ("bias_m", ""),
+        ] {
+            let entries = metadata.iter().map(|(name, old)| {
+                let new = if name == format!("relief.{key}") { value } else { old };
+                (name.to_owned(), new.to_owned())
+            });
+            let changed = Metadata::new(entries.collect()).expect("plain text");
+            assert_eq!(HeightNote::of(&changed), None, "{key} = {value}");
+        }
+    }
+}
