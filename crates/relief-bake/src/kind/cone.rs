@@ -9,19 +9,25 @@
 
 mod apexes;
 mod encoding;
+mod field;
+mod near;
 mod search;
 mod slope;
+mod walk;
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
+use pulp::Simd;
 use rayon::prelude::*;
+use relief::HeightMap;
 use relief::registry::{Param, Source as Publication};
-use relief::{HeightMap, Wrap};
 
 pub(super) use self::apexes::{Apexes, Region};
+pub(super) use self::encoding::texture;
 pub use self::encoding::{decode, encode};
-pub(super) use self::encoding::{ratio, texture};
-pub(super) use self::search::{Field, Node, Seen};
+pub(super) use self::field::Seen;
+pub(super) use self::near::{Block, Lanes, Near, is_in_block, is_inside_block};
+pub(super) use self::search::{CELLS_AROUND, Search, Sort, State, most};
+pub(super) use self::slope::{Patch, inside_segment, to_point};
+pub(super) use self::walk::{Group, LANES, Look};
 use super::{BITS, Kind, Reach};
 use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
 
@@ -102,7 +108,8 @@ pub const KIND: Kind = Kind {
 /// linear in that vector, when it is the same towards the rim of the domain. So `p` is one of the eight ends, or `q` is
 /// a vertex. (3) From an end the supremum over a cell is at a vertex, on an edge, or at a stationary point inside; for a
 /// vertex it is inside a piece, or at its end. All of these are in closed form. (4) A node of the maximum pyramid is skipped only when its
-/// highest point over the lowest apex, at their least distance, is not steeper than what was found. (5) Under repeat all
+/// highest point over the lowest apex, at their least distance, is less steep than what was found by more than a cell can be
+/// steeper than its corners: see the module `walk`. (5) Under repeat all
 /// images that are near enough are looked at. Under clamp and mirror folding the plane onto the map keeps heights and brings no two points
 /// farther apart, so the steepest pairs are on the map itself.
 ///
@@ -115,64 +122,28 @@ pub fn cone_ratios(
     apex: ConeApex,
     progress: &Progress,
 ) -> Result<Vec<f32>, Cancelled> {
-    let field = Field::new(map, metric.texel_m(map));
     let region = if apex == ConeApex::Centre { Region::Centre } else { Region::Footprint };
-    let ratios = each_texel(&field, progress, |texel, seed, stack| {
-        let (slope2, next) = steepest(&field, texel, region, seed, stack);
-        (ratio(slope2, field.texel_m), next)
-    })?;
+    let search = Search::new(map, metric.texel_m(map), region);
+    let ratios = search.ratios(&Empty, progress)?;
     Ok(if apex == ConeApex::Filtered { least_around(map, &ratios) } else { ratios })
 }
 
-/// Computes a value for every texel, in parallel; each computation gets what the one to the left of it handed on, by
-/// which the result must not change.
-pub(super) fn each_texel<V: Send + Copy + Default>(
-    field: &Field,
-    progress: &Progress,
-    value: impl Fn([i64; 2], Option<[i64; 2]>, &mut Vec<Node>) -> (V, Option<[i64; 2]>) + Sync,
-) -> Result<Vec<V>, Cancelled> {
-    // Some hundred microseconds of work.
-    const RUN: usize = 256;
-    let width = field.map.width() as usize;
-    let mut values = vec![V::default(); field.map.texels().len()];
-    let (total, done) = (values.len() as f32, AtomicUsize::new(0));
-    values.par_chunks_mut(width).enumerate().try_for_each(|(row, values)| {
-        let (mut stack, mut seed) = (Vec::with_capacity(64), None);
-        for (run, values) in values.chunks_mut(RUN).enumerate() {
-            for (column, slot) in values.iter_mut().enumerate() {
-                let texel = [(run * RUN + column) as i64, row as i64];
-                (*slot, seed) = value(texel, seed, &mut stack);
-            }
-            let before = done.fetch_add(values.len(), Ordering::Relaxed);
-            progress.at((before + values.len()) as f32 / total)?;
-        }
-        Ok(())
-    })?;
-    Ok(values)
-}
+/// Cones that hold no surface.
+struct Empty;
 
-/// The squared slope of the steepest rise from an apex of the texel, and the cell that it rises to.
-pub(super) fn steepest(
-    field: &Field,
-    texel: [i64; 2],
-    region: Region,
-    seed: Option<[i64; 2]>,
-    stack: &mut Vec<Node>,
-) -> (f64, Option<[i64; 2]>) {
-    let apexes = Apexes::new(field, texel, region);
-    let mut best = 0.0f64;
-    for offset in OWN_CELLS {
-        best = best.max(apexes.own_slope2(&field.cell(texel, offset)));
+impl Sort for Empty {
+    #[inline(always)]
+    fn slopes2<S: Simd>(
+        &self,
+        simd: S,
+        search: &Search,
+        texel: [i64; 2],
+        count: usize,
+        state: &mut State,
+    ) -> Lanes {
+        search.slopes2(simd, texel, count, state)
     }
-    // Distances along the axes are independent, so the nearest image of a point is in a tile beside the apex's.
-    let tiles = if field.map.wrap() == Wrap::Repeat { [1; 2] } else { [0; 2] };
-    let look = |seen: &Seen, best: &mut f64| apexes.raise(seen, false, best);
-    let found = field.visit(&apexes.viewer, tiles, &mut best, seed, stack, look);
-    (best, found.or(seed))
 }
-
-/// The cells around a texel's centre.
-pub(super) const OWN_CELLS: [[i64; 2]; 4] = [[-1, -1], [0, -1], [-1, 0], [0, 0]];
 
 /// The least value of each texel's 3 by 3 neighbourhood.
 fn least_around(map: &HeightMap, values: &[f32]) -> Vec<f32> {

@@ -75,6 +75,7 @@ mod map;
 use relief::registry::{Param, Source as Publication};
 use relief::{HeightMap, MaxPyramid};
 
+use super::levels::Levels;
 use super::{BITS, Kind, Reach};
 use crate::{BakeError, Cancelled, Channel, Progress, Rounding, Settings, Sink, Source, Texture, quantise};
 
@@ -108,7 +109,7 @@ const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [
 pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, Cancelled> {
     let begin = progress.piece(0.0, 0.02);
     let top = MaxPyramid::try_new(map, |part| begin.at(part))?.nodes(0).to_vec();
-    let levels = least_slopes::Levels::new(map);
+    let levels = Levels::new(map);
     let slopes = |place: usize| {
         let progress = progress.piece(0.02 + 0.245 * place as f32, 0.02 + 0.245 * (place + 1) as f32);
         least_slopes::least_slopes(map, &top, &levels, QUADRANTS[place], &progress)

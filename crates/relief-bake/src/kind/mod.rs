@@ -6,6 +6,7 @@ pub mod dilation_erosion;
 pub mod distance;
 pub mod frustum;
 pub mod horizon;
+mod levels;
 pub mod normal;
 pub mod occlusion;
 pub mod pyramid;

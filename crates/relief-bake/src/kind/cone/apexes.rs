@@ -1,10 +1,15 @@
-//! The apexes of a texel, and the steepest slope from any of them to a cell.
+//! The apexes of a texel, and the steepest slope from any of them to what is around a vertex.
 
-use super::search::{Field, MARGIN, Seen, Viewer, is_pruned};
-use super::slope::{Patch, inside_segment, to_point};
+use pulp::Simd;
 
-/// Half the side of a texel, in texels: the box of apexes of the `footprint`.
-const HALF: f64 = 0.5;
+use super::field::Seen;
+use super::slope::{Patch, inside_segment, may_peak_inside};
+
+/// The most apexes of a texel.
+pub(in crate::kind) const APEXES: usize = 8;
+
+/// One number for each apex.
+pub(in crate::kind) type PerApex = [f64; APEXES];
 
 /// Where the apexes of a texel are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,158 +20,203 @@ pub(in crate::kind) enum Region {
     Footprint,
 }
 
-/// A point of the surface in the texel's square.
-#[derive(Clone, Copy, Debug, Default)]
-struct Apex {
-    /// Place in texels from the texel's centre.
-    at: [f64; 2],
-    height: f64,
+impl Region {
+    /// Half the side of the box of apexes, in texels.
+    pub const fn half(self) -> f64 {
+        match self {
+            Region::Centre => 0.0,
+            Region::Footprint => 0.5,
+        }
+    }
+
+    /// How many apexes suffice.
+    pub const fn count(self) -> usize {
+        match self {
+            Region::Centre => 1,
+            Region::Footprint => APEXES,
+        }
+    }
+
+    /// Place of an apex in metres from the texel's centre.
+    pub fn apex_m(self, apex: usize, texel_m: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| f64::from(RIM[apex][axis]) * self.half() * texel_m[axis])
+    }
 }
 
-/// The apexes of one texel that suffice: see [`super::footprint_slopes2`]'s proof.
-#[derive(Clone, Debug)]
+/// The apexes of a footprint, in order along the rim of the texel's square, as columns and rows of the 3 by 3 points at -1, 0 and 1
+/// times half its side.
+pub(super) const RIM: [[i8; 2]; APEXES] =
+    [[-1, -1], [0, -1], [1, -1], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]];
+
+/// A bit for each apex.
+const APEX_BITS: [u64; APEXES] = [1, 2, 4, 8, 16, 32, 64, 128];
+
+/// Where the apexes of every texel are: those that suffice, see the proof of [`super::cone_ratios`].
+pub(in crate::kind) struct Places {
+    pub region: Region,
+    pub texel_m: [f64; 2],
+    per_side: [f64; 2],
+    /// In metres from the texel's centre along `u` and `v`, in the order of [`RIM`]; all at the centre without a footprint.
+    at_m: [PerApex; 2],
+}
+
+/// The apexes of one texel.
+#[derive(Clone, Copy, Debug)]
 pub(in crate::kind) struct Apexes {
-    pub viewer: Viewer,
-    texel_m: [f64; 2],
-    /// Heights of the 3 by 3 points at -½, 0 and ½ around the centre (all the centre's own without a footprint).
-    grid: [[f64; 3]; 3],
-    region: Region,
+    /// The texel.
+    pub texel: [i64; 2],
+    /// Their heights; all the centre's without a footprint.
+    pub heights: PerApex,
+    /// The height of the centre.
+    pub centre: f64,
+    /// The lowest height.
+    pub low: f64,
 }
-
-/// The points of the rim in order, as columns and rows of the grid.
-const RIM: [[usize; 2]; 8] = [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [1, 2], [0, 2], [0, 1]];
 
 impl Apexes {
-    pub fn new(field: &Field, texel: [i64; 2], region: Region) -> Self {
-        let near = |i: i64, j: i64| f64::from(field.map.texel(texel[0] + i, texel[1] + j));
-        let mut grid = [[near(0, 0); 3]; 3];
-        if region == Region::Footprint {
-            let texels = [-1, 0, 1].map(|j| [-1, 0, 1].map(|i| near(i, j)));
-            let columns = texels.map(|[a, b, c]| [0.5 * (a + b), b, 0.5 * (b + c)]);
-            for k in 0..3 {
-                let [a, b, c] = [0, 1, 2].map(|row: usize| columns[row][k]);
-                (grid[0][k], grid[1][k], grid[2][k]) = (0.5 * (a + b), b, 0.5 * (b + c));
-            }
+    #[inline(always)]
+    pub fn new(texel: [i64; 2], heights: PerApex, centre: f64) -> Self {
+        Self { texel, heights, centre, low: heights.into_iter().fold(centre, f64::min) }
+    }
+}
+
+impl Places {
+    pub fn new(region: Region, texel_m: [f64; 2]) -> Self {
+        let at_m = [0, 1].map(|axis| std::array::from_fn(|apex| region.apex_m(apex, texel_m)[axis]));
+        Self { region, texel_m, per_side: texel_m.map(|side| 1.0 / side), at_m }
+    }
+
+    /// Metres along an axis from the apexes to a vertex so many texels away.
+    #[inline(always)]
+    fn place<S: Simd>(&self, simd: S, by: [i64; 2], axis: usize, part: usize) -> S::f64s {
+        let to = simd.splat_f64s(by[axis] as f64 * self.texel_m[axis]);
+        simd.sub_f64s(to, S::as_simd_f64s(&self.at_m[axis]).0[part])
+    }
+
+    /// Squared metres along an axis to cells that begin at those places.
+    #[inline(always)]
+    fn gap2<S: Simd>(&self, simd: S, from: S::f64s, axis: usize) -> S::f64s {
+        let zero = simd.splat_f64s(0.0);
+        let to = simd.add_f64s(from, simd.splat_f64s(self.texel_m[axis]));
+        let gap = simd.max_f64s(simd.max_f64s(from, simd.sub_f64s(zero, to)), zero);
+        simd.mul_f64s(gap, gap)
+    }
+
+    /// Squared slopes of the rises from the apexes to a vertex so many texels away.
+    #[inline(always)]
+    pub fn to_vertex<S: Simd>(&self, simd: S, apexes: &Apexes, by: [i64; 2], height: f64) -> PerApex {
+        let mut slopes = [0.0; APEXES];
+        for (part, slopes) in S::as_mut_simd_f64s(&mut slopes).0.iter_mut().enumerate() {
+            let (x, y) = (self.place(simd, by, 0, part), self.place(simd, by, 1, part));
+            let rise = simd.sub_f64s(simd.splat_f64s(height), S::as_simd_f64s(&apexes.heights).0[part]);
+            let rise = simd.max_f64s(rise, simd.splat_f64s(0.0));
+            let squared = simd.add_f64s(simd.mul_f64s(x, x), simd.mul_f64s(y, y));
+            *slopes = simd.div_f64s(simd.mul_f64s(rise, rise), squared);
         }
-        let low = grid.iter().flatten().copied().fold(f64::INFINITY, f64::min);
-        let half = if region == Region::Footprint { HALF } else { 0.0 };
-        Self { viewer: Viewer { texel, half, low }, texel_m: field.texel_m, grid, region }
+        slopes
     }
 
-    /// Height of the surface at the points -½, 0 and ½ texels from the centre.
-    pub fn grid(&self) -> &[[f64; 3]; 3] {
-        &self.grid
+    /// Squared slopes from the apexes to the steepest point strictly inside the edge from a vertex so many texels away to the next
+    /// one along an axis: [`inside_segment`] for all apexes at once.
+    #[inline(always)]
+    pub fn to_edge<S: Simd>(
+        &self,
+        simd: S,
+        apexes: &Apexes,
+        by: [i64; 2],
+        axis: usize,
+        heights: [f64; 2],
+    ) -> PerApex {
+        let (zero, side) = (simd.splat_f64s(0.0), self.texel_m[axis]);
+        let beta = simd.splat_f64s((heights[1] - heights[0]) / side);
+        let mut slopes = [0.0; APEXES];
+        for (part, slopes) in S::as_mut_simd_f64s(&mut slopes).0.iter_mut().enumerate() {
+            let (from, beside) = (self.place(simd, by, axis, part), self.place(simd, by, 1 - axis, part));
+            let to = simd.add_f64s(from, simd.splat_f64s(side));
+            let squared = simd.mul_f64s(beside, beside);
+            let rise = simd.sub_f64s(simd.splat_f64s(heights[0]), S::as_simd_f64s(&apexes.heights).0[part]);
+            let alpha = simd.sub_f64s(rise, simd.mul_f64s(beta, from));
+            let scaled = simd.mul_f64s(beta, squared);
+            let inside = simd.and_m64s(
+                simd.and_m64s(simd.less_than_f64s(zero, squared), simd.less_than_f64s(zero, alpha)),
+                simd.and_m64s(
+                    simd.less_than_f64s(simd.mul_f64s(from, alpha), scaled),
+                    simd.less_than_f64s(scaled, simd.mul_f64s(to, alpha)),
+                ),
+            );
+            let far = simd.div_f64s(simd.mul_f64s(alpha, alpha), squared);
+            *slopes = simd.select_f64s(inside, simd.add_f64s(simd.mul_f64s(beta, beta), far), zero);
+        }
+        slopes
     }
 
-    fn apex(&self, [column, row]: [usize; 2]) -> Apex {
-        let place = |k: usize| (k as f64 - 1.0) * self.viewer.half;
-        Apex { at: [place(column), place(row)], height: self.grid[row][column] }
+    /// What the squared slope of one end of a segment of that length is at least, in parts of what it is anywhere on the segment
+    /// from the apexes, when the segment is not farther than `reach` texels along either axis from the vertex so many texels away:
+    /// see [`super::walk`]. Not positive where nothing is known.
+    #[inline(always)]
+    pub fn turn(&self, by: [i64; 2], reach: f64, length_m: f64) -> f64 {
+        let gap =
+            |axis: usize| (by[axis].abs() as f64 - reach - self.region.half()).max(0.0) * self.texel_m[axis];
+        1.0 - 0.25 * length_m * length_m / (gap(0) * gap(0) + gap(1) * gap(1))
+    }
+
+    /// The apexes, a bit each, from which the inside of a cell may be steeper than its edges and than `best`.
+    #[inline(always)]
+    pub fn may_peak_inside<S: Simd>(&self, simd: S, apexes: &Apexes, seen: &Seen, best: f64) -> u64 {
+        let mut bits = [0u64; APEXES];
+        // Written out: a closure within `map` would not be compiled for the vectors.
+        let [h00, h10, h01, h11] = seen.heights;
+        let corners =
+            [simd.splat_f64s(h00), simd.splat_f64s(h10), simd.splat_f64s(h01), simd.splat_f64s(h11)];
+        let best = simd.splat_f64s(best);
+        for (part, bits) in S::as_mut_simd_u64s(&mut bits).0.iter_mut().enumerate() {
+            let x = self.place(simd, seen.offset, 0, part);
+            let y = self.place(simd, seen.offset, 1, part);
+            let gap2 = simd.add_f64s(self.gap2(simd, x, 0), self.gap2(simd, y, 1));
+            let apex = S::as_simd_f64s(&apexes.heights).0[part];
+            let may = may_peak_inside(simd, corners, apex, [x, y], self.per_side, gap2, best);
+            *bits = simd.select_u64s(may, S::as_simd_u64s(&APEX_BITS).0[part], simd.splat_u64s(0));
+        }
+        bits.into_iter().fold(0, |all, bit| all | bit)
     }
 
     /// Squared metres from a box of offsets in texels to the box of apexes.
+    #[inline(always)]
     pub fn distance2(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
-        let half = self.viewer.half;
+        let half = self.region.half();
         let gap = |axis: usize| (from[axis] - half).max(-half - to[axis]).max(0.0) * self.texel_m[axis];
         gap(0) * gap(0) + gap(1) * gap(1)
     }
 
-    /// Squared slope of the patch itself around the apexes: of every direction for a footprint, of those into the cell
-    /// for a centre. `seen` is one of the four cells around the centre.
-    pub fn own_slope2(&self, seen: &Seen) -> f64 {
-        let [h00, h10, h01, h11] = seen.heights;
-        let [ax, ay] = self.texel_m;
-        // The corner that is the centre, and the far end of the part of the cell that is in the texel.
-        let corner = seen.offset.map(|offset| if offset == 0 { 0.0 } else { 1.0 });
-        let along_x = |v: f64| ((h10 - h00) * (1.0 - v) + (h11 - h01) * v) / ax;
-        let along_y = |u: f64| ((h01 - h00) * (1.0 - u) + (h11 - h10) * u) / ay;
-        match self.region {
-            Region::Centre => {
-                let into = |slope: f64, corner: f64| if corner == 0.0 { slope } else { -slope };
-                let (x, y) = (into(along_x(corner[1]), corner[0]), into(along_y(corner[0]), corner[1]));
-                // A gradient that leaves the cell is left to the cell's edges.
-                if x > 0.0 && y > 0.0 { x * x + y * y } else { 0.0 }
-            }
-            Region::Footprint => {
-                let steepest = |slope: &dyn Fn(f64) -> f64, corner: f64| {
-                    let (a, b) = (slope(corner), slope(0.5));
-                    (a * a).max(b * b)
-                };
-                steepest(&along_x, corner[1]) + steepest(&along_y, corner[0])
-            }
+    /// The heights of the 3 by 3 points at -1, 0 and 1 times half the side of the box of apexes, row by row.
+    pub fn grid(&self, apexes: &Apexes) -> [[f64; 3]; 3] {
+        let mut grid = [[apexes.centre; 3]; 3];
+        for ([column, row], height) in RIM.into_iter().zip(apexes.heights) {
+            grid[(row + 1) as usize][(column + 1) as usize] = height;
+        }
+        grid
+    }
+
+    /// A cell as seen from an apex.
+    #[inline(always)]
+    pub fn patch(&self, apexes: &Apexes, apex: usize, seen: &Seen) -> Patch {
+        Patch {
+            corner: [0, 1].map(|axis| seen.offset[axis] as f64 * self.texel_m[axis] - self.at_m[axis][apex]),
+            size: self.texel_m,
+            rise: seen.heights.map(|height| height - apexes.heights[apex]),
         }
     }
 
-    /// Raises `best` to the squared slope of the steepest rise from an apex to a point of the cell: to its corner `h00`
-    /// and the two edges and the inside that begin there, or to all of it. A slope in a patch that holds the apex itself
-    /// is left to [`Self::own_slope2`].
-    pub fn raise(&self, seen: &Seen, whole: bool, best: &mut f64) {
-        let highest = seen.heights.iter().copied().fold(0.0, f64::max);
-        let from = seen.offset.map(|offset| offset as f64);
-        let to = from.map(|from| from + 1.0);
-        if is_pruned(highest - self.viewer.low, self.distance2(from, to), *best) {
-            return;
+    /// Squared slope to a vertex from the steepest point inside the piece of the rim that follows an apex.
+    pub fn rim_slope2(&self, apexes: &Apexes, apex: usize, vertex: [i64; 2], height: f64) -> f64 {
+        let mut ends = [apex, (apex + 1) % APEXES];
+        // The rim turns back; a segment runs forward.
+        if RIM[ends[0]] > RIM[ends[1]] {
+            ends.reverse();
         }
-        match self.region {
-            Region::Centre => self.raise_from(&self.apex([1, 1]), seen, highest, whole, best),
-            Region::Footprint => {
-                for point in RIM {
-                    self.raise_from(&self.apex(point), seen, highest, whole, best);
-                }
-                self.raise_from_rim([from[0], from[1]], seen.heights[0], best);
-                if whole {
-                    self.raise_from_rim([to[0], from[1]], seen.heights[1], best);
-                    self.raise_from_rim([from[0], to[1]], seen.heights[2], best);
-                    self.raise_from_rim([to[0], to[1]], seen.heights[3], best);
-                }
-            }
-        }
-    }
-
-    fn raise_from(&self, apex: &Apex, seen: &Seen, highest: f64, whole: bool, best: &mut f64) {
-        let [ax, ay] = self.texel_m;
-        let x0 = (seen.offset[0] as f64 - apex.at[0]) * ax;
-        let y0 = (seen.offset[1] as f64 - apex.at[1]) * ay;
-        let (x1, y1) = (x0 + ax, y0 + ay);
-        let gap = [x0.max(-x1).max(0.0), y0.max(-y1).max(0.0)];
-        if is_pruned(highest - apex.height, gap[0] * gap[0] + gap[1] * gap[1], *best) {
-            return;
-        }
-        let rise = seen.heights.map(|height| height - apex.height);
-        let corners = [[x0, y0], [x1, y0], [x0, y1], [x1, y1]];
-        let slopes = [0, 1, 2, 3].map(|k: usize| to_point(rise[k], corners[k]));
-        // A point of the cell rises by a mean of its corners' rises, and no corner is farther than it by more than the
-        // diagonal: it is steeper than the steepest corner by at most the diagonal over its own distance.
-        let steepest = slopes.iter().copied().fold(0.0, f64::max);
-        let (gap2, diagonal2) = (gap[0] * gap[0] + gap[1] * gap[1], ax * ax + ay * ay);
-        if gap2 > 0.0 && steepest * MARGIN * (1.0 + (diagonal2 / gap2).sqrt()).powi(2) <= *best {
-            return;
-        }
-        let mut top = if whole { steepest } else { slopes[0] };
-        top = top.max(inside_segment([rise[0], rise[1]], x0, x1, y0));
-        top = top.max(inside_segment([rise[0], rise[2]], y0, y1, x0));
-        if whole {
-            top = top.max(inside_segment([rise[2], rise[3]], x0, x1, y1));
-            top = top.max(inside_segment([rise[1], rise[3]], y0, y1, x1));
-        }
-        top = top.max(Patch { corner: [x0, y0], size: [ax, ay], rise }.inside());
-        *best = best.max(top);
-    }
-
-    /// Raises `best` to the squared slope to a vertex from the steepest point inside the eight pieces of the rim.
-    fn raise_from_rim(&self, vertex: [f64; 2], height: f64, best: &mut f64) {
-        if is_pruned(height - self.viewer.low, self.distance2(vertex, vertex), *best) {
-            return;
-        }
-        for (k, &point) in RIM.iter().enumerate() {
-            let (a, b) = (self.apex(point), self.apex(RIM[(k + 1) % RIM.len()]));
-            let along = usize::from(a.at[0] == b.at[0]);
-            let place = |apex: &Apex, axis: usize| (apex.at[axis] - vertex[axis]) * self.texel_m[axis];
-            let beside = place(&a, 1 - along);
-            let rise = [height - a.height, height - b.height];
-            if is_pruned(rise[0].max(rise[1]), beside * beside, *best) {
-                continue;
-            }
-            *best = best.max(inside_segment(rise, place(&a, along), place(&b, along), beside));
-        }
+        let along = usize::from(RIM[ends[0]][0] == RIM[ends[1]][0]);
+        let place = |end: usize, axis: usize| self.at_m[axis][end] - vertex[axis] as f64 * self.texel_m[axis];
+        let rise = ends.map(|end| height - apexes.heights[end]);
+        inside_segment(rise, place(ends[0], along), place(ends[1], along), place(ends[0], 1 - along))
     }
 }

@@ -1,215 +1,306 @@
-//! Every dual cell that may matter to a texel, and few others: a descent of the maximum pyramid.
+//! Texels side by side, from the cells around them outward.
 
-use relief::{HeightMap, MaxPyramid, Wrap};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A bound is trusted to prune only when it is below by more than rounding, so that what is found does not depend on what
-/// is looked at first.
-pub(super) const MARGIN: f64 = 1.0 + 1e-9;
+use pulp::{Arch, Simd, WithSimd};
+use rayon::prelude::*;
+use relief::{HeightMap, Wrap};
 
-/// The map, its pyramid and the size of its texels.
-pub(in crate::kind) struct Field<'a> {
-    pub map: &'a HeightMap,
-    pub texel_m: [f64; 2],
-    pyramid: MaxPyramid,
-    size: [i64; 2],
-    /// How many tiles away, along either axis, a point may be nearer than the highest point of the nearest tiles.
-    pub most_tiles: [i64; 2],
+use super::apexes::{APEXES, Apexes, PerApex, Places, Region};
+use super::encoding::ratio;
+use super::field::{Field, Seen};
+use super::near::{Block, Lanes, Near, REACH, is_in_block, is_inside_block};
+use super::walk::{Group, LANES, Look, Walk};
+use crate::{Cancelled, Progress};
+
+/// Rows that go on from one to the next: what was steepest for a texel is mostly steepest, or nearly, for the one below.
+const ROWS: usize = 32;
+
+/// A bound is trusted to prune only when it is below by more than rounding.
+const MARGIN: f64 = 1.0 + 1e-9;
+
+/// A map and all that its texels are searched with.
+pub(in crate::kind) struct Search<'a> {
+    pub field: Field<'a>,
+    pub places: Places,
+    pub near: Near,
+    pub walk: Walk<'a>,
 }
 
-/// A dual cell as seen from a texel.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::kind) struct Seen {
-    /// Corner `h00` in texels from the texel's centre.
-    pub offset: [i64; 2],
-    /// The heights `h00 h10 h01 h11`.
-    pub heights: [f64; 4],
+/// What goes on from row to row.
+pub(in crate::kind) struct State {
+    pub group: Group,
+    /// The vertex that was steepest for the texel above, for each lane.
+    pub seeds: [Option<[i64; 2]>; LANES],
 }
 
-/// The texel, its apexes' box and their lowest height.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::kind) struct Viewer {
-    /// Column and row.
-    pub texel: [i64; 2],
-    /// Half the side of the box of apexes, in texels.
-    pub half: f64,
-    /// Lowest apex.
-    pub low: f64,
-}
-
-/// A node of the pyramid that is still to be looked into.
-#[derive(Clone, Copy)]
-pub(in crate::kind) struct Node {
-    level: usize,
-    at: [u32; 2],
-    rise: f64,
-    distance2: f64,
-}
-
-impl<'a> Field<'a> {
-    pub fn new(map: &'a HeightMap, texel_m: [f64; 2]) -> Self {
-        let size = [i64::from(map.width()), i64::from(map.height())];
-        // Some image of the highest point is in the tile around an apex, and so not farther than a tile's diagonal.
-        let tile_m = [0, 1].map(|axis| texel_m[axis] * size[axis] as f64);
-        let diagonal = tile_m[0].hypot(tile_m[1]);
-        let most_tiles = tile_m.map(|side| ((diagonal / side).ceil() + 1.0).min(1e6) as i64);
-        Self { map, texel_m, pyramid: MaxPyramid::new(map), size, most_tiles }
-    }
-
-    /// How many images of the map may have to be looked at.
-    pub fn most_images(&self) -> i64 {
-        self.most_tiles.iter().map(|tiles| 2 * tiles + 1).product()
-    }
-
-    /// The cell at that offset from a texel, whether or not it is in the map.
-    pub fn cell(&self, texel: [i64; 2], offset: [i64; 2]) -> Seen {
-        let [i, j] = [texel[0] + offset[0], texel[1] + offset[1]];
-        let heights = if i >= 0 && j >= 0 && i + 1 < self.size[0] && j + 1 < self.size[1] {
-            // Inside nothing wraps, which is the costlier part of a read.
-            let first = (j * self.size[0] + i) as usize;
-            let texels = self.map.texels();
-            let below = first + self.size[0] as usize;
-            [texels[first], texels[first + 1], texels[below], texels[below + 1]].map(f64::from)
-        } else {
-            self.map.cell(i, j).map(f64::from)
-        };
-        Seen { offset, heights }
-    }
-
-    /// Calls `look` for every cell that may hold a point with a squared slope above `best` from an apex, which `look`
-    /// raises, in the map and in its images at most so many tiles away. Returns the cell that raised it
-    /// last; a cell returned for a texel nearby is a good seed.
-    ///
-    /// A map that does not repeat goes on for half a cell before its first texels, so that cell -1 comes with cell 0, which
-    /// is as high. Images are looked at outward until their highest point is too far to matter.
-    pub fn visit(
+/// A sort of cone. What it does is to be inlined always, so that it is compiled for the vectors that the machine has.
+pub(in crate::kind) trait Sort: Sync {
+    /// Squared slopes of the cones of `count` texels from the one given.
+    fn slopes2<S: Simd>(
         &self,
-        viewer: &Viewer,
-        tiles: [i64; 2],
-        best: &mut f64,
-        seed: Option<[i64; 2]>,
-        stack: &mut Vec<Node>,
-        mut look: impl FnMut(&Seen, &mut f64),
-    ) -> Option<[i64; 2]> {
-        let mut raised_by = None;
-        let mut leaf = |cell: [i64; 2], best: &mut f64| {
-            let before = *best;
-            let offset = [cell[0] - viewer.texel[0], cell[1] - viewer.texel[1]];
-            look(&self.cell(viewer.texel, offset), best);
-            if *best > before {
-                raised_by = Some(cell);
-            }
-        };
-        if let Some(cell) = seed {
-            leaf(cell, best);
+        simd: S,
+        search: &Search,
+        texel: [i64; 2],
+        count: usize,
+        state: &mut State,
+    ) -> Lanes;
+}
+
+/// Offsets of the cells around a vertex.
+pub(in crate::kind) const CELLS_AROUND: [[i64; 2]; 4] = [[-1, -1], [0, -1], [-1, 0], [0, 0]];
+
+impl<'a> Search<'a> {
+    pub fn new(map: &'a HeightMap, texel_m: [f64; 2], region: Region) -> Self {
+        Self {
+            field: Field::new(map),
+            places: Places::new(region, texel_m),
+            // From the rim to the vertices on the rim of the block is left to the walk: hardly any of them needs it.
+            near: Near::new(texel_m, region, REACH, REACH - 1),
+            walk: Walk::new(map, texel_m, region.half()),
         }
-        for y in 0..=tiles[1] {
-            let mut is_row_open = false;
-            for y in signs(y) {
-                for x in 0..=tiles[0] {
-                    let mut is_open = false;
-                    for x in signs(x) {
-                        is_open |= self.visit_tile(viewer, [x, y], best, stack, &mut leaf);
-                    }
-                    if !is_open {
-                        break;
-                    }
-                    is_row_open = true;
+    }
+
+    /// The ratio of every texel for a sort of cone.
+    pub fn ratios<K: Sort>(&self, sort: &K, progress: &Progress) -> Result<Vec<f32>, Cancelled> {
+        let width = self.field.map.width() as usize;
+        let mut ratios = vec![0.0f32; self.field.map.texels().len()];
+        let (total, done) = (ratios.len() as f32, AtomicUsize::new(0));
+        let arch = Arch::new();
+        ratios.par_chunks_mut(width * ROWS).enumerate().try_for_each(|(band, ratios)| {
+            for first in (0..width).step_by(LANES) {
+                let count = LANES.min(width - first);
+                let texel = [first as i64, (band * ROWS) as i64];
+                arch.dispatch(Columns { search: self, sort, texel, count, ratios });
+                let now = count * ratios.len() / width;
+                let before = done.fetch_add(now, Ordering::Relaxed);
+                progress.at((before + now) as f32 / total)?;
+            }
+            Ok(())
+        })?;
+        Ok(ratios)
+    }
+
+    /// The apexes of the texels from the one given; beyond the last, those of more of its row.
+    #[inline(always)]
+    pub fn apexes(&self, block: &Block, texel: [i64; 2]) -> [Apexes; LANES] {
+        std::array::from_fn(|lane| block.apexes(lane, [texel[0] + lane as i64, texel[1]]))
+    }
+
+    /// Squared slopes to everything: the least that a cone that holds no surface must have.
+    #[inline(always)]
+    pub fn slopes2<S: Simd>(&self, simd: S, texel: [i64; 2], count: usize, state: &mut State) -> Lanes {
+        let block = Block::new(&self.field, texel, self.places.region);
+        let apexes = self.apexes(&block, texel);
+        let mut best = self.near_slopes2(simd, &self.near, &block, &apexes, count);
+        let State { group, seeds } = state;
+        group.begin(texel);
+        for lane in 0..count {
+            let (apexes, best) = (&apexes[lane], &mut best[lane]);
+            if let Some(seed) = seeds[lane] {
+                let by = [0, 1].map(|axis| seed[axis] - apexes.texel[axis]);
+                let height = f64::from(self.field.map.texel(seed[0], seed[1]));
+                *best = most(&self.places.to_vertex(simd, apexes, by, height)).max(*best);
+            }
+            self.walk.lower(group, lane, apexes.low);
+            self.walk.raise_bar(group, lane, *best);
+        }
+        // Distances along the axes are independent, so the nearest image of a point is in a tile beside the apex's.
+        let tiles = if self.field.map.wrap() == Wrap::Repeat { [1; 2] } else { [0; 2] };
+        self.walk.walk(
+            simd,
+            group,
+            tiles,
+            &mut Steepest { search: self, apexes: &apexes, best: &mut best, seeds },
+        );
+        best
+    }
+
+    /// Squared slopes to the cells that some rules are of.
+    #[inline(always)]
+    pub fn near_slopes2<S: Simd>(
+        &self,
+        simd: S,
+        near: &Near,
+        block: &Block,
+        apexes: &[Apexes; LANES],
+        count: usize,
+    ) -> Lanes {
+        let (mut best, sets) = near.slopes2(simd, block);
+        for (apex, set) in sets.iter().enumerate() {
+            for lane in 0..count {
+                for cell in bits_of(set[lane]) {
+                    let patch = self.places.patch(&apexes[lane], apex, &block.cell(lane, cell));
+                    best[lane] = patch.inside(best[lane]).max(best[lane]);
                 }
             }
-            if !is_row_open {
-                break;
-            }
         }
-        raised_by
+        best
     }
 
-    /// Visits one image of the map; whether it is near enough to matter.
-    fn visit_tile(
-        &self,
-        viewer: &Viewer,
-        tile: [i64; 2],
-        best: &mut f64,
-        stack: &mut Vec<Node>,
-        leaf: &mut impl FnMut([i64; 2], &mut f64),
-    ) -> bool {
-        let root = self.node(viewer, tile, self.pyramid.levels() - 1, [0, 0]);
-        if is_pruned(root.rise, root.distance2, *best) {
-            return false;
+    /// The greatest squared slope to a cell; or less, when it is not above `least`.
+    #[inline(always)]
+    pub fn to_cell<S: Simd>(&self, simd: S, apexes: &Apexes, seen: &Seen, least: f64) -> f64 {
+        let (places, [h00, h10, h01, h11]) = (&self.places, seen.heights);
+        let [x, y] = seen.offset;
+        let mut best = least;
+        for (vertex, height) in [([x, y], h00), ([x + 1, y], h10), ([x, y + 1], h01), ([x + 1, y + 1], h11)] {
+            let slopes = places.to_vertex(simd, apexes, vertex, height);
+            best = most(&slopes).max(best);
+            self.raise_to_rim(apexes, vertex, height, &slopes, &mut best);
         }
-        stack.clear();
-        stack.push(root);
-        while let Some(node) = stack.pop() {
-            if is_pruned(node.rise, node.distance2, *best) {
+        for (from, axis, heights) in [
+            ([x, y], 0, [h00, h10]),
+            ([x, y + 1], 0, [h01, h11]),
+            ([x, y], 1, [h00, h01]),
+            ([x + 1, y], 1, [h10, h11]),
+        ] {
+            best = most(&places.to_edge(simd, apexes, from, axis, heights)).max(best);
+        }
+        for apex in bits_of(places.may_peak_inside(simd, apexes, seen, best)) {
+            if apex < places.region.count() {
+                best = places.patch(apexes, apex, seen).inside(best).max(best);
+            }
+        }
+        best
+    }
+
+    /// Raises `best` to the squared slopes from the rim to a vertex, when those from the apexes are given.
+    #[inline(always)]
+    fn raise_to_rim(&self, apexes: &Apexes, by: [i64; 2], height: f64, slopes: &PerApex, best: &mut f64) {
+        let places = &self.places;
+        let turn = places.turn(by, 0.0, 0.5 * self.walk.side_m());
+        if places.region == Region::Centre || most(slopes) * MARGIN < *best * turn {
+            return;
+        }
+        for apex in 0..APEXES {
+            if slopes[apex].max(slopes[(apex + 1) % APEXES]) * MARGIN >= *best * turn {
+                *best = places.rim_slope2(apexes, apex, by, height).max(*best);
+            }
+        }
+    }
+
+    /// Whether anything around a vertex with that squared slope may be steeper than `best`: see [`super::walk`].
+    #[inline(always)]
+    pub fn may_be_steeper_around(&self, by: [i64; 2], slope2: f64, best: f64) -> bool {
+        let turn = self.places.turn(by, 1.0, self.walk.side_m());
+        turn <= 0.0 || slope2 * MARGIN >= best * turn * turn
+    }
+
+    /// Raises `best` to the squared slopes to the edges and the insides of cells around a vertex, outside of the block, and to the
+    /// vertex from the rim, when the squared slopes to the vertex itself are given.
+    #[inline(always)]
+    fn raise_around<S: Simd>(
+        &self,
+        simd: S,
+        apexes: &Apexes,
+        by: [i64; 2],
+        height: f64,
+        slopes: &PerApex,
+        best: &mut f64,
+    ) {
+        let (places, side) = (&self.places, self.walk.side_m());
+        self.raise_to_rim(apexes, by, height, slopes, best);
+        let turn = places.turn(by, 1.0, side);
+        let texel = [0, 1].map(|axis| apexes.texel[axis] + by[axis]);
+        let around: [[f64; 3]; 3] = [-1, 0, 1].map(|row| self.field.row([texel[0] - 1, texel[1] + row]));
+        if most(slopes) * MARGIN >= *best * turn {
+            for (from, axis, heights) in [
+                ([by[0] - 1, by[1]], 0, [around[1][0], height]),
+                (by, 0, [height, around[1][2]]),
+                ([by[0], by[1] - 1], 1, [around[0][1], height]),
+                (by, 1, [height, around[2][1]]),
+            ] {
+                *best = most(&places.to_edge(simd, apexes, from, axis, heights)).max(*best);
+            }
+        }
+        let least = if turn > 0.0 { *best * turn * turn / MARGIN } else { 0.0 };
+        for [x, y] in CELLS_AROUND {
+            let offset = [by[0] + x, by[1] + y];
+            if is_in_block(offset) {
                 continue;
             }
-            if node.level == 0 {
-                let [columns, rows] = [0, 1].map(|axis| self.cells(tile, axis, node.at[axis], 0));
-                for row in rows[0]..rows[1] {
-                    for column in columns[0]..columns[1] {
-                        leaf([column, row], best);
-                    }
-                }
-                continue;
-            }
-            let level = node.level - 1;
-            let [width, height] = self.pyramid.size(level).unwrap_or([0, 0]);
-            let first = stack.len();
-            for row in 2 * node.at[1]..(2 * node.at[1] + 2).min(height) {
-                for column in 2 * node.at[0]..(2 * node.at[0] + 2).min(width) {
-                    let child = self.node(viewer, tile, level, [column, row]);
-                    if is_pruned(child.rise, child.distance2, *best) {
-                        continue;
-                    }
-                    // The steepest is looked at first, so it comes last.
-                    let is_steeper = |other: &Node| {
-                        other.rise * other.rise * child.distance2 > child.rise * child.rise * other.distance2
-                    };
-                    let place = first + stack[first..].iter().take_while(|&other| !is_steeper(other)).count();
-                    stack.insert(place, child);
+            let (column, row) = ((x + 1) as usize, (y + 1) as usize);
+            let [above, below] = [around[row], around[row + 1]];
+            let heights = [above[column], above[column + 1], below[column], below[column + 1]];
+            let seen = Seen { offset, heights };
+            for apex in bits_of(places.may_peak_inside(simd, apexes, &seen, *best)) {
+                if slopes[apex % APEXES] >= least && apex < places.region.count() {
+                    *best = places.patch(apexes, apex, &seen).inside(*best).max(*best);
                 }
             }
         }
-        true
     }
+}
 
-    /// The columns or rows of cells, from the first up to before the last, that a node bounds in an image of the map.
-    #[inline]
-    fn cells(&self, tile: [i64; 2], axis: usize, at: u32, level: usize) -> [i64; 2] {
-        let size = self.size[axis];
-        let from = i64::from(at) << level;
-        let to = (from + (1 << level)).min(size);
-        let wrap = self.map.wrap();
-        let from = if from == 0 && wrap != Wrap::Repeat { -1 } else { from };
-        if wrap == Wrap::Mirror && tile[axis] & 1 != 0 {
-            // Mirrored, cell `i` lies between the texels `size - 1 - i` and `size - 2 - i`.
-            let end = (tile[axis] + 1) * size - 1;
-            [end - to, end - from]
-        } else {
-            [from + tile[axis] * size, to + tile[axis] * size]
+/// Looks for what is steepest for each lane.
+struct Steepest<'a, 'b> {
+    search: &'b Search<'a>,
+    apexes: &'b [Apexes; LANES],
+    best: &'b mut Lanes,
+    seeds: &'b mut [Option<[i64; 2]>; LANES],
+}
+
+impl Look for Steepest<'_, '_> {
+    #[inline(always)]
+    fn look<S: Simd>(&mut self, simd: S, group: &mut Group, lane: usize, vertex: [i64; 2], height: f64) {
+        let (search, apexes, best) = (self.search, &self.apexes[lane], &mut self.best[lane]);
+        let by = [0, 1].map(|axis| vertex[axis] - apexes.texel[axis]);
+        if is_inside_block(by) {
+            return;
+        }
+        let before = *best;
+        let slopes = search.places.to_vertex(simd, apexes, by, height);
+        *best = most(&slopes).max(*best);
+        if search.may_be_steeper_around(by, most(&slopes), *best) {
+            search.raise_around(simd, apexes, by, height, &slopes, best);
+        }
+        if *best > before {
+            self.seeds[lane] = Some(vertex);
+            search.walk.raise_bar(group, lane, *best);
         }
     }
+}
 
-    #[inline]
-    fn node(&self, viewer: &Viewer, tile: [i64; 2], level: usize, at: [u32; 2]) -> Node {
-        let width = self.pyramid.size(level).map_or(0, |size| size[0]) as usize;
-        let highest = f64::from(self.pyramid.nodes(level)[at[1] as usize * width + at[0] as usize]);
-        let distance = |axis: usize| {
-            let [from, to] = self.cells(tile, axis, at[axis], level);
-            let (from, to) = ((from - viewer.texel[axis]) as f64, (to - viewer.texel[axis]) as f64);
-            (from - viewer.half).max(-viewer.half - to).max(0.0) * self.texel_m[axis]
-        };
-        let (x, y) = (distance(0), distance(1));
-        Node { level, at, rise: (highest - viewer.low).max(0.0), distance2: x * x + y * y }
+/// The numbers of the bits that are set.
+#[inline(always)]
+fn bits_of(mut set: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let bit = (set != 0).then_some(set.trailing_zeros() as usize);
+        set &= set.wrapping_sub(1);
+        bit
+    })
+}
+
+/// The greatest of squared slopes.
+#[inline(always)]
+pub(in crate::kind) fn most(slopes: &PerApex) -> f64 {
+    slopes.iter().fold(0.0, |most, &slope2| if slope2 > most { slope2 } else { most })
+}
+
+/// A few columns of a band of rows, to be searched with the vectors that the machine has.
+struct Columns<'a, 'b, K> {
+    search: &'b Search<'a>,
+    sort: &'b K,
+    texel: [i64; 2],
+    count: usize,
+    ratios: &'b mut [f32],
+}
+
+impl<K: Sort> WithSimd for Columns<'_, '_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { search, sort, texel, count, ratios } = self;
+        let width = search.field.map.width() as usize;
+        let mut state = State { group: Group::new(), seeds: [None; LANES] };
+        for (row, ratios) in ratios.chunks_mut(width).enumerate() {
+            let slopes2 = sort.slopes2(simd, search, [texel[0], texel[1] + row as i64], count, &mut state);
+            let first = texel[0] as usize;
+            for (slot, slope2) in ratios[first..first + count].iter_mut().zip(slopes2) {
+                *slot = ratio(slope2, search.places.texel_m);
+            }
+        }
     }
-}
-
-/// A number and its opposite, zero once.
-fn signs(n: i64) -> impl Iterator<Item = i64> {
-    std::iter::once(n).chain((n != 0).then_some(-n))
-}
-
-/// Whether nothing that rises at most so much, at least so far away, is steeper than the squared slope `best`.
-#[inline]
-pub(in crate::kind) fn is_pruned(rise: f64, distance2: f64, best: f64) -> bool {
-    rise <= 0.0 || rise * rise * MARGIN <= best * distance2
 }

@@ -4,9 +4,11 @@
 //! rise counts as 0. Every value returned belongs to a pair of surface points (or to the limit of such pairs), so that
 //! rounding can lose a little of a supremum but never the order of it: the tops are flat.
 
+use pulp::Simd;
+
 /// Squared slope of a rise over an offset.
 #[inline]
-pub(super) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
+pub(in crate::kind) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
     let rise = rise.max(0.0);
     let squared = offset[0] * offset[0] + offset[1] * offset[1];
     if squared > 0.0 { rise * rise / squared } else { 0.0 }
@@ -17,7 +19,7 @@ pub(super) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
 /// The segment runs along one axis from `from` to `to`, at distance `beside` along the other. The rise is `α + βs`, the
 /// slope `(α + βs) / sqrt(s² + beside²)` has one maximum where it is positive, at `s = β beside² / α`.
 #[inline]
-pub(super) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) -> f64 {
+pub(in crate::kind) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) -> f64 {
     let beta = (rise[1] - rise[0]) / (to - from);
     let alpha = rise[0] - beta * from;
     let squared = beside * beside;
@@ -33,7 +35,7 @@ pub(super) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) ->
 
 /// One bilinear patch as seen from an apex.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Patch {
+pub(in crate::kind) struct Patch {
     /// Corner `h00` in metres from the apex.
     pub corner: [f64; 2],
     /// Its size in metres.
@@ -51,7 +53,10 @@ impl Patch {
     /// `x > 0`, the quartic `P` is negative at 0 and positive far out, and the slope has a maximum only at a root at
     /// which `P` falls. `P` is concave up to the point of inflection `x = -C / 2D` and convex behind it, so there is at
     /// most one such root, and Newton's iteration from the point of inflection tends to it from one side.
-    pub fn inside(&self) -> f64 {
+    ///
+    /// The slopes of the lines `x = const`, and likewise of `y = const`, are sums of two squares of which each has no maximum inside of
+    /// an interval, so they are bounded by those at its ends: 0 is returned where that is not above `least`.
+    pub fn inside(&self, least: f64) -> f64 {
         let [h00, h10, h01, h11] = self.rise;
         let ([x0, y0], [ax, ay]) = (self.corner, self.size);
         let twist = (h00 - h10) + (h11 - h01);
@@ -68,10 +73,23 @@ impl Patch {
             return 0.0;
         }
         let (b, c) = (bx - d * y0, by - d * x0);
+        let (upper, lower) =
+            (most_on_lines([a, c, b, d], [y0, y1]), most_on_lines([a, -c, b, -d], [-y1, -y0]));
+        let most = if y0 >= 0.0 {
+            upper
+        } else if y1 <= 0.0 {
+            lower
+        } else {
+            f64::INFINITY
+        };
+        if most <= least {
+            return 0.0;
+        }
         let mut best = 0.0f64;
         for sign in [1.0, -1.0] {
             let (from, to) = if sign > 0.0 { (x0, x1) } else { (-x1, -x0) };
-            if to <= 0.0 {
+            let ends = [from.max(0.0), to];
+            if to <= 0.0 || most_on_lines([a, sign * b, c, sign * d], ends) <= least {
                 continue;
             }
             let Some(x) = falling_root(a, sign * b, c, sign * d) else { continue };
@@ -84,6 +102,55 @@ impl Patch {
         }
         best
     }
+}
+
+/// What the squared slope to a point is at most, with `x` between two numbers that are not negative.
+#[inline]
+fn most_on_lines([a, b, c, d]: [f64; 4], [from, to]: [f64; 2]) -> f64 {
+    let along_y = (c + d * from).abs().max((c + d * to).abs());
+    let along_x = (b + a / from).abs().max((b + a / to).abs());
+    along_x * along_x + along_y * along_y
+}
+
+/// Whether patches may have a critical point inside that is steeper than the squared slopes `best`: necessary for what
+/// [`Patch::inside`] finds, for as many patches as a vector has lanes. Their corners' heights, the apexes' heights, the places of
+/// corner `h00` from the apexes in metres, one over the sides of a texel, and the squared distances from the apexes.
+#[inline(always)]
+pub(super) fn may_peak_inside<S: Simd>(
+    simd: S,
+    [h00, h10, h01, h11]: [S::f64s; 4],
+    apex: S::f64s,
+    [x, y]: [S::f64s; 2],
+    per_side: [f64; 2],
+    gap2: S::f64s,
+    best: S::f64s,
+) -> S::m64s {
+    // In texels, in which the hyperbola is crossed or not as well as in metres.
+    let x = simd.mul_f64s(x, simd.splat_f64s(per_side[0]));
+    let y = simd.mul_f64s(y, simd.splat_f64s(per_side[1]));
+    let one = simd.splat_f64s(1.0);
+    let (right, down) = (simd.add_f64s(x, one), simd.add_f64s(y, one));
+    let (along_x, along_y) = (simd.sub_f64s(h10, h00), simd.sub_f64s(h01, h00));
+    let twist = simd.sub_f64s(simd.sub_f64s(h11, h01), along_x);
+    // The patch extended over the apex, above it: A of A + Bx + Cy + Dxy.
+    let bent = simd.mul_f64s(twist, simd.mul_f64s(x, y));
+    let a = simd.add_f64s(
+        simd.sub_f64s(simd.sub_f64s(h00, apex), simd.mul_f64s(along_x, x)),
+        simd.sub_f64s(bent, simd.mul_f64s(along_y, y)),
+    );
+    // Critical points lie on the hyperbola D x y = A, which must cross the patch, and they are maxima only for A < 0.
+    let p = simd.mul_f64s(twist, simd.mul_f64s(right, y));
+    let q = simd.mul_f64s(twist, simd.mul_f64s(x, down));
+    let r = simd.mul_f64s(twist, simd.mul_f64s(right, down));
+    let least = simd.min_f64s(simd.min_f64s(bent, p), simd.min_f64s(q, r));
+    let greatest = simd.max_f64s(simd.max_f64s(bent, p), simd.max_f64s(q, r));
+    let zero = simd.splat_f64s(0.0);
+    let crosses =
+        simd.and_m64s(simd.less_than_f64s(least, a), simd.less_than_f64s(a, simd.min_f64s(greatest, zero)));
+    let highest = simd.max_f64s(simd.max_f64s(h00, h10), simd.max_f64s(h01, h11));
+    let rise = simd.max_f64s(simd.sub_f64s(highest, apex), zero);
+    let is_steep = simd.less_than_f64s(simd.mul_f64s(best, gap2), simd.mul_f64s(rise, rise));
+    simd.and_m64s(crosses, is_steep)
 }
 
 /// The root `x > 0` of `D²x⁴ + CDx³ - ABx - A²` at which it falls, for `A < 0`.
@@ -138,7 +205,7 @@ mod tests {
                 slope * (far + (touch[0] * by[0] + touch[1] * by[1]) / far) + d * by[0] * by[1]
             });
             let patch = Patch { corner, size, rise };
-            let found = patch.inside();
+            let found = patch.inside(0.0);
             inside += u32::from(found > 0.0);
             let at = |u: f64, v: f64| {
                 let [h00, h10, h01, h11] = patch.rise;

@@ -4,12 +4,12 @@
 //! least distance, is steeper for none of them than their best so far is passed over. What was steepest for the cells of the row
 //! before is looked at first; it is mostly steepest again, or nearly.
 
-use std::borrow::Cow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use relief::HeightMap;
 
+use super::super::levels::Levels;
 use super::ahead::{self, Run};
 use super::diagonal;
 use crate::{Cancelled, Progress};
@@ -67,63 +67,6 @@ pub fn least_slopes(
         }
     }
     Ok(slopes)
-}
-
-/// The highest texels of squares of texels, level by level; level 0 are the texels. Tighter than the maxima over dual cells, which
-/// share their texels with their neighbours.
-pub struct Levels<'a> {
-    texels: Level<'a>,
-    above: Vec<Level<'a>>,
-}
-
-/// The nodes of a level, row by row.
-struct Level<'a> {
-    nodes: Cow<'a, [f32]>,
-    size: [u32; 2],
-}
-
-impl<'a> Levels<'a> {
-    /// The levels of a map.
-    pub fn new(map: &'a HeightMap) -> Self {
-        let texels = Level { nodes: Cow::Borrowed(map.texels()), size: [map.width(), map.height()] };
-        let mut above: Vec<Level> = Vec::new();
-        while let Some(halved) = above.last().unwrap_or(&texels).halved() {
-            above.push(halved);
-        }
-        Self { texels, above }
-    }
-
-    #[inline]
-    fn level(&self, level: u32) -> &Level<'a> {
-        if level == 0 { &self.texels } else { &self.above[level as usize - 1] }
-    }
-
-    fn top(&self) -> u32 {
-        self.above.len() as u32
-    }
-}
-
-impl Level<'_> {
-    /// The level of half the size, rounded up; `None` above a single node.
-    fn halved<'a>(&self) -> Option<Level<'a>> {
-        let [width, height] = self.size;
-        if self.nodes.len() == 1 {
-            return None;
-        }
-        let size = [width.div_ceil(2), height.div_ceil(2)];
-        let mut nodes = vec![0.0; size[0] as usize * size[1] as usize];
-        let rows = self.nodes.par_chunks(2 * width as usize);
-        nodes.par_chunks_mut(size[0] as usize).zip(rows).with_min_len(16).for_each(|(nodes, rows)| {
-            for row in rows.chunks(width as usize) {
-                for (node, pair) in nodes.iter_mut().zip(row.chunks(2)) {
-                    *node = pair
-                        .iter()
-                        .fold(*node, |highest, &texel| if texel > highest { texel } else { highest });
-                }
-            }
-        });
-        Some(Level { nodes: Cow::Owned(nodes), size })
-    }
 }
 
 /// A node of the pyramid.
@@ -268,7 +211,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             let level = node.level - 1;
-            let [columns, rows] = self.levels.level(level).size;
+            let [columns, rows] = self.levels.level(level).size();
             // The last one pushed is looked at first: that is to be the nearest.
             let order = |axis: usize| {
                 let first = 2 * node.at[axis];
@@ -300,8 +243,7 @@ impl<'a> Search<'a> {
             (near[axis], far[axis]) = (a.min(b), a.max(b));
         }
         let level = self.levels.level(node.level);
-        let place = node.at[1] as usize * level.size[0] as usize + node.at[0] as usize;
-        Some(Sight { near, far, highest: level.nodes[place] })
+        Some(Sight { near, far, highest: level.highest(node.at) })
     }
 
     /// By how much a node is higher than it must be for a texel of it to be steeper than the best of each lane: positive where

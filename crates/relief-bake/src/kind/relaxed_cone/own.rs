@@ -12,19 +12,11 @@
 //!   `Y` rises more than `X` at the centre, and `E` the difference of their twists; and `r` is at least the distance of `p`
 //!   from the centre.
 
-use super::Field;
-
 /// An upper bound of the slope from the apexes, in the box of that half side in texels, to falling points of the four
-/// patches, in heights per metre.
-pub(super) fn own_bound(field: &Field, texel: [i64; 2], half: f64) -> f64 {
-    let near = [-1, 0, 1].map(|j| {
-        [-1, 0, 1].map(|i| {
-            let seen = field.cell(texel, [i, j]);
-            seen.heights[0]
-        })
-    });
+/// patches, in heights per metre, from the 3 by 3 heights around the centre.
+pub(super) fn own_bound(near: &[[f64; 3]; 3], texel_m: [f64; 2], half: f64) -> f64 {
     let quadrants = [[1, 1], [-1, 1], [1, -1], [-1, -1]];
-    quadrants.into_iter().map(|signs| quadrant_bound(&near, signs, field.texel_m, half)).fold(0.0, f64::max)
+    quadrants.into_iter().map(|signs| quadrant_bound(near, signs, texel_m, half)).fold(0.0, f64::max)
 }
 
 /// The bound of the patch in one quadrant.
