@@ -24,9 +24,9 @@ pub(super) use self::apexes::{Apexes, Region};
 pub(super) use self::encoding::texture;
 pub use self::encoding::{decode, encode};
 pub(super) use self::field::Seen;
-pub(super) use self::near::{Block, Lanes, Near, is_in_block, is_inside_block};
+pub(super) use self::near::{Block, Lanes, is_in_block, is_inside_block};
 pub(super) use self::search::{CELLS_AROUND, Search, Sort, State, most};
-pub(super) use self::slope::{Patch, inside_segment, to_point};
+pub(super) use self::slope::{Patch, inside_segment, steepest_in_quarter, to_point};
 pub(super) use self::walk::{Group, LANES, Look};
 use super::{BITS, Kind, Reach};
 use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
@@ -129,9 +129,11 @@ pub fn cone_ratios(
 }
 
 /// Cones that hold no surface.
-struct Empty;
+pub(super) struct Empty;
 
 impl Sort for Empty {
+    const NEAR: bool = true;
+
     #[inline(always)]
     fn slopes2<S: Simd>(
         &self,
@@ -139,9 +141,10 @@ impl Sort for Empty {
         search: &Search,
         texel: [i64; 2],
         count: usize,
+        near: Lanes,
         state: &mut State,
     ) -> Lanes {
-        search.slopes2(simd, texel, count, state)
+        search.slopes2(simd, texel, count, near, state)
     }
 }
 

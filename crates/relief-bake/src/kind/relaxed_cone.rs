@@ -14,7 +14,7 @@ use relief::HeightMap;
 use relief::registry::{Param, Source as Publication};
 
 use self::search::Relaxed;
-use super::cone::{Region, Search, texture};
+use super::cone::{Empty, Region, Search, texture};
 use super::{BITS, Kind, Reach};
 use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
 
@@ -113,7 +113,12 @@ pub fn relaxed_cone_ratios(
         RelaxedApex::Footprint => Region::Footprint,
     };
     let texel_m = metric.texel_m(map);
-    Search::new(map, texel_m, region).ratios(&Relaxed::new(map, texel_m, region), progress)
+    let search = Search::new(map, texel_m, region);
+    match Relaxed::new(map, texel_m) {
+        Some(relaxed) => search.ratios(&relaxed, progress),
+        // A cone that holds no surface is left after no entry at all, and for it the nearest images suffice.
+        None => search.ratios(&Empty, progress),
+    }
 }
 
 fn bake(

@@ -9,7 +9,7 @@ use relief::{HeightMap, Wrap};
 use super::apexes::{APEXES, Apexes, PerApex, Places, Region};
 use super::encoding::ratio;
 use super::field::{Field, Seen};
-use super::near::{Block, Lanes, Near, REACH, is_in_block, is_inside_block};
+use super::near::{Block, Lanes, Near, NearRow, is_in_block, is_inside_block};
 use super::walk::{Group, LANES, Look, Walk};
 use crate::{Cancelled, Progress};
 
@@ -30,19 +30,23 @@ pub(in crate::kind) struct Search<'a> {
 /// What goes on from row to row.
 pub(in crate::kind) struct State {
     pub group: Group,
-    /// The vertex that was steepest for the texel above, for each lane.
-    pub seeds: [Option<[i64; 2]>; LANES],
+    /// The vertex that was steepest for each texel of the row above.
+    pub seeds: Vec<Option<[i64; 2]>>,
 }
 
 /// A sort of cone. What it does is to be inlined always, so that it is compiled for the vectors that the machine has.
 pub(in crate::kind) trait Sort: Sync {
-    /// Squared slopes of the cones of `count` texels from the one given.
+    /// Whether the slopes to the blocks are needed.
+    const NEAR: bool;
+
+    /// Squared slopes of the cones of `count` texels from the one given, and those to their blocks, when they are needed.
     fn slopes2<S: Simd>(
         &self,
         simd: S,
         search: &Search,
         texel: [i64; 2],
         count: usize,
+        near: Lanes,
         state: &mut State,
     ) -> Lanes;
 }
@@ -55,8 +59,7 @@ impl<'a> Search<'a> {
         Self {
             field: Field::new(map),
             places: Places::new(region, texel_m),
-            // From the rim to the vertices on the rim of the block is left to the walk: hardly any of them needs it.
-            near: Near::new(texel_m, region, REACH, REACH - 1),
+            near: Near::new(texel_m, region),
             walk: Walk::new(map, texel_m, region.half()),
         }
     }
@@ -68,32 +71,37 @@ impl<'a> Search<'a> {
         let (total, done) = (ratios.len() as f32, AtomicUsize::new(0));
         let arch = Arch::new();
         ratios.par_chunks_mut(width * ROWS).enumerate().try_for_each(|(band, ratios)| {
-            for first in (0..width).step_by(LANES) {
-                let count = LANES.min(width - first);
-                let texel = [first as i64, (band * ROWS) as i64];
-                arch.dispatch(Columns { search: self, sort, texel, count, ratios });
-                let now = count * ratios.len() / width;
-                let before = done.fetch_add(now, Ordering::Relaxed);
-                progress.at((before + now) as f32 / total)?;
+            let mut state = State { group: Group::new(), seeds: vec![None; width] };
+            let mut near = [NearRow::new(width), NearRow::new(width)];
+            let top = (band * ROWS) as i64;
+            if K::NEAR {
+                arch.dispatch(Above { search: self, row: top - 1, near: &mut near[1] });
+            }
+            for (row, ratios) in ratios.chunks_mut(width).enumerate() {
+                near.swap(0, 1);
+                let row = top + row as i64;
+                arch.dispatch(Row { search: self, sort, row, near: &mut near, state: &mut state, ratios });
+                let before = done.fetch_add(width, Ordering::Relaxed);
+                progress.at((before + width) as f32 / total)?;
             }
             Ok(())
         })?;
         Ok(ratios)
     }
 
-    /// The apexes of the texels from the one given; beyond the last, those of more of its row.
-    #[inline(always)]
-    pub fn apexes(&self, block: &Block, texel: [i64; 2]) -> [Apexes; LANES] {
-        std::array::from_fn(|lane| block.apexes(lane, [texel[0] + lane as i64, texel[1]]))
-    }
-
     /// Squared slopes to everything: the least that a cone that holds no surface must have.
     #[inline(always)]
-    pub fn slopes2<S: Simd>(&self, simd: S, texel: [i64; 2], count: usize, state: &mut State) -> Lanes {
-        let block = Block::new(&self.field, texel, self.places.region);
-        let apexes = self.apexes(&block, texel);
-        let mut best = self.near_slopes2(simd, &self.near, &block, &apexes, count);
-        let State { group, seeds } = state;
+    pub fn slopes2<S: Simd>(
+        &self,
+        simd: S,
+        texel: [i64; 2],
+        count: usize,
+        near: Lanes,
+        state: &mut State,
+    ) -> Lanes {
+        let apexes = Block::new(&self.field, texel).apexes(texel, self.places.region);
+        let mut best = near;
+        let (group, seeds) = (&mut state.group, &mut state.seeds[texel[0] as usize..]);
         group.begin(texel);
         for lane in 0..count {
             let (apexes, best) = (&apexes[lane], &mut best[lane]);
@@ -113,28 +121,6 @@ impl<'a> Search<'a> {
             tiles,
             &mut Steepest { search: self, apexes: &apexes, best: &mut best, seeds },
         );
-        best
-    }
-
-    /// Squared slopes to the cells that some rules are of.
-    #[inline(always)]
-    pub fn near_slopes2<S: Simd>(
-        &self,
-        simd: S,
-        near: &Near,
-        block: &Block,
-        apexes: &[Apexes; LANES],
-        count: usize,
-    ) -> Lanes {
-        let (mut best, sets) = near.slopes2(simd, block);
-        for (apex, set) in sets.iter().enumerate() {
-            for lane in 0..count {
-                for cell in bits_of(set[lane]) {
-                    let patch = self.places.patch(&apexes[lane], apex, &block.cell(lane, cell));
-                    best[lane] = patch.inside(best[lane]).max(best[lane]);
-                }
-            }
-        }
         best
     }
 
@@ -238,7 +224,7 @@ struct Steepest<'a, 'b> {
     search: &'b Search<'a>,
     apexes: &'b [Apexes; LANES],
     best: &'b mut Lanes,
-    seeds: &'b mut [Option<[i64; 2]>; LANES],
+    seeds: &'b mut [Option<[i64; 2]>],
 }
 
 impl Look for Steepest<'_, '_> {
@@ -278,28 +264,86 @@ pub(in crate::kind) fn most(slopes: &PerApex) -> f64 {
     slopes.iter().fold(0.0, |most, &slope2| if slope2 > most { slope2 } else { most })
 }
 
-/// A few columns of a band of rows, to be searched with the vectors that the machine has.
-struct Columns<'a, 'b, K> {
+/// The row above a band, of which only what is near to points is needed.
+struct Above<'a, 'b> {
     search: &'b Search<'a>,
-    sort: &'b K,
-    texel: [i64; 2],
-    count: usize,
-    ratios: &'b mut [f32],
+    row: i64,
+    near: &'b mut NearRow,
 }
 
-impl<K: Sort> WithSimd for Columns<'_, '_, K> {
+impl WithSimd for Above<'_, '_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { search, sort, texel, count, ratios } = self;
-        let width = search.field.map.width() as usize;
-        let mut state = State { group: Group::new(), seeds: [None; LANES] };
-        for (row, ratios) in ratios.chunks_mut(width).enumerate() {
-            let slopes2 = sort.slopes2(simd, search, [texel[0], texel[1] + row as i64], count, &mut state);
-            let first = texel[0] as usize;
-            for (slot, slope2) in ratios[first..first + count].iter_mut().zip(slopes2) {
+        let Self { search, row, near } = self;
+        near.fill(simd, &search.near, &search.field, row);
+    }
+}
+
+/// A row, to be searched with the vectors that the machine has.
+struct Row<'a, 'b, K> {
+    search: &'b Search<'a>,
+    sort: &'b K,
+    row: i64,
+    /// Of the row above and of this one.
+    near: &'b mut [NearRow; 2],
+    state: &'b mut State,
+    ratios: &'b mut [f32],
+}
+
+impl<K: Sort> WithSimd for Row<'_, '_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { search, sort, row, near: [above, near], state, ratios } = self;
+        if K::NEAR {
+            near.fill(simd, &search.near, &search.field, row);
+        }
+        for (group, ratios) in ratios.chunks_mut(LANES).enumerate() {
+            let first = group * LANES;
+            let texel = [first as i64, row];
+            let slopes2 = if K::NEAR { near.of_texels(above, first, ratios.len()) } else { [0.0; LANES] };
+            let slopes2 = sort.slopes2(simd, search, texel, ratios.len(), slopes2, state);
+            for (slot, slope2) in ratios.iter_mut().zip(slopes2) {
                 *slot = ratio(slope2, search.places.texel_m);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pulp::Scalar;
+    use relief_tests::maps;
+
+    use super::super::Empty;
+    use super::*;
+
+    /// The ratios without any vectors.
+    fn scalar_ratios(search: &Search) -> Vec<f32> {
+        let (width, height) = (search.field.map.width() as usize, i64::from(search.field.map.height()));
+        let mut near = [NearRow::new(width), NearRow::new(width)];
+        let mut ratios = vec![0.0; width * height as usize];
+        for (row, ratios) in ratios.chunks_mut(width).enumerate() {
+            let mut state = State { group: Group::new(), seeds: vec![None; width] };
+            let row = row as i64;
+            Above { search, row: row - 1, near: &mut near[0] }.with_simd(Scalar::new());
+            Row { search, sort: &Empty, row, near: &mut near, state: &mut state, ratios }
+                .with_simd(Scalar::new());
+        }
+        ratios
+    }
+
+    #[test]
+    fn every_machine_finds_the_same() {
+        for (k, map) in maps::ALL.iter().enumerate() {
+            let map = map.build(Wrap::ALL[k % Wrap::ALL.len()]);
+            for region in [Region::Centre, Region::Footprint] {
+                let search = Search::new(&map, [0.02, 0.03], region);
+                let ratios = search.ratios(&Empty, &Progress::none()).expect("nobody cancels");
+                assert_eq!(ratios, scalar_ratios(&search), "{}", maps::ALL[k].name);
             }
         }
     }

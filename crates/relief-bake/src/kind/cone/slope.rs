@@ -33,6 +33,25 @@ pub(in crate::kind) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside
     top * top / (s * s + squared)
 }
 
+/// The greatest squared slope of a patch itself in the quarter that begins at one of its corners, given its heights there, beside it
+/// along `x` and along `y`, and opposite, and one over its sides.
+#[inline(always)]
+pub(in crate::kind) fn steepest_in_quarter([h, aside, ahead, beyond]: [f64; 4], per_side: [f64; 2]) -> f64 {
+    // The slopes along an axis are linear along the other: greatest at the corner or half a side away.
+    let (along_x, along_y) = ((aside - h) * per_side[0], (ahead - h) * per_side[1]);
+    let half_x = 0.5 * (along_x + (beyond - ahead) * per_side[0]);
+    let half_y = 0.5 * (along_y + (beyond - aside) * per_side[1]);
+    (along_x * along_x).max(half_x * half_x) + (along_y * along_y).max(half_y * half_y)
+}
+
+/// The squared slope of the steepest way up from a corner of a patch into it, given the same; a way that leaves it is left to
+/// its edges.
+#[inline(always)]
+pub(super) fn steepest_into([h, aside, ahead, _]: [f64; 4], per_side: [f64; 2]) -> f64 {
+    let (along_x, along_y) = ((aside - h) * per_side[0], (ahead - h) * per_side[1]);
+    if along_x > 0.0 && along_y > 0.0 { along_x * along_x + along_y * along_y } else { 0.0 }
+}
+
 /// One bilinear patch as seen from an apex.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::kind) struct Patch {

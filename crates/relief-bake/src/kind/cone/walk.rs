@@ -34,7 +34,7 @@ pub(in crate::kind) struct Group {
     low: [f32; LANES],
     /// The steepest squared slope so far, lowered, in heights per longer side.
     bar: [f32; LANES],
-    pending: Vec<(Node, Sight)>,
+    pending: Vec<Node>,
 }
 
 impl Group {
@@ -63,18 +63,38 @@ pub(in crate::kind) trait Look {
     fn look<S: Simd>(&mut self, simd: S, group: &mut Group, lane: usize, vertex: [i64; 2], height: f64);
 }
 
+/// A node that is still to be looked into.
 #[derive(Clone, Copy)]
 struct Node {
     level: u32,
     at: [u32; 2],
+    sight: Sight,
 }
 
-/// A rectangle of vertices, from the first texel of a group, and the height of the highest.
+/// Where the vertices of a node are from a group, and the height of the highest.
 #[derive(Clone, Copy)]
 struct Sight {
-    from: [i64; 2],
-    to: [i64; 2],
+    /// The first and the last column from the group's first texel.
+    columns: [f32; 2],
+    rows: Rows,
     highest: f32,
+}
+
+/// Rows of vertices, as far away as they are from all texels of a group.
+#[derive(Clone, Copy)]
+struct Rows {
+    /// The last row is ahead of the group, not behind.
+    is_ahead: bool,
+    /// Squared distance along `v` from the apexes to the nearest row, and to the cells before it, in longer sides of a texel.
+    near2: [f32; 2],
+}
+
+/// An image of the map as seen from a group.
+#[derive(Clone, Copy)]
+struct Image {
+    /// Where it begins.
+    begin: [i64; 2],
+    is_mirrored: [bool; 2],
 }
 
 impl<'a> Walk<'a> {
@@ -142,80 +162,94 @@ impl<'a> Walk<'a> {
     /// Walks one image of the map; whether it is near enough to matter.
     #[inline(always)]
     fn walk_tile<S: Simd>(&self, simd: S, group: &mut Group, tile: [i64; 2], look: &mut impl Look) -> bool {
+        let image = Image {
+            begin: [0, 1].map(|axis| tile[axis] * self.size[axis] - group.texel[axis]),
+            is_mirrored: tile.map(|tile| self.wrap == Wrap::Mirror && tile & 1 != 0),
+        };
+        let level = self.levels.top();
+        let sight = Sight {
+            columns: self.span(&image, 0, 0, level),
+            rows: self.rows(self.span(&image, 1, 0, level)),
+            highest: self.levels.level(level).highest([0, 0]),
+        };
+        if self.worth(simd, group, &sight).is_none() {
+            return false;
+        }
         let mut pending = std::mem::take(&mut group.pending);
         pending.clear();
-        let root = Node { level: self.levels.top(), at: [0, 0] };
-        let sight = self.sight(group, tile, root);
-        let is_open = self.worth(simd, group, &sight).is_some();
-        if is_open {
-            pending.push((root, sight));
-        }
-        while let Some((node, sight)) = pending.pop() {
+        pending.push(Node { level, at: [0, 0], sight });
+        while let Some(Node { level, at, sight }) = pending.pop() {
             let Some(excess) = self.worth(simd, group, &sight) else { continue };
-            if node.level == 0 {
-                let vertex = [0, 1].map(|axis| group.texel[axis] + sight.from[axis]);
+            if level == 0 {
+                let vertex = [0, 1].map(|axis| group.texel[axis] + self.place(&image, axis, at[axis]));
                 for lane in (0..LANES).filter(|lane| excess[*lane] > 0.0) {
                     look.look(simd, group, lane, vertex, f64::from(sight.highest));
                 }
                 continue;
             }
-            let level = node.level - 1;
-            let [columns, rows] = self.levels.level(level).size();
+            let level = level - 1;
+            let nodes = self.levels.level(level);
+            let size = nodes.size();
             // The last one pushed is looked at first: that is to be the nearest.
-            let order = |axis: usize| {
-                let first = 2 * node.at[axis];
-                let is_ahead = sight.from[axis] + sight.to[axis] > 0;
-                let is_mirrored = self.wrap == Wrap::Mirror && tile[axis] & 1 != 0;
-                if is_ahead != is_mirrored { [first + 1, first] } else { [first, first + 1] }
-            };
-            let (across, down) = (order(0), order(1));
-            for row in down {
-                for column in across {
-                    if column < columns && row < rows {
-                        let child = Node { level, at: [column, row] };
-                        let sight = self.sight(group, tile, child);
-                        if self.worth(simd, group, &sight).is_some() {
-                            pending.push((child, sight));
-                        }
+            let is_ahead = [sight.columns[0] + sight.columns[1] > 0.0, sight.rows.is_ahead];
+            let first = [2 * at[0], 2 * at[1]];
+            let flip = [0, 1].map(|axis| u32::from(is_ahead[axis] != image.is_mirrored[axis]));
+            for row in [first[1] + flip[1], first[1] + 1 - flip[1]] {
+                if row >= size[1] {
+                    continue;
+                }
+                let rows = self.rows(self.span(&image, 1, row, level));
+                for column in [first[0] + flip[0], first[0] + 1 - flip[0]] {
+                    if column >= size[0] {
+                        continue;
+                    }
+                    let columns = self.span(&image, 0, column, level);
+                    let sight = Sight { columns, rows, highest: nodes.highest([column, row]) };
+                    if self.worth(simd, group, &sight).is_some() {
+                        pending.push(Node { level, at: [column, row], sight });
                     }
                 }
             }
         }
         group.pending = pending;
-        is_open
+        true
     }
 
-    /// Where a node of an image is.
+    /// A column or row of an image, from the group's first texel.
     #[inline(always)]
-    fn sight(&self, group: &Group, tile: [i64; 2], node: Node) -> Sight {
-        let (mut from, mut to) = ([0; 2], [0; 2]);
-        for axis in 0..2 {
-            let size = self.size[axis];
-            let first = i64::from(node.at[axis]) << node.level;
-            let last = (first + (1 << node.level)).min(size) - 1;
-            let begin = tile[axis] * size - group.texel[axis];
-            (from[axis], to[axis]) = if self.wrap == Wrap::Mirror && tile[axis] & 1 != 0 {
-                (begin + size - 1 - last, begin + size - 1 - first)
-            } else {
-                (begin + first, begin + last)
-            };
-        }
-        Sight { from, to, highest: self.levels.level(node.level).highest(node.at) }
+    fn place(&self, image: &Image, axis: usize, at: u32) -> i64 {
+        let at = i64::from(at);
+        image.begin[axis] + if image.is_mirrored[axis] { self.size[axis] - 1 - at } else { at }
+    }
+
+    /// The first and last column or row of a node. Beyond what `f32` counts exactly they are rounded as all else is.
+    #[inline(always)]
+    fn span(&self, image: &Image, axis: usize, at: u32, level: u32) -> [f32; 2] {
+        let first = i64::from(at) << level;
+        let last = (first + (1 << level)).min(self.size[axis]) - 1;
+        let ends = if image.is_mirrored[axis] {
+            [self.size[axis] - 1 - last, self.size[axis] - 1 - first]
+        } else {
+            [first, last]
+        };
+        [(image.begin[axis] + ends[0]) as f32, (image.begin[axis] + ends[1]) as f32]
+    }
+
+    #[inline(always)]
+    fn rows(&self, [from, to]: [f32; 2]) -> Rows {
+        let away = at_least(at_least(from, -to), 0.0) - self.half;
+        let (vertex, cell) = (at_least(away, 0.0) * self.sides[1], at_least(away - 1.0, 0.0) * self.sides[1]);
+        Rows { is_ahead: from + to > 0.0, near2: [vertex * vertex, cell * cell] }
     }
 
     /// For each lane a positive number if a vertex in sight may matter to it; nothing if to none.
     #[inline(always)]
     fn worth<S: Simd>(&self, simd: S, group: &Group, sight: &Sight) -> Option<[f32; LANES]> {
-        let [ax, ay] = self.sides;
-        // Beyond what `f32` counts exactly, distances are rounded as all else is.
-        let (from, to) = (sight.from, sight.to);
-        let (from, to) = ([from[0] as f32, from[1] as f32], [to[0] as f32, to[1] as f32]);
-        let away_y = at_least(at_least(from[1], -to[1]), 0.0) - self.half;
-        let (sy, gy) = (at_least(away_y, 0.0) * ay, at_least(away_y - 1.0, 0.0) * ay);
         let (zero, quarter) = (simd.splat_f32s(0.0), simd.splat_f32s(0.25));
-        let (square_s, square_g) = (simd.splat_f32s(sy * sy), simd.splat_f32s(gy * gy));
-        let (from, to) = (simd.splat_f32s(from[0]), simd.splat_f32s(to[0]));
-        let (highest, ax) = (simd.splat_f32s(sight.highest), simd.splat_f32s(ax));
+        let [square_s, square_g] = sight.rows.near2;
+        let (square_s, square_g) = (simd.splat_f32s(square_s), simd.splat_f32s(square_g));
+        let (from, to) = (simd.splat_f32s(sight.columns[0]), simd.splat_f32s(sight.columns[1]));
+        let (highest, ax) = (simd.splat_f32s(sight.highest), simd.splat_f32s(self.sides[0]));
         let (half, reach) = (simd.splat_f32s(self.half), simd.splat_f32s(self.half + 1.0));
         let mut excess = [0.0; LANES];
         let mut any = false;
@@ -231,7 +265,7 @@ impl<'a> Walk<'a> {
             let rise = simd.mul_f32s(rise, simd.max_f32s(g2, quarter));
             let bar = simd.mul_f32s(S::as_simd_f32s(&group.bar).0[part], s2);
             *excess = simd.sub_f32s(simd.mul_f32s(rise, rise), simd.mul_f32s(bar, simd.mul_f32s(open, open)));
-            any |= simd.reduce_max_f32s(*excess) > 0.0;
+            any |= simd.first_true_m32s(simd.less_than_f32s(zero, *excess)) < S::F32_LANES;
         }
         any.then_some(excess)
     }

@@ -4,8 +4,8 @@ use pulp::Simd;
 use relief::{HeightMap, Wrap};
 
 use super::super::cone::{
-    Apexes, Block, CELLS_AROUND, Group, LANES, Lanes, Look, Near, Region, Search, Seen, Sort, State,
-    is_in_block, is_inside_block, most,
+    Apexes, Block, CELLS_AROUND, Group, LANES, Lanes, Look, Region, Search, Seen, Sort, State, is_in_block,
+    is_inside_block, most, steepest_in_quarter,
 };
 use super::falling::{ROUNDING, falling_slope2};
 use super::own::own_bound;
@@ -18,22 +18,48 @@ const MOST_IMAGES: i64 = 4096;
 pub(super) struct Relaxed {
     /// How many tiles away, along either axis, a point may be nearer than the highest point of the nearest tiles.
     tiles: [i64; 2],
-    is_plain: bool,
-    /// The four cells around the centre.
-    own: Near,
 }
 
 impl Relaxed {
-    pub fn new(map: &HeightMap, texel_m: [f64; 2], region: Region) -> Self {
-        // Some image of the highest point is in the tile around an apex, and so not farther than a tile's diagonal.
+    /// For that map; none where too many images would have to be looked at.
+    pub fn new(map: &HeightMap, texel_m: [f64; 2]) -> Option<Self> {
+        if map.wrap() == Wrap::Clamp {
+            return Some(Self { tiles: [0; 2] });
+        }
+        // Some image of the highest point is in the tile around an apex, and so not farther than a tile's diagonal. A patch that
+        // rises in the nearest image may fall in another.
         let tile_m = [texel_m[0] * f64::from(map.width()), texel_m[1] * f64::from(map.height())];
         let diagonal = tile_m[0].hypot(tile_m[1]);
-        let most_tiles = tile_m.map(|side| ((diagonal / side).ceil() + 1.0).min(1e6) as i64);
-        // A patch that rises in the nearest image may fall in another.
-        let tiles = if map.wrap() == Wrap::Clamp { [0; 2] } else { most_tiles };
-        // A cone that holds no surface is left after no entry at all, and for it the nearest image suffices.
-        let is_plain = tiles.iter().map(|tiles| 2 * tiles + 1).product::<i64>() > MOST_IMAGES;
-        Self { tiles, is_plain, own: Near::new(texel_m, region, 1, 1) }
+        let tiles = tile_m.map(|side| ((diagonal / side).ceil() + 1.0).min(1e6) as i64);
+        let images: i64 = tiles.iter().map(|tiles| 2 * tiles + 1).product();
+        (images <= MOST_IMAGES).then_some(Self { tiles })
+    }
+
+    /// What the four cells around the centre ask for, which hold the apexes: the least of two bounds.
+    #[inline(always)]
+    fn own_slope2<S: Simd>(
+        &self,
+        simd: S,
+        search: &Search,
+        block: &Block,
+        lane: usize,
+        apexes: &Apexes,
+    ) -> f64 {
+        let around = block.around(lane);
+        let (texel_m, half) = (search.places.texel_m, search.places.region.half());
+        let bound = own_bound(&around, texel_m, half);
+        let per_side = texel_m.map(|side| 1.0 / side);
+        let mut whole = 0.0f64;
+        for offset in CELLS_AROUND {
+            let (column, row) = ((offset[0] + 1) as usize, (offset[1] + 1) as usize);
+            let [above, below] = [around[row], around[row + 1]];
+            let heights = [above[column], above[column + 1], below[column], below[column + 1]];
+            let [aside, ahead] = [around[1][2 * column], around[2 * row][1]];
+            let quarter = [around[1][1], aside, ahead, around[2 * row][2 * column]];
+            whole = whole.max(steepest_in_quarter(quarter, per_side));
+            whole = search.to_cell(simd, apexes, &Seen { offset, heights }, whole);
+        }
+        whole.min(bound * bound)
     }
 
     /// Raises `best` to what the falling part of a cell asks for.
@@ -61,6 +87,8 @@ impl Relaxed {
 }
 
 impl Sort for Relaxed {
+    const NEAR: bool = false;
+
     #[inline(always)]
     fn slopes2<S: Simd>(
         &self,
@@ -68,26 +96,20 @@ impl Sort for Relaxed {
         search: &Search,
         texel: [i64; 2],
         count: usize,
+        _: Lanes,
         state: &mut State,
     ) -> Lanes {
-        if self.is_plain {
-            return search.slopes2(simd, texel, count, state);
-        }
         let region = search.places.region;
-        let block = Block::new(&search.field, texel, region);
-        let apexes = search.apexes(&block, texel);
+        let block = Block::new(&search.field, texel);
+        let apexes = block.apexes(texel, region);
         let mut best = [0.0; LANES];
-        if region == Region::Footprint {
-            best = search.near_slopes2(simd, &self.own, &block, &apexes, count);
-        }
-        let State { group, seeds } = state;
+        let (group, seeds) = (&mut state.group, &mut state.seeds[texel[0] as usize..]);
         group.begin(texel);
         let mut falling = Falling { relaxed: self, search, apexes: &apexes, best: &mut best, seeds };
         for lane in 0..count {
             let apexes = &apexes[lane];
             if region == Region::Footprint {
-                let own = own_bound(&block.around(lane), search.places.texel_m, region.half());
-                falling.best[lane] = falling.best[lane].min(own * own);
+                falling.best[lane] = self.own_slope2(simd, search, &block, lane, apexes);
             }
             if let Some(seed) = falling.seeds[lane] {
                 let by = [0, 1].map(|axis| seed[axis] - apexes.texel[axis]);
@@ -113,7 +135,7 @@ struct Falling<'a, 'b> {
     search: &'b Search<'a>,
     apexes: &'b [Apexes; LANES],
     best: &'b mut Lanes,
-    seeds: &'b mut [Option<[i64; 2]>; LANES],
+    seeds: &'b mut [Option<[i64; 2]>],
 }
 
 impl Falling<'_, '_> {
