@@ -27,7 +27,8 @@ pub enum BakeError {
     },
 }
 
-/// Bakes a map of that kind into a sink. Kinds with the parameter [`BITS`] are baked from heights of so many bits.
+/// Bakes a map of that kind into a sink. Kinds with the parameter [`BITS`] are baked from heights of so many bits, for which
+/// a copy of the map is made: see [`bake_last`].
 ///
 /// # Errors
 ///
@@ -40,8 +41,32 @@ pub fn bake(
     progress: &Progress,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
-    let bits = kind.params.iter().position(|param| *param == BITS).map_or(0, |place| settings.count(place));
+    let bits = bits_of_heights(kind, settings);
     let decoded = if bits == 0 { None } else { Some(quantise::heights(map, bits)?) };
     let source = Source { map: decoded.as_ref().unwrap_or(map), metric };
     (kind.bake)(&source, settings, progress, sink)
+}
+
+/// [`bake`] of a map that is not needed afterwards: no kind makes a copy of it. Every 2-D kind then takes at most one and a half
+/// times the memory of the map and its textures, and what each thread needs for some of the map's lines.
+///
+/// # Errors
+///
+/// As [`bake`].
+pub fn bake_last(
+    kind: &Kind,
+    map: HeightMap,
+    metric: Metric,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let bits = bits_of_heights(kind, settings);
+    let map = if bits == 0 { map } else { quantise::heights_in_place(map, bits)? };
+    (kind.bake)(&Source { map: &map, metric }, settings, progress, sink)
+}
+
+/// To how many bits heights are rounded before they are baked; 0 for none.
+fn bits_of_heights(kind: &Kind, settings: &Settings) -> u32 {
+    kind.params.iter().position(|param| *param == BITS).map_or(0, |place| settings.count(place))
 }

@@ -20,7 +20,7 @@ mod settings;
 mod sink;
 mod texels;
 
-pub use bake::{BakeError, bake};
+pub use bake::{BakeError, bake, bake_last};
 pub use kind::{KINDS, Kind, kind};
 pub use metric::{Metric, MetricError};
 pub use progress::{Cancelled, Progress};

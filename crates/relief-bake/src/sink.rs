@@ -16,6 +16,9 @@ pub enum Rounding {
 pub struct Channel {
     /// Its name in files, such as `height` or `cone`.
     pub name: &'static str,
+    /// The unit of its values: `m`, `heights` for fractions of the relief's depth, `heights/texel`, `tiles` for texture
+    /// coordinates, `1` for pure numbers.
+    pub unit: &'static str,
     /// The values that 0 and 1 stand for when it is stored as an integer.
     pub range: [f32; 2],
     /// The side to round to when it is stored in fewer bits.

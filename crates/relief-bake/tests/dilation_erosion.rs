@@ -5,10 +5,10 @@ use std::sync::atomic::AtomicBool;
 use relief::{HeightMap, MaxPyramid, Wrap};
 use relief_bake::kind::Reach;
 use relief_bake::kind::dilation_erosion::{KIND, window_bounds};
-use relief_bake::{Collected, Metric, Progress, bake, quantise};
-use relief_tests::probes::dilation_erosion as probes;
+use relief_bake::{Metric, Progress, quantise};
 use relief_tests::probes::place::Place;
 use relief_tests::probes::pyramid::holds;
+use relief_tests::probes::{dilation_erosion as probes, run, stored};
 use relief_tests::{brute, maps};
 
 /// Probes of each map, in each wrap.
@@ -16,13 +16,10 @@ const PROBES: usize = 100_000;
 
 /// Erosion and dilation of every cell.
 fn baked(map: &HeightMap, radius: u32, bits: u32) -> Vec<[f32; 2]> {
-    let mut settings = KIND.defaults();
-    settings.set("radius", f64::from(radius)).expect("a known radius");
-    settings.set("bits", f64::from(bits)).expect("a known number of bits");
-    let mut collected = Collected::default();
     let metric = Metric::new([2.0, 0.5], 0.1).expect("lengths");
-    bake(&KIND, map, metric, &settings, &Progress::none(), &mut collected).expect("a bake");
-    let channels = &collected.textures[0].levels[0];
+    let set = [("radius", f64::from(radius)), ("bits", f64::from(bits))];
+    let textures = stored::textures(&KIND, map, metric, &set).expect("a bake");
+    let channels = &textures[0].levels[0];
     channels[0].iter().zip(&channels[1]).map(|(min, max)| [*min, *max]).collect()
 }
 
@@ -53,20 +50,28 @@ fn a_radius_beyond_the_map_sees_all_of_it() {
 
 #[test]
 fn the_surface_stays_within_in_any_bits() {
-    for (at, named) in maps::ALL.iter().enumerate() {
-        for (wrap, radius) in Wrap::ALL.into_iter().zip([5, 1, 13]) {
-            let map = named.build(wrap);
-            let folding = MaxPyramid::new(&map);
-            for bits in [0, 8, 16] {
-                let (decoded, bounds) =
-                    (quantise::heights(&map, bits).expect("valid"), baked(&map, radius, bits));
-                let read = |cell: [i64; 2]| {
-                    bounds[(folding.row(cell[1]) * map.width() + folding.column(cell[0])) as usize]
-                };
-                let escaped = probes::probe(&decoded, radius, read, PROBES, at as u64);
-                assert_eq!(escaped, None, "{} {wrap}, {bits} bits", named.name);
-            }
-        }
+    for case in [0, 8, 16].into_iter().flat_map(|bits| run::cases(KIND.name, bits)) {
+        let outcome = run::run(&case, PROBES, &|_| {}).expect("a bake");
+        assert_eq!(outcome.violations, 0, "{case:?}: {outcome:?}");
+    }
+}
+
+#[test]
+fn probes_catch_the_bounds_of_a_smaller_window() {
+    let map = run::map(0);
+    let (folding, bounds) = (MaxPyramid::new(&map), baked(&map, 4, 0));
+    let read =
+        |cell: [i64; 2]| bounds[(folding.row(cell[1]) * map.width() + folding.column(cell[0])) as usize];
+    assert_eq!(probes::attack(&map, 4, read, PROBES, 1).violations, 0);
+    assert!(probes::attack(&map, 5, read, PROBES, 1).violations > 0);
+}
+
+#[test]
+fn rounded_bounds_are_the_bounds_of_rounded_heights() {
+    for (wrap, bits) in Wrap::ALL.into_iter().zip([8, 5, 16]) {
+        let map = maps::ALL[0].build(wrap);
+        let rounded = quantise::heights(&map, bits).expect("a valid map");
+        assert_eq!(baked(&map, 3, bits), baked(&rounded, 3, 0), "{wrap}, {bits} bits");
     }
 }
 

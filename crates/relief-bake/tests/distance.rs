@@ -6,21 +6,11 @@ use relief_bake::{BakeError, Collected, Metric, Progress, bake};
 use relief_tests::brute::distance::{boxes, to_surface};
 use relief_tests::maps;
 use relief_tests::probes::distance::Field;
+use relief_tests::probes::{run, stored};
 use relief_tests::rng::Rng;
 
 /// Probes a map, wrap and number of bits.
 const PROBES: usize = 100_000;
-
-const ATTACKED: [&str; 8] = [
-    "white noise 37x53",
-    "natural 128x128",
-    "single spike 33x31",
-    "needles in a pit 64x64",
-    "ramp 32x17",
-    "checkerboard 24x24",
-    "steps 61x40",
-    "one row 1x29",
-];
 
 fn metrics() -> [Metric; 2] {
     [
@@ -30,12 +20,8 @@ fn metrics() -> [Metric; 2] {
 }
 
 fn baked(map: &HeightMap, metric: Metric, slices: u32, bits: u32) -> Vec<f32> {
-    let mut settings = KIND.defaults();
-    settings.set("slices", f64::from(slices)).expect("an accepted number of slices");
-    settings.set("bits", f64::from(bits)).expect("an accepted number of bits");
-    let mut out = Collected::default();
-    bake(&KIND, map, metric, &settings, &Progress::none(), &mut out).expect("nothing cancels it");
-    let texture = out.textures.remove(0);
+    let set = [("slices", f64::from(slices)), ("bits", f64::from(bits))];
+    let texture = stored::textures(&KIND, map, metric, &set).expect("nothing cancels it").remove(0);
     assert_eq!(texture.texture.size, [map.width(), map.height(), slices]);
     let [low, high] = texture.texture.channels[0].range;
     let values = texture.levels.into_iter().flatten().flatten().collect::<Vec<f32>>();
@@ -84,27 +70,27 @@ fn it_is_the_distance_to_the_boxes() {
 
 #[test]
 fn a_fetch_is_never_more_than_the_distance_to_the_surface() {
-    for named in maps::ALL.iter().filter(|named| ATTACKED.contains(&named.name)) {
-        for (wrap, bits) in
-            Wrap::ALL.into_iter().zip([0, 8, 16]).chain([(Wrap::Repeat, 16), (Wrap::Clamp, 0)])
-        {
-            let metric = metrics()[usize::from(bits == 8)];
-            let original = named.build(wrap);
-            let values = baked(&original, metric, 24, bits);
-            let map = if bits == 0 {
-                original
-            } else {
-                relief_bake::quantise::heights(&original, bits).expect("a map")
-            };
-            let Metric { tile_m, scale_m } = metric;
+    for case in [0, 8, 16].into_iter().flat_map(|bits| run::cases(KIND.name, bits)) {
+        let outcome = run::run(&case, PROBES, &|_| {}).expect("a bake");
+        assert_eq!(outcome.violations, 0, "{case:?}: {outcome:?}");
+    }
+}
+
+#[test]
+fn a_field_looser_than_its_tightest_contact_is_caught() {
+    let Metric { tile_m, scale_m } = metrics()[0];
+    for (place, (name, wrap)) in run::MAPS.into_iter().enumerate() {
+        for bits in [0, 8, 16] {
+            let original = run::map(place);
+            let values = baked(&original, metrics()[0], 24, bits);
+            let map = stored::heights(&original, bits).expect("a map");
             let field = Field { map: &map, tile_m, scale_m, slices: 24, values: &values };
-            let tightest = field.tightest(PROBES, 1);
-            assert!(tightest.slack_m >= 0.0, "{} {wrap} {bits} bits: {tightest:?}", named.name);
-            // The probes have teeth: a map looser than its tightest contact by a step of 16 bits is caught there.
-            let step = (tightest.slack_m + scale_m / 65_535.0) as f32;
+            let (room, tightest) = field.attack(PROBES, 1).tightest.expect("there are probes");
+            // By a step of 16 bits.
+            let step = (room + scale_m / 65_535.0) as f32;
             let loose: Vec<f32> = values.iter().map(|value| value + step).collect();
             let caught = Field { values: &loose, ..field }.contact(tightest.from, tightest.surface);
-            assert!(caught.slack_m < 0.0, "{} {wrap} {bits} bits: not caught, {caught:?}", named.name);
+            assert!(caught.slack_m < 0.0, "{name} {wrap} {bits} bits: not caught, {caught:?}");
         }
     }
 }
@@ -120,7 +106,7 @@ fn what_was_given_away_is_known() {
         .collect();
     let Metric { tile_m, scale_m } = metric;
     let field = Field { map: &map, tile_m, scale_m, slices: 24, values: &undiminished };
-    assert!(field.tightest(PROBES, 2).slack_m < 0.0, "no probe finds a fetch that is too long");
+    assert!(field.attack(PROBES, 2).violations > 0, "no probe finds a fetch that is too long");
 }
 
 #[test]

@@ -10,7 +10,8 @@ use relief_bake::{Collected, Metric, Progress, Rounding, bake, quantise};
 use relief_tests::brute::frustum as brute;
 use relief_tests::judge::judge;
 use relief_tests::maps;
-use relief_tests::probes::frustum::{Frustum, probe};
+use relief_tests::probes::frustum::{Frustum, attack};
+use relief_tests::probes::{run, stored};
 use relief_tests::rays::{RayKind, Rays};
 use relief_tests::rng::Rng;
 use relief_tests::search::frustum::search;
@@ -22,37 +23,17 @@ const PROBES: usize = 100_000;
 /// The height residual up to which a search's answer counts as exact: that of the exact tracers.
 const TOLERANCE: f64 = 2e-12;
 
-/// Eight maps with a wrap each, so that every wrap meets several kinds and both odd sizes and powers of two.
-const ATTACKED: [(usize, Wrap); 8] = [
-    (0, Wrap::Repeat),
-    (1, Wrap::Mirror),
-    (2, Wrap::Clamp),
-    (3, Wrap::Mirror),
-    (4, Wrap::Repeat),
-    (5, Wrap::Repeat),
-    (11, Wrap::Clamp),
-    (13, Wrap::Mirror),
-];
-
 const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [false, false]];
 
 /// The map of what is stored in so many bits.
 fn baked(map: &HeightMap, bits: u32) -> FrustumMap {
-    let mut settings = KIND.defaults();
-    settings.set("bits", f64::from(bits)).expect("a known number of bits");
-    let mut collected = Collected::default();
     let metric = Metric::new([2.0, 0.5], 0.1).expect("lengths");
-    bake(&KIND, map, metric, &settings, &Progress::none(), &mut collected).expect("a bake");
-    let plane = |texture: usize, channel: usize| collected.textures[texture].levels[0][channel].clone();
-    let slopes = [0, 1, 2, 3].map(|channel| plane(1, channel));
-    FrustumMap::new([map.width(), map.height()], map.wrap(), plane(0, 0), slopes).expect("planes of the map")
+    let textures = stored::textures(&KIND, map, metric, &[("bits", f64::from(bits))]).expect("a bake");
+    stored::frustum_map(map, &textures)
 }
 
 fn read(frusta: &FrustumMap) -> impl Fn([i64; 2], [bool; 2]) -> Frustum + '_ {
-    |cell, forward| {
-        let at = frusta.at(cell, forward);
-        Frustum { top: f64::from(at.top), slope: f64::from(at.slope), low: at.low, high: at.high }
-    }
+    |cell, forward| stored::frustum(frusta, cell, forward)
 }
 
 fn highest(map: &HeightMap) -> f64 {
@@ -83,22 +64,29 @@ fn every_slope_is_the_brute_forces_rounded_up() {
 
 #[test]
 fn no_place_of_the_surface_is_above_a_frustum_in_any_bits() {
-    for (at, wrap) in ATTACKED {
-        let map = maps::ALL[at].build(wrap);
-        for bits in [0, 8, 16] {
-            let (decoded, frusta) = (quantise::heights(&map, bits).expect("valid"), baked(&map, bits));
-            let escape = probe(&decoded, read(&frusta), PROBES, at as u64);
-            assert_eq!(escape, None, "{} {wrap}, {bits} bits", maps::ALL[at].name);
-        }
+    for case in [0, 8, 16].into_iter().flat_map(|bits| run::cases(KIND.name, bits)) {
+        let outcome = run::run(&case, PROBES, &|_| {}).expect("a bake");
+        assert_eq!(outcome.violations, 0, "{case:?}: {outcome:?}");
     }
 }
 
 #[test]
+fn probes_catch_frusta_that_are_too_low() {
+    let map = run::map(0);
+    let frusta = baked(&map, 0);
+    let lowered = |cell, forward| {
+        let frustum = read(&frusta)(cell, forward);
+        Frustum { slope: 0.99 * frustum.slope, ..frustum }
+    };
+    assert!(attack(&map, lowered, PROBES, 1).violations > 0);
+}
+
+#[test]
 fn no_ray_passes_the_exact_first_hit_in_any_bits() {
-    for (at, wrap) in ATTACKED {
-        let map = maps::ALL[at].build(wrap);
+    for (at, (name, wrap)) in run::MAPS.into_iter().enumerate() {
+        let map = run::map(at);
         for bits in [0, 8, 16] {
-            let (decoded, frusta) = (quantise::heights(&map, bits).expect("valid"), baked(&map, bits));
+            let (decoded, frusta) = (stored::heights(&map, bits).expect("valid"), baked(&map, bits));
             let lanes = 64;
             let wrong = (0..lanes).into_par_iter().find_map_first(|lane| {
                 let mut rays = Rays::new(&decoded, 1000 * at as u64 + lane);
@@ -110,7 +98,7 @@ fn no_ray_passes_the_exact_first_hit_in_any_bits() {
                     verdict.err().map(|wrong| format!("{kind:?}: {wrong}"))
                 })
             });
-            assert_eq!(wrong, None, "{} {wrap}, {bits} bits", maps::ALL[at].name);
+            assert_eq!(wrong, None, "{name} {wrap}, {bits} bits");
         }
     }
 }

@@ -7,6 +7,7 @@ use relief::exact::cell_walk;
 use relief::{HeightMap, Path, Wrap};
 use relief_bake::kind::{bent_normal, occlusion};
 use relief_bake::{Collected, Metric, Progress, bake};
+use relief_tests::brute::sky::Sky;
 use relief_tests::maps;
 
 /// Rays a texel: so many azimuths, and elevations in each.
@@ -55,12 +56,12 @@ fn small_maps() -> Vec<HeightMap> {
 }
 
 /// Root mean square errors of the visibility and of the bent normal's angle in degrees.
-fn errors(map: &HeightMap, open: &[f32], normals: &[[f32; 3]]) -> [f64; 2] {
+fn errors(map: &HeightMap, open: &[f32], normals: &[Vec<f32>; 3]) -> [f64; 2] {
     let squares: Vec<[f64; 2]> = (0..map.texels().len())
         .into_par_iter()
         .map(|texel| {
             let (visible, normal) = exact(map, texel);
-            let cosine: f64 = normal.iter().zip(normals[texel]).map(|(a, b)| a * f64::from(b)).sum();
+            let cosine: f64 = normal.iter().zip(normals).map(|(a, plane)| a * f64::from(plane[texel])).sum();
             [(visible - f64::from(open[texel])).powi(2), cosine.min(1.0).acos().to_degrees().powi(2)]
         })
         .collect();
@@ -78,11 +79,35 @@ fn closed_forms_agree_with_a_thousand_rays() {
         assert!(visibility < 0.02 && degrees < 1.5, "{visibility}, {degrees} degrees");
         // The wrong green, or a visibility that forgets the cosine, would not pass.
         if map.height() == 20 {
-            let flipped: Vec<[f32; 3]> = normals.iter().map(|[x, y, z]| [*x, -y, *z]).collect();
+            let [x, y, z] = &normals;
+            let flipped = [x.clone(), y.iter().map(|y| -y).collect(), z.clone()];
             let uniform: Vec<f32> = open.iter().map(|open| 1.0 - (1.0 - open).max(0.0).sqrt()).collect();
             let [visibility, degrees] = errors(&map, &uniform, &flipped);
             assert!(visibility > 0.02 && degrees > 1.5, "{visibility}, {degrees} degrees");
         }
+    }
+}
+
+#[test]
+fn a_sum_over_the_same_horizons_is_the_same() {
+    let metric = metric();
+    for map in [maps::ALL[3].build(Wrap::Repeat), maps::ALL[13].build(Wrap::Mirror)] {
+        let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
+        let (texel_m, reach) = (metric.texel_m(&map), f64::from(map.width().max(map.height()).max(64)));
+        let sky = Sky { texel_m, scale_m: metric.scale_m, azimuths: 16, reach, highest };
+        let progress = Progress::none();
+        let open = occlusion::visibility(&map, metric, 16, 1, &progress).expect("not cancelled");
+        let normals = bent_normal::bent_normals(&map, metric, 16, 1, &progress).expect("not cancelled");
+        let (mut off, mut turned) = (0.0f64, 0.0f64);
+        for texel in (0..map.texels().len()).step_by(7) {
+            let place = [texel as u32 % map.width(), texel as u32 / map.width()];
+            off = off.max((sky.visibility(&map, place) - f64::from(open[texel])).abs());
+            let bent = sky.bent_normal(&map, place);
+            let apart = (0..3).map(|k| (bent[k] - f64::from(normals[k][texel])).powi(2)).sum::<f64>();
+            turned = turned.max(apart.sqrt());
+        }
+        // What the horizons themselves may be off.
+        assert!(off < 0.01 && turned < 0.02, "{off} and {turned}");
     }
 }
 
@@ -114,10 +139,11 @@ fn a_pit_is_dark_and_its_walls_turn_light_inward() {
     let normals = bent_normal::bent_normals(&map, metric, 16, 1, &Progress::none()).expect("not cancelled");
     assert_eq!(open[0], 1.0);
     assert!(open[8 * 16 + 8] < 0.3 && open[5 * 16 + 5] < open[8 * 16 + 8]);
-    let west = normals[8 * 16 + 5];
+    let normal = |texel: usize| normals.each_ref().map(|plane| plane[texel]);
+    let west = normal(8 * 16 + 5);
     assert!(west[0] > 0.1, "the sky is in the east: {west:?}");
-    let north = normals[5 * 16 + 8];
+    let north = normal(5 * 16 + 8);
     assert!(north[1] < -0.1, "the sky is in the south, which is down in the picture: {north:?}");
     let length = |n: [f32; 3]| n.iter().map(|x| x * x).sum::<f32>();
-    assert!(normals.iter().all(|n| (length(*n) - 1.0).abs() < 1e-5));
+    assert!((0..map.texels().len()).all(|texel| (length(normal(texel)) - 1.0).abs() < 1e-5));
 }

@@ -8,7 +8,8 @@ use relief_bake::kind::pyramid::{KIND, pyramids};
 use relief_bake::{BakeError, Collected, CollectedTexture, Metric, Progress, bake};
 use relief_tests::judge::judge;
 use relief_tests::probes::place::Place;
-use relief_tests::probes::pyramid as probes;
+use relief_tests::probes::stored::{self, pair as node};
+use relief_tests::probes::{pyramid as probes, run};
 use relief_tests::rays::{RayKind, Rays};
 use relief_tests::search::pyramid::search;
 use relief_tests::{brute, maps};
@@ -17,18 +18,8 @@ use relief_tests::{brute, maps};
 const PROBES: usize = 100_000;
 
 fn baked(map: &HeightMap, bits: u32) -> CollectedTexture {
-    let mut settings = KIND.defaults();
-    settings.set("bits", f64::from(bits)).expect("a known number of bits");
-    let mut collected = Collected::default();
     let metric = Metric::new([2.0, 0.5], 0.1).expect("lengths");
-    bake(&KIND, map, metric, &settings, &Progress::none(), &mut collected).expect("a bake");
-    collected.textures.remove(0)
-}
-
-/// Least and greatest height of a node.
-fn node(texture: &CollectedTexture, level: usize, column: u32, row: u32) -> [f32; 2] {
-    let place = (row * texture.texture.level_size(level)[0] + column) as usize;
-    [texture.levels[level][0][place], texture.levels[level][1][place]]
+    stored::textures(&KIND, map, metric, &[("bits", f64::from(bits))]).expect("a bake").remove(0)
 }
 
 #[test]
@@ -55,19 +46,9 @@ fn every_node_of_every_level_is_the_extremes_of_its_cells() {
 
 #[test]
 fn the_surface_stays_within_every_level_in_any_bits() {
-    for (at, named) in maps::ALL.iter().enumerate() {
-        for (wrap, bits) in Wrap::ALL.into_iter().zip([0, 8, 16]) {
-            for bits in [bits, 0] {
-                let map = named.build(wrap);
-                let decoded = relief_bake::quantise::heights(&map, bits).expect("valid heights");
-                let (texture, folding) = (baked(&map, bits), MaxPyramid::new(&map));
-                let bounds = |level: usize, cell: [i64; 2]| {
-                    node(&texture, level, folding.column(cell[0]) >> level, folding.row(cell[1]) >> level)
-                };
-                let escaped = probes::probe(&decoded, texture.levels.len(), bounds, PROBES, at as u64);
-                assert_eq!(escaped, None, "{} {wrap}, {bits} bits", named.name);
-            }
-        }
+    for case in [0, 8, 16].into_iter().flat_map(|bits| run::cases(KIND.name, bits)) {
+        let outcome = run::run(&case, PROBES, &|_| {}).expect("a bake");
+        assert_eq!(outcome.violations, 0, "{case:?}: {outcome:?}");
     }
 }
 

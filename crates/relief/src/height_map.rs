@@ -219,6 +219,11 @@ impl HeightMap {
         &self.texels
     }
 
+    /// All texels, when nothing else of the map is needed any more.
+    pub fn into_texels(self) -> Vec<f32> {
+        self.texels
+    }
+
     /// How the map goes on beyond its edges.
     #[inline]
     pub fn wrap(&self) -> Wrap {

@@ -35,6 +35,10 @@ impl Wrap {
     #[inline]
     pub const fn index(self, index: i64, size: u32) -> u32 {
         let size = size as i64;
+        // Nearly always it is inside; then nothing is divided.
+        if 0 <= index && index < size {
+            return index as u32;
+        }
         let wrapped = match self {
             Wrap::Repeat => index.rem_euclid(size),
             Wrap::Clamp => {

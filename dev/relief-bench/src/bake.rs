@@ -1,106 +1,211 @@
-//! `bake`: the time of every kind of map, on one and two threads, and what brute force would take.
+//! `bake`: time and memory of every kind of map, and what brute force would take.
 
-use std::time::Instant;
+mod brute;
+mod measure;
+mod python;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
 
 use clap::Args;
 use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
-use rayon::ThreadPoolBuilder;
+use rayon::ThreadPool;
 use relief::{HeightMap, Wrap};
-use relief_bake::{KINDS, Kind, Metric, Progress, Sink, SinkError, Texture, bake};
-use relief_tests::brute;
+use relief_bake::{KINDS, Kind, Metric};
 use relief_tests::maps::fractal;
+
+use self::brute::Brute;
+use self::measure::Measured;
 
 /// Depth of the relief in tiles.
 const SCALE_M: f64 = 0.1;
 
-/// Radius of the brute-force window, in texels: the kind's default.
-const RADIUS: u32 = 8;
+/// Growth of the time that is reckoned with before a larger map is measured, over texels.
+const EXPECTED_EXPONENT: f64 = 1.15;
 
 /// What `bake` is given.
 #[derive(Args)]
 pub struct Arguments {
     /// Sides of the maps, in texels
-    #[arg(long, value_delimiter = ',', default_values_t = [256, 512, 1024])]
+    #[arg(long, value_delimiter = ',', default_values_t = [256, 512, 1024, 2048, 4096])]
     sizes: Vec<u32>,
     /// Kinds [default: all]
     #[arg(long, value_delimiter = ',')]
     kinds: Vec<String>,
-    /// Runs of each; the median counts
+    /// Bits of the stored values: 8 or 16, 0 for floats
+    #[arg(long, default_value_t = 0)]
+    bits: u32,
+    /// Runs of each, and as many more as take 50 ms together; the median counts
     #[arg(long, default_value_t = 3)]
     runs: usize,
-    /// Side of the map that brute force is run on; its time at the other sizes follows from its texel pairs. 0 leaves it
-    /// out
-    #[arg(long, default_value_t = 128)]
-    brute_size: u32,
+    /// A map that would take longer than this on one thread is left out, and larger ones too; one that takes more than a
+    /// tenth of it is run once
+    #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
+    limit: f64,
+    /// How long brute force may take at each size: then the time of the texels that were done counts for all. 0 leaves it out
+    #[arg(long, default_value_t = 1.5, value_name = "SECONDS")]
+    brute: f64,
+    /// A Python with numpy, edt and topocalc: times distance and horizon beside these two
+    #[arg(long, value_name = "PYTHON")]
+    beside_python: Option<PathBuf>,
 }
 
-/// Takes textures and forgets them, so that only the bake is timed.
-struct Nowhere;
-
-impl Sink for Nowhere {
-    fn begin(&mut self, _: &Texture) -> Result<(), SinkError> {
-        Ok(())
-    }
-
-    fn slice(&mut self, planes: &[&[f32]]) -> Result<(), SinkError> {
-        std::hint::black_box(planes);
-        Ok(())
-    }
+/// One row of the table.
+struct Row {
+    side: u32,
+    /// Milliseconds on one thread and on two, and of processor time on one.
+    ms: [f64; 3],
+    /// Memory of input, output and everything between, over input and output.
+    memory: f64,
+    brute: Option<Brute>,
 }
 
-/// Prints the table.
-pub fn run(arguments: &Arguments) -> Result<(), String> {
+/// Prints the tables.
+pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
+    if let Some(code) = measure::with_fresh_memory()? {
+        return Ok(code);
+    }
     let kinds = chosen(&arguments.kinds)?;
-    let metric = Metric::unit_tile(SCALE_M).map_err(|error| error.to_string())?;
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header([
+    let pools = [pool(1)?, pool(2)?];
+    if let Some(python) = &arguments.beside_python {
+        return python::run(python, &arguments.sizes, &pools[0]).map(|()| ExitCode::SUCCESS);
+    }
+    let mut times = table(&[
         "kind",
         "size",
         "1 thread ms",
         "2 threads ms",
-        "exponent of time over texels",
-        "brute force ms, 2 threads",
+        "processor ms",
+        "memory / (input + output)",
+        "brute force s, 2 threads",
+        "texels done",
         "lead over brute force",
     ]);
+    let mut growth = table(&["kind", "sizes", "1 thread", "2 threads", "processor time"]);
+    let mut left_out = Vec::new();
     for kind in kinds {
-        let brute = match arguments.brute_size {
-            0 => None,
-            side => brute_ms(kind.name, &ground(side)?).map(|ms| (side, ms)),
-        };
-        let mut before: Option<(u32, f64)> = None;
-        for &side in &arguments.sizes {
-            let map = ground(side)?;
-            let one = median_ms(kind, &map, metric, 1, arguments.runs)?;
-            let two = median_ms(kind, &map, metric, 2, arguments.runs)?;
-            let exponent = before
-                .map(|(smaller, ms)| (two / ms).ln() / (2.0 * (f64::from(side) / f64::from(smaller)).ln()));
-            let expected = brute
-                .map(|(measured, ms)| ms * (f64::from(side) / f64::from(measured)).powi(growth(kind.name)));
-            let shown = |value: Option<f64>, digits: usize| {
-                value.map_or("-".to_owned(), |value| format!("{value:.digits$}"))
+        let rows = rows(kind, arguments, &pools, &mut left_out)?;
+        for row in &rows {
+            times.add_row(row.cells(kind));
+        }
+        if let [first, .., last] = rows.as_slice() {
+            let exponent = |which: usize| {
+                let points = rows.iter().map(|row| (2.0 * f64::from(row.side).ln(), row.ms[which].ln()));
+                format!("{:.2}", slope(&points.collect::<Vec<_>>()))
             };
-            table.add_row([
+            growth.add_row([
                 kind.name.to_owned(),
-                format!("{side}²"),
-                format!("{one:.1}"),
-                format!("{two:.1}"),
-                shown(exponent, 2),
-                shown(expected, 0),
-                shown(expected.map(|ms| ms / two), 0),
+                format!("{}² to {}²", first.side, last.side),
+                exponent(0),
+                exponent(1),
+                exponent(2),
             ]);
-            before = Some((side, two));
         }
     }
-    println!("Natural ground that tiles; relief {SCALE_M} of the tile; medians of {} runs.", arguments.runs);
-    if arguments.brute_size > 0 {
+    println!(
+        "Natural ground that tiles; relief {SCALE_M} of the tile; {} bits; medians of {} runs or more, of slow bakes one run.",
+        if arguments.bits == 0 { "32".to_owned() } else { arguments.bits.to_string() },
+        arguments.runs
+    );
+    println!("Every bake takes fresh memory from the system, as the first one of a program does.");
+    println!(
+        "Processor time is that of the bake on one thread; memory is the peak of what is allocated, on two threads."
+    );
+    for text in left_out {
+        println!("{text}");
+    }
+    if arguments.brute > 0.0 {
         println!(
-            "Brute force was run at {0}² and extrapolated to the other sizes by its work.",
-            arguments.brute_size
+            "Brute force is parallel and ends early where nothing farther can matter. It was run for the share of the texels \
+             that is shown and extrapolated from these; `cone` on {0} by {0} texels, by the square of their number.",
+            brute::CONE_SIDE
         );
     }
-    println!("\n{table}");
-    Ok(())
+    println!("\n{times}\n");
+    println!(
+        "Exponents of time over texels, fitted by least squares to the logarithms of all sizes:\n\n{growth}"
+    );
+    Ok(ExitCode::SUCCESS)
+}
+
+impl Row {
+    fn cells(&self, kind: &Kind) -> [String; 9] {
+        let Row { side, ms: [one, two, cpu], memory, brute } = self;
+        let shown = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
+        [
+            kind.name.to_owned(),
+            format!("{side}²"),
+            format!("{one:.2}"),
+            format!("{two:.2}"),
+            format!("{cpu:.2}"),
+            format!("{memory:.2}"),
+            shown(brute.as_ref().map(|brute| format!("{:.3}", brute.seconds))),
+            shown(brute.as_ref().map(|brute| brute.share.map_or("scaled".to_owned(), percent))),
+            shown(brute.as_ref().map(|brute| format!("{:.0}", 1e3 * brute.seconds / two))),
+        ]
+    }
+}
+
+fn percent(share: f64) -> String {
+    if share >= 1.0 { "all".to_owned() } else { format!("{:.2} %", 100.0 * share) }
+}
+
+/// Measures a kind at every size that the limit allows.
+fn rows(
+    kind: &Kind,
+    arguments: &Arguments,
+    pools: &[ThreadPool; 2],
+    left_out: &mut Vec<String>,
+) -> Result<Vec<Row>, String> {
+    let mut settings = kind.defaults();
+    settings.set("bits", f64::from(arguments.bits)).map_err(|error| error.to_string())?;
+    let mut sizes = arguments.sizes.clone();
+    sizes.sort_unstable();
+    let mut rows: Vec<Row> = Vec::new();
+    for side in sizes {
+        if let Some(last) = rows.last() {
+            let growth = (2.0 * (f64::from(side) / f64::from(last.side)).ln() * EXPECTED_EXPONENT).exp();
+            let expected = 1e-3 * last.ms[0] * growth;
+            if expected > arguments.limit {
+                left_out.push(format!(
+                    "{} is left out from {side}² on: about {expected:.0} s on one thread, more than --limit {}.",
+                    kind.name, arguments.limit
+                ));
+                break;
+            }
+        }
+        eprintln!("{} {side}²", kind.name);
+        let map = ground(side)?;
+        let metric = metric()?;
+        let measure = |pool: &ThreadPool| {
+            measure::measure(kind, &map, metric, &settings, pool, arguments.runs, 0.1 * arguments.limit)
+        };
+        let [one, two]: [Measured; 2] = [measure(&pools[0])?, measure(&pools[1])?];
+        let brute = (arguments.brute > 0.0)
+            .then(|| pools[1].install(|| brute::time(kind.name, &map, metric, arguments.brute)));
+        rows.push(Row { side, ms: [one.ms, two.ms, one.cpu_ms], memory: two.memory, brute: brute.flatten() });
+    }
+    Ok(rows)
+}
+
+/// The slope of the line through points that misses them least in the mean square.
+fn slope(points: &[(f64, f64)]) -> f64 {
+    let count = points.len() as f64;
+    let mean = |value: fn(&(f64, f64)) -> f64| points.iter().map(value).sum::<f64>() / count;
+    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
+    let above: f64 = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
+    above / points.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
+}
+
+fn table(header: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(ASCII_MARKDOWN).set_header(header.iter().copied());
+    table
+}
+
+fn pool(threads: usize) -> Result<ThreadPool, String> {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())
 }
 
 fn chosen(names: &[String]) -> Result<Vec<&'static Kind>, String> {
@@ -110,56 +215,11 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Kind>, String> {
     names.iter().map(|name| relief_bake::kind(name).map_err(|error| error.to_string())).collect()
 }
 
+fn metric() -> Result<Metric, String> {
+    Metric::unit_tile(SCALE_M).map_err(|error| error.to_string())
+}
+
 fn ground(side: u32) -> Result<HeightMap, String> {
     let map = HeightMap::new(side, side, fractal(7, side, side, 0.5), Wrap::Repeat);
     map.and_then(|map| map.with_displacement(SCALE_M, -SCALE_M)).map_err(|error| error.to_string())
-}
-
-fn median_ms(
-    kind: &Kind,
-    map: &HeightMap,
-    metric: Metric,
-    threads: usize,
-    runs: usize,
-) -> Result<f64, String> {
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
-    let settings = kind.defaults();
-    let mut times = Vec::new();
-    for _ in 0..runs.max(1) {
-        let started = Instant::now();
-        pool.install(|| bake(kind, map, metric, &settings, &Progress::none(), &mut Nowhere))
-            .map_err(|error| error.to_string())?;
-        times.push(started.elapsed().as_secs_f64() * 1e3);
-    }
-    times.sort_unstable_by(f64::total_cmp);
-    Ok(times[times.len() / 2])
-}
-
-/// Time of the kind's brute force, on all threads; `None` for kinds whose brute force is written for single texels.
-fn brute_ms(kind: &str, map: &HeightMap) -> Option<f64> {
-    let texel_m = [1.0 / f64::from(map.width()), 1.0 / f64::from(map.height())];
-    let started = Instant::now();
-    match kind {
-        "cone" => drop(std::hint::black_box(brute::cone::slopes(map, texel_m, true))),
-        "dilation-erosion" => drop(std::hint::black_box(brute::dilation_erosion::window_bounds(map, RADIUS))),
-        "frustum" => {
-            for forward in [[false, false], [true, false], [false, true], [true, true]] {
-                std::hint::black_box(brute::frustum::least_slopes(map, forward));
-            }
-        }
-        "distance" => {
-            for slice in 0..64 {
-                let level = (f64::from(slice) + 0.5) / 64.0;
-                std::hint::black_box(brute::distance::boxes(map, [1.0, 1.0], SCALE_M, level));
-            }
-        }
-        _ => return None,
-    }
-    Some(started.elapsed().as_secs_f64() * 1e3)
-}
-
-/// How brute force grows with the side: with an early out it looks as far as the relief is high, which is a number of
-/// texels that grows with the side, so that every texel looks at a square of it; a window stays as it is.
-fn growth(kind: &str) -> i32 {
-    if kind == "dilation-erosion" { 2 } else { 4 }
 }

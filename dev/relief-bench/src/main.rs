@@ -1,4 +1,4 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake` and `trace`. Results are kept in `docs/`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `probe` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand};
 
 mod accuracy;
 mod bake;
+mod probe;
 mod trace;
 
 #[derive(Parser)]
@@ -22,20 +23,23 @@ struct Arguments {
 enum Command {
     /// How near every method comes to the truth, and whether the survey's order holds
     Accuracy(accuracy::Arguments),
-    /// The time of every kind of map
+    /// Time and memory of every kind of map
     Bake(bake::Arguments),
+    /// Attacks on the promises of baked maps: fails if one is broken
+    Probe(probe::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
     Trace(trace::Arguments),
 }
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
-        Command::Accuracy(arguments) => accuracy::run(&arguments),
+        Command::Accuracy(arguments) => accuracy::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Bake(arguments) => bake::run(&arguments),
-        Command::Trace(arguments) => trace::run(&arguments),
+        Command::Probe(arguments) => probe::run(&arguments),
+        Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(message) => {
             eprintln!("error: {message}");
             ExitCode::FAILURE

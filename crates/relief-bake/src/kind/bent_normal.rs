@@ -22,24 +22,23 @@ use rayon::prelude::*;
 use relief::HeightMap;
 use relief::registry::Source as Publication;
 
-use super::horizon::{self, horizons, unit_vector};
-use super::{BITS, Kind, Reach};
-use crate::quantise::unorm;
-use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+use super::horizon::{self, Sweep, unit_vector};
+use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Source};
 
 /// The kind.
 pub const KIND: Kind = Kind {
     name: "bent-normal",
     summary: "the mean direction in which a texel sees the sky",
     source: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
-    params: &[horizon::AZIMUTHS, horizon::TILES, BITS],
+    params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, about the base normal",
     reach: |_| Reach::Everything,
     bake,
 };
 
-/// The bent normal of every texel, row by row from the top: along `+u`, along `-v`, up. Parameters are those of
-/// [`horizons`]; the working set is that of [`horizons`] and the result.
+/// The bent normal of every texel as three planes, row by row from the top: along `+u`, along `-v`, up. Parameters and the
+/// working set besides input and result are those of [`super::occlusion::visibility`].
 ///
 /// # Errors
 ///
@@ -50,21 +49,25 @@ pub fn bent_normals(
     azimuths: u32,
     tiles: u32,
     progress: &Progress,
-) -> Result<Vec<[f32; 3]>, BakeError> {
-    let mut sums = vec![[0.0f32; 3]; map.texels().len()];
-    horizons(map, metric, azimuths, tiles, progress, &mut |azimuth, sines| {
+) -> Result<[Vec<f32>; 3], Cancelled> {
+    let mut sweep = Sweep::new(map, metric, azimuths, tiles);
+    let mut planes = [0; 3].map(|_| vec![0.0f32; map.texels().len()]);
+    for azimuth in 0..azimuths {
         let [cos, sin] = unit_vector(azimuth, azimuths).map(|x| x as f32);
-        sums.par_iter_mut().zip(sines).for_each(|(sum, &sine)| {
-            let open = 1.0 - sine * sine;
-            let aside = std::f32::consts::FRAC_PI_2 - sine.min(1.0).asin() - sine * open.max(0.0).sqrt();
-            sum[0] += cos * aside;
-            sum[1] -= sin * aside;
-            sum[2] += open;
-        });
-        Ok(())
-    })?;
-    sums.iter_mut().for_each(|sum| *sum = unit(*sum));
-    Ok(sums)
+        let sums = planes.each_mut().map(Vec::as_mut_slice);
+        sweep.azimuth(azimuth, sums, progress, |[x, y, z], sines| {
+            for (((x, y), z), &sine) in x.iter_mut().zip(y).zip(z).zip(sines) {
+                let open = 1.0 - sine * sine;
+                let aside = std::f32::consts::FRAC_PI_2 - sine.min(1.0).asin() - sine * open.max(0.0).sqrt();
+                *x += cos * aside;
+                *y -= sin * aside;
+                *z += open;
+            }
+        })?;
+    }
+    let [x, y, z] = &mut planes;
+    x.par_iter_mut().zip(y).zip(z).for_each(|((x, y), z)| [*x, *y, *z] = unit([*x, *y, *z]));
+    Ok(planes)
 }
 
 /// A vector of unit length, up where there is none.
@@ -80,19 +83,13 @@ fn bake(
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
-    let normals = bent_normals(source.map, source.metric, azimuths, tiles, progress)?;
-    let channel = |name| Channel { name, range: [-1.0, 1.0], rounding: Rounding::Nearest };
-    sink.begin(&Texture {
-        name: "",
-        size: [source.map.width(), source.map.height(), 1],
-        mips: Vec::new(),
-        channels: vec![channel("x"), channel("y"), channel("z")],
-        notes: horizon::notes(source, azimuths),
-    })?;
-    let stored = |x: f32| {
-        if bits == 0 { x } else { unorm(0.5 * x + 0.5, bits, Rounding::Nearest) * 2.0 - 1.0 }
-    };
-    let plane = |k: usize| normals.iter().map(|normal| stored(normal[k])).collect::<Vec<f32>>();
-    let [x, y, z] = [0, 1, 2].map(plane);
-    Ok(sink.slice(&[&x, &y, &z])?)
+    let mut planes = bent_normals(source.map, source.metric, azimuths, tiles, progress)?;
+    let channels = ["x", "y", "z"].map(|name| Channel {
+        name,
+        unit: "1",
+        range: [-1.0, 1.0],
+        rounding: Rounding::Nearest,
+    });
+    sink.begin(&horizon::texture(source, azimuths, 1, channels.to_vec()))?;
+    Ok(to_nearest(sink, &channels, bits, &mut planes.each_mut().map(Vec::as_mut_slice))?)
 }

@@ -14,8 +14,8 @@
 //! patch is a mean of its corners with weights that are not negative, so over whole cells the surface takes its extremes at
 //! texels, and the texels of that square are `i - radius ..= i + radius + 1` by the like, wrapped as the map is. Their
 //! extremes are what is stored, axis by axis, which is the same because the window is a product of intervals. Nothing
-//! rounds: in `f32` the bound is exact. With `bits`, heights are decoded from so many bits first, and each value is one of
-//! them: stored in as many bits it is still exact.
+//! rounds: in `f32` the bound is exact. With `bits` it holds for the surface of the heights decoded from so many bits, and is as
+//! exact: rounding to the nearest never swaps two heights, so that the extremes of rounded heights are the rounded extremes.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -23,7 +23,7 @@ use rayon::prelude::*;
 use relief::registry::{Param, Source as Publication};
 use relief::{HeightMap, MAX_SIDE, Wrap};
 
-use super::{BITS, Kind, Reach};
+use super::{BITS, Kind, Reach, to_nearest};
 use crate::{BakeError, Cancelled, Channel, Progress, Rounding, Settings, Sink, Source, Texture};
 
 /// The kind `dilation-erosion`.
@@ -54,8 +54,14 @@ const PARAMS: &[Param] = &[
         default: 8.0,
         integer: true,
     },
-    BITS,
+    BITS_OF_HEIGHTS,
 ];
+
+/// Place of the parameter `bits`.
+const BITS_PLACE: usize = 1;
+
+/// Extremes are rounded instead of the heights: the same values, without a second map.
+const BITS_OF_HEIGHTS: Param = Param { summary: "bits of the heights: 8 or 16, 0 for floats", ..BITS };
 
 /// Least and greatest height around every dual cell, row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,9 +81,11 @@ pub struct WindowBounds {
 pub fn window_bounds(map: &HeightMap, radius: u32, progress: &Progress) -> Result<WindowBounds, Cancelled> {
     let lower = |a: f32, b: f32| if a < b { a } else { b };
     let higher = |a: f32, b: f32| if a > b { a } else { b };
+    let mut along_rows = vec![0.0; map.texels().len()];
+    let (first, second) = (progress.piece(0.0, 0.5), progress.piece(0.5, 1.0));
     Ok(WindowBounds {
-        min: extremes(map, radius, lower, f32::INFINITY, &progress.piece(0.0, 0.5))?,
-        max: extremes(map, radius, higher, f32::NEG_INFINITY, &progress.piece(0.5, 1.0))?,
+        min: extremes(map, radius, lower, f32::INFINITY, &mut along_rows, &first)?,
+        max: extremes(map, radius, higher, f32::NEG_INFINITY, &mut along_rows, &second)?,
     })
 }
 
@@ -88,15 +96,16 @@ fn bake(
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let radius = settings.count(RADIUS);
-    let bounds = window_bounds(source.map, radius, progress)?;
+    let mut bounds = window_bounds(source.map, radius, progress)?;
+    let channels = [
+        Channel { name: "erosion", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Down },
+        Channel { name: "dilation", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Up },
+    ];
     sink.begin(&Texture {
         name: "",
         size: [source.map.width(), source.map.height(), 1],
         mips: Vec::new(),
-        channels: vec![
-            Channel { name: "erosion", range: [0.0, 1.0], rounding: Rounding::Down },
-            Channel { name: "dilation", range: [0.0, 1.0], rounding: Rounding::Up },
-        ],
+        channels: channels.to_vec(),
         notes: vec![
             (
                 "texels",
@@ -105,8 +114,8 @@ fn bake(
             ("radius", format!("{radius} texels beyond the cell, along both axes")),
         ],
     })?;
-    sink.slice(&[&bounds.min, &bounds.max])?;
-    Ok(())
+    let bits = settings.count(BITS_PLACE);
+    Ok(to_nearest(sink, &channels, bits, &mut [&mut bounds.min, &mut bounds.max])?)
 }
 
 /// Columns that a task of the vertical pass works on, so that the rows of a window stay cached.
@@ -115,12 +124,13 @@ const STRIP: usize = 512;
 /// Texels between two looks at the progress: well below a millisecond of work.
 const BATCH: usize = 1 << 16;
 
-/// The `pick` over every window of a map; `worst` is what any height is picked before.
+/// The `pick` over every window of a map; `worst` is what any height is picked before. `along_rows` is room for a plane.
 fn extremes(
     map: &HeightMap,
     radius: u32,
     pick: impl Fn(f32, f32) -> f32 + Copy + Sync,
     worst: f32,
+    along_rows: &mut [f32],
     progress: &Progress,
 ) -> Result<Vec<f32>, Cancelled> {
     let (width, height) = (map.width() as usize, map.height() as usize);
@@ -132,7 +142,6 @@ fn extremes(
         progress.at(done as f32 / (2 * width * height) as f32)
     };
 
-    let mut along_rows = vec![0.0; width * height];
     let band = width * BATCH.div_ceil(width);
     along_rows.par_chunks_mut(band).zip(map.texels().par_chunks(band)).try_for_each(|(picked, texels)| {
         let mut padded = vec![0.0; columns.texels.len()];
@@ -145,6 +154,7 @@ fn extremes(
         at(picked.len())
     })?;
 
+    let along_rows = &*along_rows;
     let mut picked = vec![0.0; width * height];
     let blocks = BATCH.div_ceil(STRIP * rows.length);
     strips(&mut picked, width, blocks * rows.length).into_par_iter().try_for_each(|mut strip| {

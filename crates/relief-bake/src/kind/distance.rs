@@ -1,7 +1,8 @@
 //! Distance fields for sphere tracing: how far a ray may go from any point above the relief, in any direction.
 //!
 //! Szirmay-Kalos and Umenhoffer 2008, section 4.3.4, after Hart 1993 and Donnelly 2005. Danielsson's transform, which they
-//! use, is not exact; here each height slice is one exact two-dimensional transform (Felzenszwalb and Huttenlocher 2012).
+//! use, is not exact; here each height slice is one exact two-dimensional transform, along columns and then along rows (Felzenszwalb
+//! and Huttenlocher 2012).
 //!
 //! # What is stored
 //!
@@ -45,7 +46,7 @@
 //! the map (`h⁺`, one transform and the slice) and, for each thread, 16 lines.
 
 mod line;
-mod lower_envelope;
+mod monotone;
 mod window;
 
 use rayon::prelude::*;
@@ -174,21 +175,26 @@ impl DistanceField {
         Ok(progress.at(1.0)?)
     }
 
-    /// Squared distances within each column at that height, column by column.
+    /// Squared distances within each column at that height. [`LINES`] columns lie together, and within them as many rows, column
+    /// by column: what [`Self::along_rows`] reads at once.
     fn along_columns(&self, level: f64, columns: &mut [f32], progress: &Progress) -> Result<(), Cancelled> {
         let height = self.size[1] as usize;
         let blocks = self.size[0].div_ceil(LINES as u32) as f32;
         let chunk = height * LINES;
         columns.par_chunks_mut(chunk).zip(self.tops.par_chunks(chunk)).enumerate().try_for_each_init(
-            || Line::new(height, self.texel[1], self.reach[1], self.repeats),
-            |line, (block, (columns, tops))| {
+            || (Line::new(height, self.texel[1], self.reach[1], self.repeats), vec![0.0f32; height]),
+            |(line, distances), (block, (columns, tops))| {
                 progress.at(block as f32 / blocks)?;
-                for (column, tops) in columns.chunks_mut(height).zip(tops.chunks(height)) {
+                let count = tops.len() / height;
+                for (i, tops) in tops.chunks(height).enumerate() {
                     for (sample, &top) in line.samples().iter_mut().zip(tops) {
                         let gap = (level - f64::from(top)).max(0.0) * self.scale;
                         *sample = (gap * gap) as f32;
                     }
-                    line.transform(column);
+                    line.transform(distances);
+                    for (part, rows) in distances.chunks(LINES).zip(columns.chunks_mut(count * LINES)) {
+                        rows[i * part.len()..(i + 1) * part.len()].copy_from_slice(part);
+                    }
                 }
                 Ok(())
             },
@@ -200,19 +206,24 @@ impl DistanceField {
         let [width, height] = [self.size[0] as usize, self.size[1] as usize];
         let blocks = self.size[1].div_ceil(LINES as u32) as f32;
         let line = || Line::new(width, self.texel[0], self.reach[0], self.repeats);
+        // Longer than a row, so that those of a map of a power of two do not all fall into the same cache lines.
+        let stride = width + LINES;
         slice.par_chunks_mut(width * LINES).enumerate().try_for_each_init(
-            || (line(), vec![0.0f32; width * LINES]),
+            || (line(), vec![0.0f32; stride * LINES]),
             |(line, across), (block, rows)| {
                 progress.at(block as f32 / blocks)?;
-                let first = block * LINES;
-                for (i, column) in columns.chunks(height).enumerate() {
-                    let part = &column[first..height.min(first + LINES)];
-                    for (j, &value) in part.iter().enumerate() {
-                        across[j * width + i] = value;
+                let count = rows.len() / width;
+                for (group, columns) in columns.chunks(height * LINES).enumerate() {
+                    let all = columns.len() / height;
+                    let block = &columns[block * LINES * all..][..count * all];
+                    for (i, column) in block.chunks(count).enumerate() {
+                        for (j, &value) in column.iter().enumerate() {
+                            across[j * stride + group * LINES + i] = value;
+                        }
                     }
                 }
-                for (row, across) in rows.chunks_mut(width).zip(across.chunks(width)) {
-                    line.samples().copy_from_slice(across);
+                for (row, across) in rows.chunks_mut(width).zip(across.chunks(stride)) {
+                    line.samples().copy_from_slice(&across[..width]);
                     line.transform(row);
                     for value in row {
                         *value = self.metres(*value);
@@ -287,7 +298,7 @@ fn bake(
         name: "",
         size: field.size,
         mips: Vec::new(),
-        channels: vec![Channel { name: "distance", range: [low, high], rounding: Rounding::Down }],
+        channels: vec![Channel { name: "distance", unit: "m", range: [low, high], rounding: Rounding::Down }],
         notes: vec![
             ("unit", "m".to_owned()),
             ("slices", "centred at heights (k + 1/2) / slices".to_owned()),

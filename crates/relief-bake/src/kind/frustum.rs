@@ -72,6 +72,7 @@ mod diagonal;
 mod least_slopes;
 mod map;
 
+use rayon::prelude::*;
 use relief::registry::{Param, Source as Publication};
 use relief::{HeightMap, MaxPyramid};
 
@@ -129,8 +130,10 @@ fn bake(
     let steepest = slopes.iter().flatten().copied().fold(0.0, f32::max);
     let range = range_for(steepest);
     if bits > 0 {
-        for slope in slopes.iter_mut().flatten() {
-            *slope = quantise::unorm(*slope / range, bits, Rounding::Up) * range;
+        for plane in &mut slopes {
+            plane.par_iter_mut().for_each(|slope| {
+                *slope = quantise::unorm(*slope / range, bits, Rounding::Up) * range;
+            });
         }
     }
     let size = [source.map.width(), source.map.height(), 1];
@@ -139,11 +142,11 @@ fn bake(
         name: "top",
         size,
         mips: Vec::new(),
-        channels: vec![Channel { name: "top", range: [0.0, 1.0], rounding: Rounding::Up }],
+        channels: vec![Channel { name: "top", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Up }],
         notes: vec![("texels", texels.clone())],
     })?;
     sink.slice(&[&top])?;
-    let channel = |name| Channel { name, range: [0.0, range], rounding: Rounding::Up };
+    let channel = |name| Channel { name, unit: "heights/texel", range: [0.0, range], rounding: Rounding::Up };
     sink.begin(&Texture {
         name: "slopes",
         size,

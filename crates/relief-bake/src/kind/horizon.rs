@@ -51,22 +51,21 @@
 mod far;
 mod lines;
 mod near;
+mod sheared;
+mod sweep;
 
-use rayon::prelude::*;
+use relief::HeightMap;
 use relief::registry::{Param, Source as Publication};
-use relief::{HeightMap, Wrap};
 
 pub(super) use lines::{Direction, Lines, Rows, Stretch, unit_vector};
+pub(super) use sheared::{Band, Plane};
+pub(super) use sweep::Sweep;
 
-use super::{BITS, Kind, Reach};
-use crate::quantise::unorm;
+use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
 use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
 
 /// Steps that are read from the texel's own ray. More are nearer to the truth, as one over their number, and slower.
 pub const NEAR_STEPS: usize = 8;
-
-/// Rows that one task finishes together.
-pub(super) const BAND: usize = 32;
 
 /// How many azimuths.
 pub(super) const AZIMUTHS: Param = Param {
@@ -98,22 +97,22 @@ pub const KIND: Kind = Kind {
         paper: "Max 1988; Timonen and Westerholm 2010; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.1",
     },
-    params: &[AZIMUTHS, TILES, BITS],
+    params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "for the bilinear surface, as slope: off by at most the difference of neighbouring texels over 8 steps' \
                 length; what is beyond the reach stands at most the scale over the reach high",
     reach: |_| Reach::Everything,
     bake,
 };
 
-/// Takes the number of an azimuth and the sines of the horizons there.
-pub type Take<'a> = dyn FnMut(u32, &[f32]) -> Result<(), BakeError> + 'a;
+/// Takes the number of an azimuth and the sines of the horizons there, which it may change.
+pub type Take<'a> = dyn FnMut(u32, &mut [f32]) -> Result<(), BakeError> + 'a;
 
 /// The sines of the horizons' elevations in each of `azimuths` azimuths, handed out azimuth by azimuth, row by row
 /// from the top. `tiles` is the reach. See the [module](self) for their meaning and accuracy.
 ///
-/// The working set is three maps of `f32` besides the input, whatever the number of azimuths. The time is in
-/// proportion to the texels, but for clamped maps that are much longer than wide: there, to the square of the long
-/// side.
+/// Besides the input the working set is the map of sines that is handed out, another quarter of the map, and for each thread
+/// 16 lines of the map and their reach and 50 of its rows, whatever the number of azimuths. The time is in proportion to
+/// the texels, but for clamped maps that are much longer than wide: there, to the square of the long side.
 ///
 /// # Errors
 ///
@@ -126,121 +125,27 @@ pub fn horizons(
     progress: &Progress,
     take: &mut Take,
 ) -> Result<(), BakeError> {
-    let rows = Rows::new(map);
-    let mut sheared = vec![0.0; map.texels().len()];
+    let mut sweep = Sweep::new(map, metric, azimuths, tiles);
     let mut sines = vec![0.0; map.texels().len()];
     for azimuth in 0..azimuths {
-        let direction = Direction::azimuth(azimuth, azimuths, metric.texel_m(map));
-        let piece = progress.piece(azimuth as f32 / azimuths as f32, (azimuth + 1) as f32 / azimuths as f32);
-        let lines = rows.lines(&direction, rows.reach(&direction, tiles.max(1)));
-        far::slopes(&lines, NEAR_STEPS, &mut sheared, &piece)?;
-        let tilt = Tilt::new(metric.scale_m / direction.step_m);
-        finish(map, &direction, &lines, &sheared, tilt, &mut sines, &piece)?;
-        take(azimuth, &sines)?;
+        let copy = |[plane]: [&mut [f32]; 1], sines: &[f32]| plane.copy_from_slice(sines);
+        sweep.azimuth(azimuth, [&mut sines], progress, copy)?;
+        take(azimuth, &mut sines)?;
     }
     Ok(())
 }
 
-/// Turns slopes in heights a step into sines.
-#[derive(Clone, Copy)]
-struct Tilt(f32);
-
-impl Tilt {
-    /// Of a step over which a height of 1 is that slope. Beyond the limits every sine is 0 or 1 to rounding, and
-    /// squares would not fit in `f32`.
-    fn new(metres: f64) -> Self {
-        const MOST: f64 = 1e18;
-        Self(metres.clamp(1.0 / MOST, MOST) as f32)
-    }
-
-    #[inline]
-    fn sine(self, slope: f32) -> f32 {
-        let slope = (slope * self.0).max(0.0);
-        slope / (1.0 + slope * slope).sqrt()
-    }
-}
-
-/// Brings what is near and what is far together, row by row.
-fn finish(
-    map: &HeightMap,
-    direction: &Direction,
-    lines: &Lines,
-    sheared: &[f32],
-    tilt: Tilt,
-    sines: &mut [f32],
-    progress: &Progress,
-) -> Result<(), BakeError> {
-    let width = map.width() as usize;
-    let near = near::Near::new(direction, NEAR_STEPS);
-    sines.par_chunks_mut(BAND * width).enumerate().try_for_each(|(band, sines)| {
-        let (top, count) = (band * BAND, sines.len() / width);
-        progress.at(0.5 + 0.5 * top as f32 / map.height() as f32)?;
-        let padded = near::Padded::new(map, top, count, NEAR_STEPS + 1);
-        let plane = Plane { texels: sheared, stride: lines.length, offset: 0 };
-        let far = unshear(lines, direction.is_steep(), plane, [width, top, count]);
-        let (mut start, mut slopes) = (vec![0.0; width], vec![0.0; width]);
-        for (row, sines) in sines.chunks_exact_mut(width).enumerate() {
-            near.slopes(&padded, row, &mut start, &mut slopes);
-            for ((sine, near), far) in sines.iter_mut().zip(&slopes).zip(&far[row * (width + SKEW)..]) {
-                *sine = tilt.sine(near.max(*far));
-            }
-        }
-        Ok(())
-    })
-}
-
-/// Texels by which rows of a band are longer than the map's, so that those of a map of a power of two do not all fall
-/// into the same cache lines.
-pub(super) const SKEW: usize = 16;
-
-/// A sheared map, slot by slot: that of position `p` in a slot is at `slot * stride + offset + p`.
-#[derive(Clone, Copy)]
-pub(super) struct Plane<'a> {
-    pub texels: &'a [f32],
-    pub stride: usize,
-    pub offset: usize,
-}
-
-/// A band of the map out of the sheared one, in rows of `width + SKEW`.
-pub(super) fn unshear(lines: &Lines, steep: bool, plane: Plane, [width, top, count]: [usize; 3]) -> Vec<f32> {
-    let mut band = vec![0.0; count * (width + SKEW)];
-    let position = |along: usize| if lines.reversed { lines.length - 1 - along } else { along };
-    if !steep {
-        for (row, band) in band.chunks_exact_mut(width + SKEW).enumerate() {
-            for (column, texel) in band[..width].iter_mut().enumerate() {
-                let p = position(column);
-                *texel = plane.texels[lines.slot(p, top + row) * plane.stride + plane.offset + p];
-            }
-        }
-        return band;
-    }
-    // Slot by slot, because a slot's texels of the band are side by side.
-    let places: Vec<(usize, usize)> =
-        (0..count).map(|row| position(top + row)).map(|p| (p, lines.slot(p, 0))).collect();
-    for (slot, texels) in plane.texels.chunks_exact(plane.stride).enumerate() {
-        for (row, (p, first)) in places.iter().enumerate() {
-            // Column 0 lies in slot `first`, and each further one in the next.
-            let column = if slot >= *first { slot - first } else { slot + lines.count - first };
-            band[row * (width + SKEW) + column] = texels[plane.offset + p];
-        }
-    }
-    band
-}
-
-/// Notes that say how the azimuths lie.
-pub(super) fn notes(source: &Source, azimuths: u32) -> Vec<(&'static str, String)> {
-    let wrap = match source.map.wrap() {
-        Wrap::Repeat => "repeat",
-        Wrap::Clamp => "clamp",
-        Wrap::Mirror => "mirror",
-    };
+/// A texture of so many slices of the size of the map, with notes that say how the azimuths lie.
+pub(super) fn texture(source: &Source, azimuths: u32, slices: u32, channels: Vec<Channel>) -> Texture {
     let [u, v] = source.metric.tile_m;
-    vec![
+    let notes = vec![
         ("azimuths", format!("{azimuths}: 2 pi k / {azimuths}, in metres from +u towards +v")),
         ("tile_m", format!("{u} {v}")),
         ("scale_m", source.metric.scale_m.to_string()),
-        ("wrap", wrap.to_owned()),
-    ]
+        ("wrap", source.map.wrap().name().to_owned()),
+    ];
+    let size = [source.map.width(), source.map.height(), slices];
+    Texture { name: "", size, mips: Vec::new(), channels, notes }
 }
 
 fn bake(
@@ -250,18 +155,9 @@ fn bake(
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
-    sink.begin(&Texture {
-        name: "",
-        size: [source.map.width(), source.map.height(), azimuths],
-        mips: Vec::new(),
-        channels: vec![Channel { name: "sine", range: [0.0, 1.0], rounding: Rounding::Nearest }],
-        notes: notes(source, azimuths),
-    })?;
+    let channels = [Channel { name: "sine", unit: "1", range: [0.0, 1.0], rounding: Rounding::Nearest }];
+    sink.begin(&texture(source, azimuths, azimuths, channels.to_vec()))?;
     horizons(source.map, source.metric, azimuths, tiles, progress, &mut |_, sines| {
-        if bits == 0 {
-            return Ok(sink.slice(&[sines])?);
-        }
-        let stored: Vec<f32> = sines.par_iter().map(|&sine| unorm(sine, bits, Rounding::Nearest)).collect();
-        Ok(sink.slice(&[&stored])?)
+        Ok(to_nearest(sink, &channels, bits, &mut [sines])?)
     })
 }

@@ -15,7 +15,7 @@ pub mod visibility;
 
 use relief::registry::{Param, Source as Publication, UnknownName};
 
-use crate::{BakeError, Progress, Settings, Sink, Source};
+use crate::{BakeError, Channel, Progress, Settings, Sink, SinkError, Source, quantise};
 
 /// Which texels a baked texel depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,3 +94,18 @@ pub const BITS: Param = Param {
 /// from the heights as they are.
 pub const BITS_TO_NEAREST: Param =
     Param { summary: "bits of the stored values, rounded to the nearest: 8 or 16, 0 for floats", ..BITS };
+
+/// Hands a slice to the sink, each plane rounded in place to integers of so many bits of its channel's range; with 0 bits as
+/// it is.
+fn to_nearest(
+    sink: &mut dyn Sink,
+    channels: &[Channel],
+    bits: u32,
+    planes: &mut [&mut [f32]],
+) -> Result<(), SinkError> {
+    for (plane, channel) in planes.iter_mut().zip(channels) {
+        quantise::to_nearest(plane, channel.range, bits);
+    }
+    let planes: Vec<&[f32]> = planes.iter().map(|plane| &**plane).collect();
+    sink.slice(&planes)
+}

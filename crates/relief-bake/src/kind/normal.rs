@@ -48,11 +48,8 @@ use relief::registry::{Param, Source as Publication};
 pub use self::moments::Moments;
 use self::moments::next_size;
 pub use self::slopes::{Derivative, Slopes};
-use super::{BITS_TO_NEAREST, Kind, Reach};
-use crate::quantise::unorm;
-use crate::{
-    BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, SinkError, Source, Texture,
-};
+use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -157,7 +154,16 @@ pub fn normals(
 fn spread(values: &[f32]) -> [f32; 2] {
     let less = |a: f32, b: f32| if a < b { a } else { b };
     let more = |a: f32, b: f32| if a > b { a } else { b };
-    values.iter().fold([f32::MAX, f32::MIN], |[low, high], &value| [less(low, value), more(high, value)])
+    // Lanes that do not wait for each other.
+    let (whole, rest) = values.as_chunks::<8>();
+    let (mut lows, mut highs) = ([f32::MAX; 8], [f32::MIN; 8]);
+    for values in whole {
+        for ((low, high), &value) in lows.iter_mut().zip(&mut highs).zip(values) {
+            (*low, *high) = (less(*low, value), more(*high, value));
+        }
+    }
+    let low = rest.iter().copied().chain(lows).fold(f32::MAX, less);
+    [low, rest.iter().copied().chain(highs).fold(f32::MIN, more)]
 }
 
 fn wider(a: [[f32; 2]; 2], b: [[f32; 2]; 2]) -> [[f32; 2]; 2] {
@@ -167,7 +173,7 @@ fn wider(a: [[f32; 2]; 2], b: [[f32; 2]; 2]) -> [[f32; 2]; 2] {
 /// The channels, for slopes between those extremes. A variance is at most a quarter of the squared range (Popoviciu), a
 /// covariance at most the root of the product of two.
 fn channels(extremes: [[f32; 2]; 2], mips: bool) -> Vec<Channel> {
-    let channel = |name, range| Channel { name, range, rounding: Rounding::Nearest };
+    let channel = |name, range| Channel { name, unit: "1", range, rounding: Rounding::Nearest };
     let half = extremes.map(|[low, high]| if high > low { 0.5 * (high - low) * (1.0 + 1e-5) } else { 1.0 });
     let mut all = vec![channel("x", [-1.0, 1.0]), channel("y", [-1.0, 1.0]), channel("z", [-1.0, 1.0])];
     if mips {
@@ -176,25 +182,6 @@ fn channels(extremes: [[f32; 2]; 2], mips: bool) -> Vec<Channel> {
         all.push(channel("slope_vv", [0.0, half[1] * half[1]]));
     }
     all
-}
-
-/// Rounds every plane to integers of that many bits and hands them over.
-fn hand_over(
-    sink: &mut dyn Sink,
-    channels: &[Channel],
-    bits: u32,
-    mut planes: Vec<&mut [f32]>,
-) -> Result<(), SinkError> {
-    if bits != 0 {
-        for (plane, Channel { range: [low, high], .. }) in planes.iter_mut().zip(channels) {
-            let span = high - low;
-            plane.par_iter_mut().for_each(|value| {
-                *value = low + span * unorm((*value - low) / span, bits, Rounding::Nearest);
-            });
-        }
-    }
-    let planes: Vec<&[f32]> = planes.into_iter().map(|plane| &*plane).collect();
-    sink.slice(&planes)
 }
 
 fn bake(
@@ -218,11 +205,11 @@ fn bake(
     sink.begin(&texture(map, axes, channels.clone()))?;
     let [mut x, mut y, mut z] = planes;
     if !mips {
-        return Ok(hand_over(sink, &channels, bits, vec![&mut x, &mut y, &mut z])?);
+        return Ok(to_nearest(sink, &channels, bits, &mut [&mut x, &mut y, &mut z])?);
     }
     let mut none = [0; 3].map(|_| vec![0.0f32; x.len()]);
     let [uu, uv, vv] = &mut none;
-    hand_over(sink, &channels, bits, vec![&mut x, &mut y, &mut z, uu, uv, vv])?;
+    to_nearest(sink, &channels, bits, &mut [&mut x, &mut y, &mut z, uu, uv, vv])?;
     drop((x, y, z, none));
     if size == [1, 1] {
         return Ok(());
@@ -237,7 +224,7 @@ fn bake(
             [*u, *v, *upright] = axes.normal([*u, *v]);
         }
         let [uu, uv, vv] = &mut level.second;
-        hand_over(sink, &channels, bits, vec![u, v, &mut upright, uu, uv, vv])?;
+        to_nearest(sink, &channels, bits, &mut [u, v, &mut upright, uu, uv, vv])?;
         match next {
             Some(next) => level = next,
             None => return Ok(()),

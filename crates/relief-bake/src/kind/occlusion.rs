@@ -20,24 +20,24 @@
 use relief::HeightMap;
 use relief::registry::Source as Publication;
 
-use super::horizon::{self, horizons};
-use super::{BITS, Kind, Reach};
-use crate::quantise::unorm;
-use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+use super::horizon::{self, Sweep};
+use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Source};
 
 /// The kind.
 pub const KIND: Kind = Kind {
     name: "occlusion",
     summary: "the part of the sky's light that reaches a texel, about the base normal",
     source: Publication { paper: "Zhukov, Iones and Kronin 1998; Timonen and Westerholm 2010", section: "" },
-    params: &[horizon::AZIMUTHS, horizon::TILES, BITS],
+    params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, off by at most their mean error in radians and what is between azimuths",
     reach: |_| Reach::Everything,
     bake,
 };
 
 /// The visibility of the sky at every texel, row by row from the top. Parameters are those of
-/// [`horizons`]; the working set is that of [`horizons`] and the result.
+/// [`horizon::horizons`]. The working set besides input and result is a quarter of the map, and for each thread 16 lines of
+/// the map and their reach and 50 of its rows.
 ///
 /// # Errors
 ///
@@ -48,13 +48,15 @@ pub fn visibility(
     azimuths: u32,
     tiles: u32,
     progress: &Progress,
-) -> Result<Vec<f32>, BakeError> {
-    let mut hidden = vec![0.0f32; map.texels().len()];
-    horizons(map, metric, azimuths, tiles, progress, &mut |_, sines| {
-        hidden.iter_mut().zip(sines).for_each(|(hidden, sine)| *hidden += sine * sine);
-        Ok(())
-    })?;
+) -> Result<Vec<f32>, Cancelled> {
     let part = 1.0 / azimuths as f32;
+    let mut sweep = Sweep::new(map, metric, azimuths, tiles);
+    let mut hidden = vec![0.0f32; map.texels().len()];
+    for azimuth in 0..azimuths {
+        sweep.azimuth(azimuth, [&mut hidden], progress, |[hidden], sines| {
+            hidden.iter_mut().zip(sines).for_each(|(hidden, sine)| *hidden += sine * sine);
+        })?;
+    }
     hidden.iter_mut().for_each(|texel| *texel = (1.0 - *texel * part).clamp(0.0, 1.0));
     Ok(hidden)
 }
@@ -67,13 +69,8 @@ fn bake(
 ) -> Result<(), BakeError> {
     let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
     let mut open = visibility(source.map, source.metric, azimuths, tiles, progress)?;
-    open.iter_mut().for_each(|texel| *texel = unorm(*texel, bits, Rounding::Nearest));
-    sink.begin(&Texture {
-        name: "",
-        size: [source.map.width(), source.map.height(), 1],
-        mips: Vec::new(),
-        channels: vec![Channel { name: "visibility", range: [0.0, 1.0], rounding: Rounding::Nearest }],
-        notes: horizon::notes(source, azimuths),
-    })?;
-    Ok(sink.slice(&[&open])?)
+    let channels =
+        [Channel { name: "visibility", unit: "1", range: [0.0, 1.0], rounding: Rounding::Nearest }];
+    sink.begin(&horizon::texture(source, azimuths, 1, channels.to_vec()))?;
+    Ok(to_nearest(sink, &channels, bits, &mut [&mut open])?)
 }

@@ -66,8 +66,8 @@ fn bake(source: &Source, _: &Settings, progress: &Progress, sink: &mut dyn Sink)
         size: [source.map.width(), source.map.height(), 1],
         mips: sizes[1..].to_vec(),
         channels: vec![
-            Channel { name: "min", range: [0.0, 1.0], rounding: Rounding::Down },
-            Channel { name: "max", range: [0.0, 1.0], rounding: Rounding::Up },
+            Channel { name: "min", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Down },
+            Channel { name: "max", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Up },
         ],
         notes: vec![
             (

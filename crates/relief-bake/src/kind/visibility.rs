@@ -39,10 +39,9 @@ use relief::registry::{Param, Source as Publication};
 
 pub use gather::Visibility;
 
-use super::horizon::{self, BAND, Direction, Plane, Rows, SKEW, unit_vector};
-use super::{BITS, Kind, Reach};
-use crate::quantise::unorm;
-use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+use super::horizon::{self, Band, Direction, Plane, Rows, unit_vector};
+use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source};
 
 const ELEVATIONS: Param = Param {
     name: "elevations",
@@ -56,12 +55,15 @@ const ELEVATIONS: Param = Param {
 
 const TILES: Param = Param { summary: "how far a ray is followed, in tiles", default: 4.0, ..horizon::TILES };
 
+/// Rows of the map that one task puts in place together.
+const BAND: usize = 32;
+
 /// The kind.
 pub const KIND: Kind = Kind {
     name: "visibility",
     summary: "the point that is seen in each of some fixed directions, for shadows and light that bounces",
     source: Publication { paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008", section: "6.2" },
-    params: &[horizon::AZIMUTHS, ELEVATIONS, TILES, BITS],
+    params: &[horizon::AZIMUTHS, ELEVATIONS, TILES, BITS_TO_NEAREST],
     guarantee: "the exact first hit with the bilinear surface, to rounding of f32",
     reach: |_| Reach::Everything,
     bake,
@@ -96,7 +98,7 @@ impl View<'_> {
 /// The views in `azimuths` times `elevations` directions, azimuth by azimuth and from the lowest elevation. See the
 /// [module](self) for their meaning and accuracy.
 ///
-/// The working set is three maps of `f32` and one for each elevation, besides the input, whatever the number of
+/// The working set is two maps of `f32` and one for each elevation, besides the input, whatever the number of
 /// azimuths.
 ///
 /// # Errors
@@ -110,7 +112,7 @@ pub fn views(
     progress: &Progress,
     take: &mut dyn FnMut(&View) -> Result<(), BakeError>,
 ) -> Result<(), BakeError> {
-    let rows = Rows::new(map);
+    let rows = Rows::with_transpose(map);
     let (width, texels) = (map.width() as usize, map.texels().len());
     let mut sheared = Vec::new();
     let size = texels.checked_mul(elevations as usize);
@@ -141,14 +143,22 @@ pub fn views(
         rays::first_hits(&lines, &rays, &mut sheared, &piece)?;
         let [cos, sin] = unit_vector(azimuth, azimuths);
         for (e, square) in squares.iter().enumerate() {
-            let plane =
-                Plane { texels: &sheared, stride: rays.len() * lines.length, offset: e * lines.length };
-            steps.par_chunks_mut(BAND * width).enumerate().for_each(|(band, steps)| {
-                let count = steps.len() / width;
-                let texels =
-                    horizon::unshear(&lines, direction.is_steep(), plane, [width, band * BAND, count]);
-                for (steps, row) in steps.chunks_exact_mut(width).zip(texels.chunks_exact(width + SKEW)) {
-                    steps.copy_from_slice(&row[..width]);
+            let plane = Plane {
+                texels: &sheared,
+                stride: rays.len() * lines.length,
+                offset: e * lines.length,
+                slots: 0..lines.count,
+            };
+            steps.par_chunks_mut(BAND * width).enumerate().for_each(|(number, steps)| {
+                let top = number * BAND;
+                let Some(mut band) = Band::new(&lines, top..top + steps.len() / width, &plane.slots) else {
+                    return;
+                };
+                band.unshear(&lines, &plane);
+                for run in &band.runs {
+                    let start = run.row * width;
+                    let steps = &mut steps[start + run.columns.start..start + run.columns.end];
+                    steps.copy_from_slice(band.row(run));
                 }
             });
             let (flat, up) = ((1.0 - square).sqrt(), square.sqrt());
@@ -164,6 +174,7 @@ pub fn views(
     Ok(())
 }
 
+/// The working set is that of [`views`] and three maps, which the sink is handed.
 fn bake(
     source: &Source,
     settings: &Settings,
@@ -173,34 +184,23 @@ fn bake(
     let (azimuths, elevations) = (settings.count(0), settings.count(1));
     let (tiles, bits) = (settings.count(2), settings.count(3));
     let map = source.map;
-    let (width, height) = (map.width(), map.height());
-    let channel = |name| Channel { name, range: [0.0, 1.0], rounding: Rounding::Nearest };
-    let mut notes = horizon::notes(source, azimuths);
-    notes.push(("elevations", format!("{elevations}: sin^2 = (e + 0.5) / {elevations}")));
-    sink.begin(&Texture {
-        name: "",
-        size: [width, height, azimuths * elevations],
-        mips: Vec::new(),
-        channels: vec![channel("u"), channel("v"), channel("hit")],
-        notes,
-    })?;
-    let mut planes = [const { Vec::new() }; 3];
+    let channel = |name, unit| Channel { name, unit, range: [0.0, 1.0], rounding: Rounding::Nearest };
+    let channels = [channel("u", "tiles"), channel("v", "tiles"), channel("hit", "1")];
+    let mut texture = horizon::texture(source, azimuths, azimuths * elevations, channels.to_vec());
+    texture.notes.push(("elevations", format!("{elevations}: sin^2 = (e + 0.5) / {elevations}")));
+    sink.begin(&texture)?;
+    let mut planes = [0; 3].map(|_| vec![0.0f32; map.texels().len()]);
     views(map, source.metric, [azimuths, elevations], tiles, progress, &mut |view| {
-        planes.iter_mut().for_each(Vec::clear);
-        for row in 0..height {
-            for column in 0..width {
-                let hit = view.hit(column, row);
-                let [u, v] = hit.unwrap_or([0.0; 2]);
-                for (plane, value) in planes.iter_mut().zip([
-                    wrapped(map, u) as f32,
-                    wrapped(map, v) as f32,
-                    if hit.is_some() { 1.0 } else { 0.0 },
-                ]) {
-                    plane.push(unorm(value, bits, Rounding::Nearest));
-                }
+        let width = map.width() as usize;
+        let [u, v, seen] = planes.each_mut().map(|plane| plane.par_chunks_mut(width));
+        u.zip(v).zip(seen).enumerate().for_each(|(row, ((u, v), seen))| {
+            for (column, ((u, v), seen)) in u.iter_mut().zip(v).zip(seen).enumerate() {
+                let hit = view.hit(column as u32, row as u32);
+                let [at_u, at_v] = hit.unwrap_or([0.0; 2]).map(|at| wrapped(map, at) as f32);
+                [*u, *v, *seen] = [at_u, at_v, if hit.is_some() { 1.0 } else { 0.0 }];
             }
-        }
-        Ok(sink.slice(&[&planes[0], &planes[1], &planes[2]])?)
+        });
+        Ok(to_nearest(sink, &channels, bits, &mut planes.each_mut().map(Vec::as_mut_slice))?)
     })
 }
 

@@ -10,14 +10,15 @@ mod storage;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use relief::HeightMap;
 use relief::registry::UnknownName;
+use relief::{HeightMap, Wrap};
 use relief_bake::{BakeError, KINDS, Kind, Metric, Progress as BakeProgress, Settings, Texture};
 use relief_io::read_height;
 use relief_render::scene::ByteSize;
@@ -115,10 +116,10 @@ static CANCEL: AtomicBool = AtomicBool::new(false);
 /// Reads, bakes and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kinds = choose(arguments, relief_bake::kind)?;
-    let job = Job::new(arguments, kinds)?;
+    let (job, map) = Job::new(arguments, kinds)?;
     // Until here nothing exists that an interrupted program would leave behind.
     ctrlc::set_handler(|| CANCEL.store(true, Ordering::Relaxed)).map_err(Failure::work)?;
-    job.run(&CANCEL, &mut io::stdout().lock())
+    job.run(map, &CANCEL, &mut io::stdout().lock())
 }
 
 /// The kinds of that names, with their settings.
@@ -146,11 +147,12 @@ fn choose<'k>(
     Ok(kinds)
 }
 
-/// A map that has been read, and what is to be made of it.
+/// What is to be made of a map that has been read.
 struct Job<'a> {
     arguments: &'a Arguments,
     kinds: Vec<(&'a Kind, Settings)>,
-    map: HeightMap,
+    size: [u32; 2],
+    wrap: Wrap,
     metric: Metric,
     source_hash: String,
     /// The beginning of the files' names.
@@ -167,7 +169,8 @@ struct Baked {
 }
 
 impl<'a> Job<'a> {
-    fn new(arguments: &'a Arguments, kinds: Vec<(&'a Kind, Settings)>) -> Result<Self, Failure> {
+    /// Reads the map, and finds out whether the kinds can be made of it.
+    fn new(arguments: &'a Arguments, kinds: Vec<(&'a Kind, Settings)>) -> Result<(Self, HeightMap), Failure> {
         if !arguments.output.is_dir() {
             let folder = arguments.output.display();
             return Err(Failure::Work(format!(
@@ -188,17 +191,23 @@ impl<'a> Job<'a> {
         let metric = metric(arguments, &map)?;
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
         let source_hash = source_hash(&map);
-        Ok(Self { arguments, kinds, map, metric, source_hash, stem })
+        let (size, wrap) = ([map.width(), map.height()], map.wrap());
+        Ok((Self { arguments, kinds, size, wrap, metric, source_hash, stem }, map))
     }
 
-    fn run(&self, cancel: &AtomicBool, out: &mut dyn Write) -> Result<(), Failure> {
+    fn run(&self, map: HeightMap, cancel: &AtomicBool, out: &mut dyn Write) -> Result<(), Failure> {
         let mut all = Vec::new();
-        for (kind, settings) in &self.kinds {
-            let baked = self.kind(kind, settings, cancel)?;
-            if !self.arguments.json {
-                baked.print(&self.arguments.output, out)?;
-            }
+        let mut finished = |baked: Baked| {
+            let printed = if self.arguments.json { Ok(()) } else { baked.print(&self.arguments.output, out) };
             all.push(baked);
+            printed
+        };
+        if let Some(((last, settings), others)) = self.kinds.split_last() {
+            for (kind, settings) in others {
+                finished(self.kind(kind, settings, Cow::Borrowed(&map), cancel)?)?;
+            }
+            // The last kind may have the map, and needs no copy where it rounds heights.
+            finished(self.kind(last, settings, Cow::Owned(map), cancel)?)?;
         }
         if self.arguments.json {
             writeln!(out, "{:#}", self.as_json(&all))?;
@@ -207,12 +216,18 @@ impl<'a> Job<'a> {
     }
 
     /// Bakes a kind into the hidden folder and moves its files to their places.
-    fn kind(&self, kind: &Kind, settings: &Settings, cancel: &AtomicBool) -> Result<Baked, Failure> {
+    fn kind(
+        &self,
+        kind: &Kind,
+        settings: &Settings,
+        map: Cow<HeightMap>,
+        cancel: &AtomicBool,
+    ) -> Result<Baked, Failure> {
         let Arguments { output, format, texels, zstd, .. } = self.arguments;
         let started = Instant::now();
         let storage = Storage::choose(*texels, *format, bits(settings)).map_err(Failure::Usage)?;
         let identity =
-            Identity::new(kind, settings, &self.map, &self.source_hash, self.metric, *format, storage, *zstd);
+            Identity::new(kind, settings, &map, &self.source_hash, self.metric, *format, storage, *zstd);
         let baked = |files, up_to_date| Baked {
             kind: kind.name,
             key: identity.key().to_owned(),
@@ -234,12 +249,16 @@ impl<'a> Job<'a> {
         let mut spool = Spool::new(staging.path(), &check).map_err(in_folder)?;
         let report = |part: f32| bar.show(part * BAKING_PART);
         let progress = BakeProgress::new(&report, cancel);
-        relief_bake::bake(kind, &self.map, self.metric, settings, &progress, &mut spool).map_err(
-            |error| match error {
-                BakeError::Cancelled(_) => cancelled(),
-                other => Failure::work(other),
-            },
-        )?;
+        let done = match map {
+            Cow::Borrowed(map) => relief_bake::bake(kind, map, self.metric, settings, &progress, &mut spool),
+            Cow::Owned(map) => {
+                relief_bake::bake_last(kind, map, self.metric, settings, &progress, &mut spool)
+            }
+        };
+        done.map_err(|error| match error {
+            BakeError::Cancelled(_) => cancelled(),
+            other => Failure::work(other),
+        })?;
         let (textures, mut reader) = spool.finish().map_err(Failure::work)?;
         let base = format!("{}.{}", self.stem, kind.name);
         let packing = Packing { format: *format, storage, zstd: *zstd };
@@ -266,8 +285,7 @@ impl<'a> Job<'a> {
         Ok(baked(files, false))
     }
 
-    /// Whether a texture can be stored, and fits: a 2-D bake holds its input, with `bits` twice, and its output, and half
-    /// as much again.
+    /// Whether a texture can be stored, and fits: a 2-D bake holds its input and its output, and half as much again.
     fn check(&self, storage: Storage, texture: &Texture) -> Result<(), String> {
         storage.check(self.arguments.format, texture, self.arguments.lossy_heights)?;
         let [width, height, depth] = texture.size.map(u64::from);
@@ -275,7 +293,8 @@ impl<'a> Job<'a> {
             && depth == 1
         {
             let output = width.saturating_mul(height).saturating_mul(4 * texture.channels.len() as u64);
-            let input = 4 * u64::from(self.map.width()) * u64::from(self.map.height());
+            let [columns, rows] = self.size.map(u64::from);
+            let input = 4 * columns * rows;
             let needed = output.saturating_add(input).saturating_mul(3) / 2;
             if needed > limit {
                 return Err(format!(
@@ -300,7 +319,7 @@ impl<'a> Job<'a> {
             .collect();
         json!({
             "height": self.arguments.height, "folder": self.arguments.output, "source": self.source_hash,
-            "width": self.map.width(), "height_texels": self.map.height(), "wrap": self.map.wrap().name(),
+            "width": self.size[0], "height_texels": self.size[1], "wrap": self.wrap.name(),
             "tile_m": self.metric.tile_m, "scale_m": self.metric.scale_m, "baked": baked,
         })
     }

@@ -3,14 +3,23 @@
 use rayon::prelude::*;
 use relief::HeightMap;
 
-/// The distance from every texel centre at height `level` (1 is `scale_m` high) to the nearest box, in metres, row by row.
-///
-/// A box stands on each dual cell and reaches up to the highest of its four corners. All rows in parallel; the search from a
-/// texel goes outward and ends where nothing nearer can be.
+/// The distance from every texel centre at height `level` (1 is `scale_m` high) to the nearest box, in metres, row by row; all
+/// in parallel.
 pub fn boxes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, level: f64) -> Vec<f64> {
     let [width, height] = [i64::from(map.width()), i64::from(map.height())];
-    let texel = [tile_m[0] / width as f64, tile_m[1] / height as f64];
-    let squared = |from: [i64; 2], away: [i64; 2]| {
+    (0..width * height)
+        .into_par_iter()
+        .map(|at| to_boxes(map, tile_m, scale_m, level, [at % width, at / width]))
+        .collect()
+}
+
+/// The distance from the centre of one texel at height `level` (1 is `scale_m` high) to the nearest box, in metres.
+///
+/// A box stands on each dual cell and reaches up to the highest of its four corners. The search goes outward and ends where
+/// nothing nearer can be.
+pub fn to_boxes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, level: f64, from: [i64; 2]) -> f64 {
+    let texel = [tile_m[0] / f64::from(map.width()), tile_m[1] / f64::from(map.height())];
+    let squared = |away: [i64; 2]| {
         let [i, j] = [from[0] + away[0], from[1] + away[1]];
         let corners = [(-1, -1), (0, -1), (-1, 0), (0, 0)].map(|(di, dj)| map.cell(i + di, j + dj));
         let top = corners.as_flattened().iter().fold(0.0f32, |top, &corner| top.max(corner));
@@ -18,25 +27,19 @@ pub fn boxes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, level: f64) -> Vec
         let [x, y] = [away[0] as f64 * texel[0], away[1] as f64 * texel[1]];
         x * x + y * y + gap * gap
     };
-    (0..width * height)
-        .into_par_iter()
-        .map(|at| {
-            let from = [at % width, at / width];
-            let mut best = squared(from, [0, 0]);
-            let mut dj = 0;
-            while (dj as f64 * texel[1]).powi(2) <= best {
-                let mut di = 0;
-                while (di as f64 * texel[0]).powi(2) + (dj as f64 * texel[1]).powi(2) <= best {
-                    for away in [[di, dj], [-di, dj], [di, -dj], [-di, -dj]] {
-                        best = best.min(squared(from, away));
-                    }
-                    di += 1;
-                }
-                dj += 1;
+    let mut best = squared([0, 0]);
+    let mut dj = 0;
+    while (dj as f64 * texel[1]).powi(2) <= best {
+        let mut di = 0;
+        while (di as f64 * texel[0]).powi(2) + (dj as f64 * texel[1]).powi(2) <= best {
+            for away in [[di, dj], [-di, dj], [di, -dj], [-di, -dj]] {
+                best = best.min(squared(away));
             }
-            best.sqrt()
-        })
-        .collect()
+            di += 1;
+        }
+        dj += 1;
+    }
+    best.sqrt()
 }
 
 /// A part of the surface over a rectangle of texture space, as tall as its corners.

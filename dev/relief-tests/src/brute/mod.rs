@@ -7,4 +7,6 @@ pub mod frustum;
 pub mod horizon;
 pub mod normal;
 pub mod pyramid;
+pub mod relaxed_cone;
+pub mod sky;
 pub mod visibility;

@@ -1,5 +1,6 @@
 //! Slopes and normals in `f64`, texel by texel.
 
+use rayon::prelude::*;
 use relief::HeightMap;
 
 /// A slope along `u` and along `v`, metres up for a metre along.
@@ -41,4 +42,25 @@ pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
     let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
     cross.iter().map(|x| x * x).sum::<f64>().sqrt().atan2(dot)
+}
+
+/// The mean slope and its central second moments `uu`, `uv`, `vv` over the texels of each node of a mip level of a map whose
+/// sides are powers of two, row by row, from all of the texels.
+pub fn level(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, level: u32) -> Vec<(Slope, [f64; 3])> {
+    let size = [map.width(), map.height()].map(|side| i64::from((side >> level).max(1)));
+    let covered = [i64::from(map.width()) / size[0], i64::from(map.height()) / size[1]];
+    (0..size[0] * size[1])
+        .into_par_iter()
+        .map(|node| {
+            let [left, top] = [node % size[0] * covered[0], node / size[0] * covered[1]];
+            let texels = (top..top + covered[1]).flat_map(|j| (left..left + covered[0]).map(move |i| [i, j]));
+            let slopes: Vec<Slope> =
+                texels.map(|texel| mean(&patch_slopes(map, tile_m, scale_m, texel))).collect();
+            let [u, v] = mean(&slopes);
+            let moment = |f: fn(f64, f64) -> f64| {
+                slopes.iter().map(|slope| f(slope[0] - u, slope[1] - v)).sum::<f64>() / slopes.len() as f64
+            };
+            ([u, v], [moment(|u, _| u * u), moment(|u, v| u * v), moment(|_, v| v * v)])
+        })
+        .collect()
 }

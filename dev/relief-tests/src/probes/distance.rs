@@ -1,8 +1,8 @@
 //! Attacks on distance fields: points from which a point of the surface is nearer than the fetched value says.
 
-use rayon::prelude::*;
 use relief::HeightMap;
 
+use super::Found;
 use crate::rng::Rng;
 
 /// A stored distance field: `size[0] x size[1]` texels by `size[2]` slices, in metres of a metric.
@@ -57,23 +57,16 @@ impl Field<'_> {
         Contact { from, surface, slack_m: squared.sqrt() - self.fetch(from) }
     }
 
-    /// The tightest of `count` contacts. Surface points lie anywhere, on edges and at corners of dual cells; they are looked
-    /// at along their normal, straight from above, at random, and from voxel centres near by. The result does not depend on
-    /// the number of threads.
-    pub fn tightest(&self, count: usize, seed: u64) -> Contact {
-        const BATCH: usize = 4096;
-        let better = |a: Contact, b: Contact| if b.slack_m < a.slack_m { b } else { a };
-        let batches: Vec<Contact> = (0..count.div_ceil(BATCH))
-            .into_par_iter()
-            .map(|batch| {
-                let mut rng = Rng::new(seed ^ (batch as u64) << 32);
-                (0..BATCH.min(count - batch * BATCH))
-                    .map(|_| self.draw(&mut rng))
-                    .reduce(better)
-                    .expect("a batch is not empty")
-            })
-            .collect();
-        batches.into_iter().reduce(better).expect("at least one probe is asked for")
+    /// Probes `count` contacts. Surface points lie anywhere, on edges and at corners of dual cells; they are looked at along
+    /// their normal, straight from above, at random, and from voxel centres near by. Finds room in metres.
+    pub fn attack(&self, count: usize, seed: u64) -> Found<Contact> {
+        let mut rng = Rng::new(seed);
+        let mut found = Found::default();
+        for _ in 0..count {
+            let contact = self.draw(&mut rng);
+            found.add(contact.slack_m < 0.0, contact.slack_m, contact);
+        }
+        found
     }
 
     fn draw(&self, rng: &mut Rng) -> Contact {

@@ -2,6 +2,7 @@
 
 use relief::HeightMap;
 
+use super::Found;
 use super::place::{Place, ROUNDING};
 use crate::rng::Rng;
 
@@ -32,13 +33,18 @@ impl Frustum {
 
     /// Whether the surface at a place of the quadrant is not above the frustum.
     pub fn holds(&self, map: &HeightMap, place: &Place, forward: [bool; 2]) -> bool {
-        place.height(map) <= self.top + self.slope * self.distance(place, forward) + ROUNDING
+        self.room(map, place, forward) >= -ROUNDING
+    }
+
+    /// How far below the frustum the surface at a place of the quadrant is, in heights.
+    pub fn room(&self, map: &HeightMap, place: &Place, forward: [bool; 2]) -> f64 {
+        self.top + self.slope * self.distance(place, forward) - place.height(map)
     }
 }
 
-/// A place where the surface is above a frustum.
+/// A place that a frustum has to clear.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Escape {
+pub struct Contact {
     /// The dual cell whose frustum it is, not wrapped.
     pub cell: [i64; 2],
     /// The quadrant.
@@ -48,20 +54,20 @@ pub struct Escape {
 }
 
 /// Probes so many places ahead of cells: at every distance up to three tiles, more of the near ones, on the diagonal and beside it
-/// as often as elsewhere. `read` is the frustum for a ray over a cell, not wrapped, in a quadrant. The first place where
-/// the surface is above it.
-pub fn probe(
+/// as often as elsewhere. `read` is the frustum for a ray over a cell, not wrapped, in a quadrant. Finds room in heights.
+pub fn attack(
     map: &HeightMap,
     read: impl Fn([i64; 2], [bool; 2]) -> Frustum,
     count: usize,
     seed: u64,
-) -> Option<Escape> {
+) -> Found<Contact> {
     let mut rng = Rng::new(seed);
-    let farthest = 3.0 * f64::from(map.width().max(map.height())) + 1.0;
-    (0..count).find_map(|_| {
+    let farthest = (3.0 * f64::from(map.width().max(map.height())) + 2.0).log2();
+    let mut found = Found::default();
+    for _ in 0..count {
         let from = Place::draw(&mut rng, map);
         let forward = [rng.below(2) == 0, rng.below(2) == 0];
-        let mut ahead = || rng.between(0.0, (farthest + 1.0).log2()).exp2() as i64 - 1;
+        let mut ahead = || rng.between(0.0, farthest).exp2() as i64 - 1;
         let (u, v) = (ahead(), ahead());
         let ahead = match rng.below(4) {
             0 => [u, u],
@@ -73,7 +79,8 @@ pub fn probe(
             let by = ahead[axis].max(0);
             place.cell[axis] = from.cell[axis] + if forward[axis] { by } else { -by };
         }
-        let frustum = read(from.cell, forward);
-        (!frustum.holds(map, &place, forward)).then_some(Escape { cell: from.cell, forward, place })
-    })
+        let room = read(from.cell, forward).room(map, &place, forward);
+        found.add(room < -ROUNDING, room, Contact { cell: from.cell, forward, place });
+    }
+    found
 }

@@ -3,7 +3,12 @@
 pub mod cone;
 pub mod dilation_erosion;
 pub mod distance;
+mod found;
 pub mod frustum;
 pub mod place;
 pub mod pyramid;
 pub mod relaxed_cone;
+pub mod run;
+pub mod stored;
+
+pub use found::Found;

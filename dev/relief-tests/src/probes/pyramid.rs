@@ -2,27 +2,37 @@
 
 use relief::HeightMap;
 
+use super::Found;
 use super::place::{Place, ROUNDING};
 use crate::rng::Rng;
 
 /// Whether the surface at a place is within what is said of it.
-pub fn holds(map: &HeightMap, place: &Place, [least, most]: [f32; 2]) -> bool {
+pub fn holds(map: &HeightMap, place: &Place, bounds: [f32; 2]) -> bool {
+    room(map, place, bounds) >= -ROUNDING
+}
+
+/// How far inside of what is said of it the surface at a place is, in heights.
+#[inline]
+pub fn room(map: &HeightMap, place: &Place, [least, most]: [f32; 2]) -> f64 {
     let height = place.height(map);
-    f64::from(least) - ROUNDING <= height && height <= f64::from(most) + ROUNDING
+    (height - f64::from(least)).min(f64::from(most) - height)
 }
 
 /// Probes so many places, each at a level; `bounds` is the least and the greatest height that a level has for a cell, not
-/// wrapped. The first place where the surface is outside, and the level.
-pub fn probe(
+/// wrapped. Finds room in heights at a place, and the level.
+pub fn attack(
     map: &HeightMap,
     levels: usize,
     bounds: impl Fn(usize, [i64; 2]) -> [f32; 2],
     count: usize,
     seed: u64,
-) -> Option<(Place, usize)> {
+) -> Found<(Place, usize)> {
     let mut rng = Rng::new(seed);
-    (0..count).find_map(|_| {
+    let mut found = Found::default();
+    for _ in 0..count {
         let (place, level) = (Place::draw(&mut rng, map), rng.below(levels as u32) as usize);
-        (!holds(map, &place, bounds(level, place.cell))).then_some((place, level))
-    })
+        let room = room(map, &place, bounds(level, place.cell));
+        found.add(room < -ROUNDING, room, (place, level));
+    }
+    found
 }

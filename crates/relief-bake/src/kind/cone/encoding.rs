@@ -61,7 +61,7 @@ pub fn texture(
         name: "",
         size: [map.width(), map.height(), 1],
         mips: Vec::new(),
-        channels: vec![Channel { name: channel, range: [0.0, 1.0], rounding: Rounding::Down }],
+        channels: vec![Channel { name: channel, unit: "1", range: [0.0, 1.0], rounding: Rounding::Down }],
         notes: vec![
             ("encoding", "ratio = half_ratio_m * v * v / (1 - v * v)".to_owned()),
             ("half_ratio_m", format!("{half:?}")),

@@ -1,10 +1,10 @@
 //! The squared distance transform of a line, by the faster of two exact ways.
 
-use super::lower_envelope::LowerEnvelope;
+use super::monotone::Monotone;
 use super::window;
 
-/// Steps to either side from which on the lower envelope is faster than looking around.
-const ENVELOPE_FROM: f32 = 80.0;
+/// Steps to either side from which on monotone minima are faster than looking around.
+const MONOTONE_FROM: f32 = 16.0;
 
 /// A line of samples with a margin at either end, and the room to transform it.
 #[derive(Debug)]
@@ -13,7 +13,7 @@ pub struct Line {
     margin: usize,
     repeats: bool,
     step_squared: f32,
-    envelope: LowerEnvelope,
+    monotone: Monotone,
 }
 
 impl Line {
@@ -23,8 +23,8 @@ impl Line {
         let margin = reach.min(if repeats { length / 2 } else { length - 1 });
         let samples = vec![f32::MAX; length + 2 * margin];
         let step_squared = (step * step) as f32;
-        let envelope = LowerEnvelope::new(samples.len(), step);
-        Self { samples, margin, repeats, step_squared, envelope }
+        let monotone = Monotone::new(length, margin, step_squared);
+        Self { samples, margin, repeats, step_squared, monotone }
     }
 
     /// The samples, to be filled in before they are transformed.
@@ -41,12 +41,10 @@ impl Line {
             self.samples.copy_within(length..length + margin, 0);
             self.samples.copy_within(margin..2 * margin, margin + length);
         }
-        if window::mean_steps(&self.samples, margin, self.step_squared) < ENVELOPE_FROM {
+        if window::mean_steps(&self.samples, margin, self.step_squared) < MONOTONE_FROM {
             window::transform(&self.samples, margin, self.step_squared, out);
-        } else if self.repeats {
-            self.envelope.transform(&self.samples, margin, out);
         } else {
-            self.envelope.transform(&self.samples[margin..margin + length], 0, out);
+            self.monotone.transform(&self.samples, out);
         }
     }
 }
@@ -59,12 +57,26 @@ mod tests {
     fn either_way_is_the_least_over_the_line() {
         let mut state = 1u32;
         for length in [1usize, 2, 3, 17, 64, 301] {
-            for (step, repeats) in [(0.003, true), (0.003, false), (0.02, true), (0.3, false), (2.0, true)] {
+            for (case, (step, repeats)) in [
+                (0.003, true),
+                (0.003, false),
+                (0.02, true),
+                (0.3, false),
+                (2.0, true),
+                (1e-4, false),
+                (0.01, true),
+            ]
+            .into_iter()
+            .flat_map(|line| [0, 1, 2].map(|case| (case, line)))
+            {
                 let reach = (1.0f64 / step).ceil() as usize;
                 let mut line = Line::new(length, step, reach, repeats);
-                for sample in line.samples() {
+                for (i, sample) in line.samples().iter_mut().enumerate() {
                     state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                    *sample = (state >> 8) as f32 / (1 << 24) as f32;
+                    let noise = (state >> 8) as f32 / (1 << 24) as f32;
+                    // Noise, all the same but for a few, and a bowl.
+                    let bowl = (i as f32 / length as f32 - 0.4).powi(2);
+                    *sample = [noise, if noise < 0.01 { 0.0 } else { 1.0 }, bowl][case];
                 }
                 let values = line.samples().to_vec();
                 let mut out = vec![0.0; length];

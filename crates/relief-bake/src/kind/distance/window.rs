@@ -55,5 +55,14 @@ fn look_around(values: &[f32], first: usize, margin: usize, step_squared: f32, b
 /// The highest of some values that are not negative.
 #[inline(always)]
 fn highest(values: &[f32]) -> f32 {
-    values.iter().fold(0.0, |most, &value| if value > most { value } else { most })
+    let higher = |a: f32, b: f32| if b > a { b } else { a };
+    // Lanes that do not wait for each other.
+    let (whole, rest) = values.as_chunks::<8>();
+    let mut most = [0.0; 8];
+    for values in whole {
+        for (most, &value) in most.iter_mut().zip(values) {
+            *most = higher(*most, value);
+        }
+    }
+    rest.iter().copied().chain(most).fold(0.0, higher)
 }

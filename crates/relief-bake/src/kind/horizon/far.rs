@@ -1,8 +1,11 @@
 //! What is far: the upper hull of each line, grown towards the texel that looks at it.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
-use super::lines::Lines;
+use super::lines::{Lines, Stretch};
+use super::sheared::{SKEW, Slab};
 use crate::{Cancelled, Progress};
 
 /// A vertex of the hull.
@@ -54,33 +57,76 @@ impl Hull {
     }
 }
 
-/// For every texel the greatest slope, in heights a step, under which it sees the line that passes it, from `nearest`
-/// steps away on; at `slot * length + position`.
+/// Lines that one task looks along: as many as there are texels in a cache line, for lines across the map's rows.
+const LANES: usize = 16;
+
+/// What a task works with, of a few lines: their texels, and what they are sampled at.
+#[derive(Default)]
+struct Scratch {
+    hull: Hull,
+    own: Vec<f32>,
+    heights: Vec<f32>,
+}
+
+/// For every texel of the slab the greatest slope, in heights a step, under which it sees the line that passes it, from
+/// `nearest` steps away on.
 pub(super) fn slopes(
     lines: &Lines,
     nearest: usize,
-    slopes: &mut [f32],
+    slab: &mut Slab,
     progress: &Progress,
 ) -> Result<(), Cancelled> {
+    let (first, count) = (slab.slots.start, slab.slots.len());
+    let blocks = slab.values.par_chunks_mut(LANES * slab.stride).enumerate();
+    blocks.try_for_each_init(Scratch::default, |scratch, (block, slopes)| {
+        let slot = block * LANES;
+        progress.at(0.5 * slot as f32 / count as f32)?;
+        let lanes = LANES.min(count - slot);
+        along_lines(lines, nearest, first + slot..first + slot + lanes, scratch, slopes, slab.stride);
+        Ok(())
+    })
+}
+
+/// The slopes of some slots, each in `row` values.
+fn along_lines(
+    lines: &Lines,
+    nearest: usize,
+    slots: Range<usize>,
+    scratch: &mut Scratch,
+    slopes: &mut [f32],
+    row: usize,
+) {
+    let Scratch { hull, own, heights } = scratch;
+    // So long that lanes of a map of a power of two do not fall into the same cache lines.
+    let own_stride = lines.length + SKEW;
+    own.resize(slots.len() * own_stride, 0.0);
+    lines.own(slots.start, own_stride, own);
+    // Lines as far from each other as their slots are read together.
+    let mut stretches: Vec<(i64, usize, Stretch)> = Vec::new();
+    for (lane, slot) in slots.enumerate() {
+        let of_slot = lines.stretches(slot).into_iter();
+        stretches.extend(of_slot.map(|stretch| (stretch.line - lane as i64, lane, stretch)));
+    }
+    stretches.sort_unstable_by_key(|&(beside, lane, _)| (beside, lane));
     let end = lines.length + lines.reach;
-    let scratch = || (Hull::default(), Vec::new());
-    slopes.par_chunks_mut(lines.length).enumerate().try_for_each_init(scratch, |scratch, (slot, slopes)| {
-        let (hull, heights) = scratch;
-        progress.at(0.5 * slot as f32 / lines.count as f32)?;
-        for stretch in lines.stretches(slot) {
-            let first = stretch.from + nearest;
-            lines.samples(stretch.line, first, end.min(stretch.to + lines.reach), heights);
+    let span = |stretch: &Stretch| stretch.from + nearest..end.min(stretch.to + lines.reach);
+    for group in stretches.chunk_by(|a, b| a.0 == b.0) {
+        let spans = group.iter().map(|(.., stretch)| span(stretch));
+        let all = spans.reduce(|a, b| a.start.min(b.start)..a.end.max(b.end)).unwrap_or_default();
+        let stride = all.len() + SKEW;
+        heights.resize(group.len() * stride, 0.0);
+        lines.samples(group[0].2.line, all.start, all.end, stride, heights);
+        for ((_, lane, stretch), heights) in group.iter().zip(heights.chunks_exact(stride)) {
+            let (span, own) = (span(stretch), &own[lane * own_stride..]);
+            let slopes = &mut slopes[lane * row..];
             hull.vertices.clear();
-            for (k, &height) in heights.iter().enumerate().rev() {
-                hull.push((first + k) as f32, height);
-                let p = stretch.from + k;
-                if p < stretch.to
-                    && let Some(row) = lines.row(&stretch, p)
-                {
-                    slopes[p] = hull.tangent(p as f32, lines.texel(p, row));
+            for (position, &height) in span.clone().zip(&heights[span.start - all.start..]).rev() {
+                hull.push(position as f32, height);
+                let p = position - nearest;
+                if p < stretch.to && lines.row(stretch, p).is_some() {
+                    slopes[p] = hull.tangent(p as f32, own[p]);
                 }
             }
         }
-        Ok(())
-    })
+    }
 }

@@ -1,5 +1,7 @@
 //! Sheared lines: a family of parallel lines that visits every texel once (Timonen and Westerholm 2010).
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 use relief::{HeightMap, Wrap};
 
@@ -45,15 +47,21 @@ fn snap(x: f64) -> f64 {
     }
 }
 
-/// A map and its transpose, so that lines run along rows of one of them.
+/// A map, from which lines are taken.
 pub(crate) struct Rows<'a> {
     map: &'a HeightMap,
-    transposed: Vec<f32>,
+    /// Its transpose, where steep lines are to run along the rows of that.
+    transposed: Option<Vec<f32>>,
 }
 
 impl<'a> Rows<'a> {
-    /// Takes as much memory as the map.
+    /// Without a transpose: steep lines run across the rows of the map, and are best read several at a time.
     pub fn new(map: &'a HeightMap) -> Self {
+        Self { map, transposed: None }
+    }
+
+    /// With a transpose, for lines that are read at random. Takes as much memory as the map.
+    pub fn with_transpose(map: &'a HeightMap) -> Self {
         let (width, height) = (map.width() as usize, map.height() as usize);
         let mut transposed = vec![0.0; width * height];
         /// Columns of the map that one task reads together, so that a cache line is read once.
@@ -65,7 +73,7 @@ impl<'a> Rows<'a> {
                 }
             }
         });
-        Self { map, transposed }
+        Self { map, transposed: Some(transposed) }
     }
 
     /// How many steps of a direction reach so many tiles; at least [`MIN_REACH`].
@@ -79,10 +87,12 @@ impl<'a> Rows<'a> {
         let (width, height) = (self.map.width() as usize, self.map.height() as usize);
         let [x, y] = direction.step;
         let steep = direction.is_steep();
-        let (texels, length, count) = if steep {
-            (self.transposed.as_slice(), height, width)
-        } else {
-            (self.map.texels(), width, height)
+        let (length, count) = if steep { (height, width) } else { (width, height) };
+        // From one texel to the next, along lines and across them.
+        let (texels, along, across) = match (&self.transposed, steep) {
+            (Some(transposed), true) => (transposed.as_slice(), 1, height),
+            (None, true) => (self.map.texels(), width, 1),
+            (_, false) => (self.map.texels(), 1, width),
         };
         let (major, slope) = if steep { (y, x) } else { (x, y) };
         // Along a single row every line is the same one.
@@ -112,14 +122,17 @@ impl<'a> Rows<'a> {
         let most = places[length - 1].0.abs() + MARGIN;
         let lowest = first - most;
         let highest = last + most + 2 * count as i64;
-        let starts = (lowest..=highest).map(|row| wrap.index(row, count as u32) as usize * length).collect();
-        let columns = columns.map(|column| column as usize).collect();
+        let starts = (lowest..=highest).map(|row| wrap.index(row, count as u32) as usize * across).collect();
+        let columns = columns.map(|column| column as usize * along).collect();
         Lines {
             texels,
+            along,
+            across,
             length,
             count,
             reach,
             wrap,
+            steep,
             reversed,
             slope,
             lowest,
@@ -147,6 +160,9 @@ pub(crate) const MIN_REACH: usize = 64;
 /// passes it at most half a row away.
 pub(crate) struct Lines<'a> {
     texels: &'a [f32],
+    /// From one texel to the next along the lines, and across them.
+    along: usize,
+    across: usize,
     /// Texels along the lines.
     pub length: usize,
     /// Texels across them.
@@ -154,11 +170,14 @@ pub(crate) struct Lines<'a> {
     /// How many texels beyond the map lines go on.
     pub reach: usize,
     wrap: Wrap,
+    /// Whether the lines run along `v`: positions are rows of the map then.
+    pub steep: bool,
     /// Whether position 0 is the last column.
     pub reversed: bool,
     /// Rows a position.
     pub slope: f64,
     lowest: i64,
+    /// Where the texel of a position is in the first row; `starts` where rows begin.
     columns: Vec<usize>,
     /// `shift(p)`; the same modulo the period after which lines come back to the same texels; and modulo `count`.
     shifts: Vec<i64>,
@@ -229,7 +248,7 @@ impl Lines<'_> {
 
     /// The texel at a position and row of the map.
     pub fn texel(&self, p: usize, row: usize) -> f32 {
-        self.texels[row * self.length + self.columns[p]]
+        self.texels[row * self.across + self.columns[p]]
     }
 
     /// The cell between the positions `p` and `p + 1`, both below `length + reach`, and the rows `row` and `row + 1`,
@@ -268,15 +287,119 @@ impl Lines<'_> {
         highest
     }
 
-    /// The heights of the surface on a line at the positions `from..to`, below `length + reach`.
-    pub fn samples(&self, line: i64, from: usize, to: usize, heights: &mut Vec<f32>) {
-        let places = self.places[from..to].iter().zip(&self.columns[from..to]);
-        heights.clear();
-        heights.extend(places.map(|(&(floor, share), &column)| {
-            let row = (line + floor - self.lowest) as usize;
+    /// The heights of the surface at the positions `from..to`, below `length + reach`, on so many neighbouring lines from
+    /// `line` on, each line's in `stride` values.
+    pub fn samples(&self, line: i64, from: usize, to: usize, stride: usize, heights: &mut [f32]) {
+        let sample = |line: i64, p: usize| {
+            let (floor, share) = self.places[p];
+            let (row, column) = ((line + floor - self.lowest) as usize, self.columns[p]);
             let (near, far) =
                 (self.texels[self.starts[row] + column], self.texels[self.starts[row + 1] + column]);
             near + share * (far - near)
-        }));
+        };
+        self.each(from..to, heights, stride, |lane, p| sample(line + lane as i64, p));
+    }
+
+    /// The texels of neighbouring slots from `slot` on, position by position, each slot's in `stride` values.
+    pub fn own(&self, slot: usize, stride: usize, heights: &mut [f32]) {
+        self.each(0..self.length, heights, stride, |lane, p| {
+            let row = slot + lane + self.slots[p] as usize;
+            self.texel(p, if row < self.count { row } else { row - self.count })
+        });
+    }
+
+    /// Fills lanes of `stride` values from their positions, in the order in which the map's texels lie in memory.
+    #[inline(always)]
+    fn each(
+        &self,
+        positions: Range<usize>,
+        heights: &mut [f32],
+        stride: usize,
+        value: impl Fn(usize, usize) -> f32,
+    ) {
+        let first = positions.start;
+        if self.along == 1 {
+            for (lane, heights) in heights.chunks_mut(stride).enumerate() {
+                for (p, height) in positions.clone().zip(heights) {
+                    *height = value(lane, p);
+                }
+            }
+        } else {
+            let lanes = heights.len().div_ceil(stride);
+            for p in positions {
+                for lane in 0..lanes {
+                    heights[lane * stride + p - first] = value(lane, p);
+                }
+            }
+        }
+    }
+
+    /// The columns of a row of the map whose texels lie in some slots, in runs.
+    pub fn runs(&self, row: usize, slots: &Range<usize>, runs: &mut Vec<Range<usize>>) {
+        runs.clear();
+        if self.steep {
+            let p = if self.reversed { self.length - 1 - row } else { row };
+            let first = (slots.start + self.slots[p] as usize) % self.count;
+            let end = first + slots.len();
+            runs.push(first..end.min(self.count));
+            if end > self.count {
+                runs.push(0..end - self.count);
+            }
+            return;
+        }
+        // The slot of the texel at `p` is `row - shift(p)` modulo the number of slots, and shifts rise or fall steadily.
+        let count = self.count as i64;
+        let (first, last) = (self.shifts[0], self.shifts[self.length - 1]);
+        let (least, most) = (row as i64 + 1 - slots.end as i64, row as i64 - slots.start as i64);
+        let turns = (first.min(last) - most).div_euclid(count)..=(first.max(last) - least).div_euclid(count);
+        for turn in turns {
+            let (least, most) = (least + turn * count, most + turn * count);
+            let (from, to) = if first <= last {
+                (self.shifts.partition_point(|&x| x < least), self.shifts.partition_point(|&x| x <= most))
+            } else {
+                (self.shifts.partition_point(|&x| x > most), self.shifts.partition_point(|&x| x >= least))
+            };
+            if from < to {
+                runs.push(if self.reversed { self.length - to..self.length - from } else { from..to });
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_are_the_columns_of_the_slots() {
+        for (wrap, [width, height]) in Wrap::ALL
+            .into_iter()
+            .flat_map(|wrap| [[13, 7], [5, 31], [8, 8], [1, 9], [9, 1]].map(|size| (wrap, size)))
+        {
+            let map = HeightMap::from_fn(width, height, wrap, |i, j| (i * 7 + j) as f32 / 300.0);
+            let map = map.expect("a valid map");
+            let rows = Rows::new(&map);
+            for azimuth in 0..24 {
+                let lines = rows.lines(&Direction::azimuth(azimuth, 24, [1.0, 0.7]), 9);
+                for slots in [0..lines.count, 0..1, lines.count / 2..lines.count] {
+                    for row in 0..height as usize {
+                        let mut found = Vec::new();
+                        lines.runs(row, &slots, &mut found);
+                        let mut columns: Vec<usize> = found.into_iter().flatten().collect();
+                        columns.sort_unstable();
+                        let expected = (0..width as usize).filter(|&column| {
+                            let (along, across) = if lines.steep { (row, column) } else { (column, row) };
+                            let p = if lines.reversed { lines.length - 1 - along } else { along };
+                            slots.contains(&lines.slot(p, across))
+                        });
+                        assert_eq!(
+                            columns,
+                            expected.collect::<Vec<_>>(),
+                            "{wrap} {width}x{height} {azimuth}"
+                        );
+                    }
+                }
+            }
+        }
     }
 }

@@ -1,8 +1,11 @@
 //! What is near: the ray of the texel itself, piece by piece, for every texel at once.
 
+use std::ops::Range;
+
 use relief::HeightMap;
 
 use super::lines::Direction;
+use super::sheared::Run;
 
 /// A place on the ray where it crosses the line between two texels: `first + share * (second - first)`.
 #[derive(Clone, Copy, Debug)]
@@ -55,23 +58,24 @@ impl Near {
         Self { pieces: pieces.collect(), twist: (x * y) as f32 }
     }
 
-    /// For every texel of a row of a [`Padded`] band the greatest slope, in heights a step, under which it sees its
-    /// ray.
+    /// For every texel of a part of a [`Padded`] band's rows the greatest slope, in heights a step, under which it sees
+    /// its ray; `start` is room for as many values.
     ///
     /// In a cell the surface over the ray is `a + b t + c t²` above the texel. Its slope `a/t + b + c t` is greatest
     /// at an end, or, where `a` and `c` are negative, at `t = sqrt(a/c)`, where it is `b - 2 sqrt(a c)`. In the first
     /// cell `a` is 0, and `b` the slope at the texel itself. Inside of cells beyond half of the way nothing is looked
     /// for: see the bound in the kind's text.
-    pub fn slopes(&self, band: &Padded, row: usize, start: &mut [f32], slopes: &mut [f32]) {
-        let own = band.row(row, [0, 0]);
+    pub fn slopes(&self, band: &Padded, run: &Run, start: &mut [f32], slopes: &mut [f32]) {
+        let own = band.row(run, [0, 0]);
+        let start = &mut start[..slopes.len()];
         let inside = self.pieces.last().map_or(0.0, |last| 0.5 * last.to);
         for (number, piece) in self.pieces.iter().enumerate() {
             let Piece { from, to, cell: [i, j], end } = *piece;
-            let (first, second) = (band.row(row, end.first), band.row(row, end.second));
+            let (first, second) = (band.row(run, end.first), band.row(run, end.second));
             let height = |x: usize| first[x] + end.share * (second[x] - first[x]) - own[x];
             let (over_to, over_length) = (1.0 / to, 1.0 / (to - from));
             let corners =
-                [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]].map(|corner| band.row(row, corner));
+                [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]].map(|corner| band.row(run, corner));
             let [h00, h10, h01, h11] = corners;
             let bend = |x: usize| self.twist * (h00[x] - h10[x] - h01[x] + h11[x]);
             if number == 0 {
@@ -118,36 +122,39 @@ fn crossing(at: [f64; 2]) -> Crossing {
     Crossing { first, second, share: (at[along] - at[along].floor()) as f32 }
 }
 
-/// Rows of a map with what lies around them, wrapped.
+/// A rectangle of a map with what lies around it, wrapped.
 pub(super) struct Padded {
     texels: Vec<f32>,
-    width: usize,
+    first_column: usize,
     stride: usize,
     margin: usize,
 }
 
 impl Padded {
-    /// `rows` rows from `top` on with a margin.
-    pub fn new(map: &HeightMap, top: usize, rows: usize, margin: usize) -> Self {
+    /// Those rows and columns with a margin.
+    pub fn new(map: &HeightMap, rows: Range<usize>, columns: Range<usize>, margin: usize) -> Self {
         let width = map.width() as usize;
-        let stride = width + 2 * margin;
-        let mut texels = Vec::with_capacity(stride * (rows + 2 * margin));
+        let stride = columns.len() + 2 * margin;
+        let mut texels = Vec::with_capacity(stride * (rows.len() + 2 * margin));
         let side = margin as i64;
-        for row in top as i64 - side..(top + rows) as i64 + side {
+        let (left, right) = (columns.start as i64 - side, columns.end as i64 + side);
+        for row in rows.start as i64 - side..rows.end as i64 + side {
             let start = map.wrap().index(row, map.height()) as usize * width;
             let line = &map.texels()[start..start + width];
             let at = |column: i64| line[map.wrap().index(column, map.width()) as usize];
-            texels.extend((-side..0).map(at));
-            texels.extend_from_slice(line);
-            texels.extend((width as i64..width as i64 + side).map(at));
+            let (inner, outer) = (left.max(0), right.min(width as i64));
+            texels.extend((left..inner).map(at));
+            texels.extend_from_slice(&line[inner as usize..outer as usize]);
+            texels.extend((outer..right).map(at));
         }
-        Self { texels, width, stride, margin }
+        Self { texels, first_column: columns.start, stride, margin }
     }
 
-    /// The texels `offset` away from those of row `row` of the band.
-    fn row(&self, row: usize, offset: [i64; 2]) -> &[f32] {
+    /// The texels `offset` away from a part of the rows.
+    fn row(&self, run: &Run, offset: [i64; 2]) -> &[f32] {
         let at = |from: usize, by: i64| (from + self.margin).wrapping_add_signed(by as isize);
-        let start = at(row, offset[1]) * self.stride + at(0, offset[0]);
-        &self.texels[start..start + self.width]
+        let start =
+            at(run.row, offset[1]) * self.stride + at(run.columns.start - self.first_column, offset[0]);
+        &self.texels[start..start + run.columns.len()]
     }
 }

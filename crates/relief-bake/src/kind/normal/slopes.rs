@@ -44,37 +44,53 @@ impl<'a> Slopes<'a> {
         };
         let (above, here, below) = (line(row as i64 - 1), line(row as i64), line(row as i64 + 1));
         let last = width as usize - 1;
-        let at = |before: usize, i: usize, after: usize| {
-            self.at([here[before], here[after]], [above[i], below[i]], here[i])
-        };
-        let columns =
-            along_u.iter_mut().zip(along_v.iter_mut()).enumerate().skip(1).take(last.saturating_sub(1));
-        for (i, (u, v)) in columns {
-            [*u, *v] = at(i - 1, i, i + 1);
+        // Inside nothing wraps, and the compiler takes several texels at once: hence the choice outside of the loop.
+        if last > 1 {
+            let around = here[..last - 1].iter().zip(&here[2..]).zip(&here[1..]);
+            let lines = around.zip(above[1..].iter().zip(&below[1..]));
+            let slopes = along_u[1..].iter_mut().zip(&mut along_v[1..]).zip(lines);
+            match self.derivative {
+                Derivative::Central => {
+                    for ((u, v), (((left, right), _), (above, below))) in slopes {
+                        [*u, *v] = self.central([*left, *right], [*above, *below]);
+                    }
+                }
+                Derivative::Patches => {
+                    for ((u, v), (((left, right), here), (above, below))) in slopes {
+                        [*u, *v] = self.patches([*left, *right], [*above, *below], *here);
+                    }
+                }
+            }
         }
         for i in [0, last] {
             let before = wrap.index(i as i64 - 1, width) as usize;
             let after = wrap.index(i as i64 + 1, width) as usize;
-            [along_u[i], along_v[i]] = at(before, i, after);
+            let (beside, lines) = ([here[before], here[after]], [above[i], below[i]]);
+            [along_u[i], along_v[i]] = match self.derivative {
+                Derivative::Central => self.central(beside, lines),
+                Derivative::Patches => self.patches(beside, lines, here[i]),
+            };
         }
     }
 
-    /// The slope at a texel with those neighbours before and after along `u` and `v`.
+    /// Half of the difference of the neighbours before and after, along `u` and `v`.
     #[inline(always)]
-    fn at(&self, [left, right]: [f32; 2], [above, below]: [f32; 2], here: f32) -> [f32; 2] {
+    fn central(&self, [left, right]: [f32; 2], [above, below]: [f32; 2]) -> [f32; 2] {
         let [along_u, along_v] = self.steepness;
-        match self.derivative {
-            Derivative::Central => [0.5 * along_u * (right - left), 0.5 * along_v * (below - above)],
-            Derivative::Patches => {
-                let u = [along_u * (here - left), along_u * (right - here)];
-                let v = [along_v * (here - above), along_v * (below - here)];
-                let mut sum = [0.0; 3];
-                for (u, v) in [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])] {
-                    let upright = 1.0 / (1.0 + u * u + v * v).sqrt();
-                    sum = [sum[0] + upright * u, sum[1] + upright * v, sum[2] + upright];
-                }
-                [sum[0] / sum[2], sum[1] / sum[2]]
-            }
+        [0.5 * along_u * (right - left), 0.5 * along_v * (below - above)]
+    }
+
+    /// The slope of the mean of the normals of the four patches around a texel.
+    #[inline(always)]
+    fn patches(&self, [left, right]: [f32; 2], [above, below]: [f32; 2], here: f32) -> [f32; 2] {
+        let [along_u, along_v] = self.steepness;
+        let u = [along_u * (here - left), along_u * (right - here)];
+        let v = [along_v * (here - above), along_v * (below - here)];
+        let mut sum = [0.0; 3];
+        for (u, v) in [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])] {
+            let upright = 1.0 / (1.0 + u * u + v * v).sqrt();
+            sum = [sum[0] + upright * u, sum[1] + upright * v, sum[2] + upright];
         }
+        [sum[0] / sum[2], sum[1] / sum[2]]
     }
 }

@@ -135,6 +135,7 @@ impl Identity {
         let [width, height, depth] = texture.level_size(level.unwrap_or(0));
         let own = [
             ("channels", join(channels.iter().map(|channel| channel.name.to_owned()).collect())),
+            ("channel_units", join(channels.iter().map(|channel| channel.unit.to_owned()).collect())),
             ("ranges", join(channels.iter().map(|c| format!("{},{}", c.range[0], c.range[1])).collect())),
             ("rounding", join(channels.iter().map(|c| rounding_name(c.rounding).to_owned()).collect())),
             ("decode", decode.to_owned()),

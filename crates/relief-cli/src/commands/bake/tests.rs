@@ -34,7 +34,7 @@ const fn kind(
 }
 
 const fn channel(name: &'static str, rounding: Rounding) -> Channel {
-    Channel { name, range: [0.0, 2.0], rounding }
+    Channel { name, unit: "1", range: [0.0, 2.0], rounding }
 }
 
 fn texture(name: &'static str, size: [u32; 3], channels: &[Channel]) -> Texture {
@@ -138,7 +138,8 @@ impl Room {
         let line = Line::try_parse_from(words).map_err(Failure::usage)?;
         let mut out = Vec::new();
         let kinds = choose(&line.arguments, find)?;
-        Job::new(&line.arguments, kinds)?.run(&AtomicBool::new(cancel), &mut out)?;
+        let (job, map) = Job::new(&line.arguments, kinds)?;
+        job.run(map, &AtomicBool::new(cancel), &mut out)?;
         Ok(serde_json::from_slice(&out).expect("JSON"))
     }
 
@@ -347,7 +348,7 @@ fn stored_values_lie_on_the_safe_side() {
     let storages = [Storage::Unorm { bits: 8 }, Storage::Unorm { bits: 16 }, Storage::Half, Storage::Float];
     for range in [[0.0, 1.0], [-1.0, 1.0], [0.3, 7.1]] {
         for rounding in [Rounding::Nearest, Rounding::Down, Rounding::Up] {
-            let channel = Channel { name: "x", range, rounding };
+            let channel = Channel { name: "x", unit: "1", range, rounding };
             for storage in storages {
                 for k in 0..=4000u32 {
                     let value = range[0] + (k as f32 / 4000.0) * (range[1] - range[0]);

@@ -1,0 +1,88 @@
+//! The memory that bakes take, counted by the allocator. One test, so that nothing else allocates meanwhile.
+
+use std::alloc::System;
+
+use peakmem_alloc::{PeakMemAlloc, PeakMemAllocTrait};
+use relief::{HeightMap, Wrap};
+use relief_bake::{KINDS, Kind, Metric, Progress, Sink, SinkError, Texture, bake_last};
+use relief_tests::maps::fractal;
+
+#[global_allocator]
+static ALLOCATOR: PeakMemAlloc<System> = PeakMemAlloc::system();
+
+/// Columns of the map, and rows.
+const SIZE: [u32; 2] = [512, 448];
+
+/// Threads, each of which takes a few lines of the map.
+const THREADS: usize = 2;
+
+/// The most memory of a 2-D kind, input and output included, over these.
+const MOST: f64 = 1.5;
+
+/// The most memory of a volume, in maps besides the input: what the kinds' texts say, and a half for what grows with
+/// the side and the threads.
+const VOLUMES: [(&str, f64); 3] =
+    [("distance", 3.0 + 0.5), ("horizon", 1.25 + 0.5), ("visibility", 2.0 + 4.0 + 3.0 + 0.5)];
+
+/// Forgets what it gets, but for its size.
+#[derive(Default)]
+struct Counted {
+    values: u64,
+    is_volume: bool,
+}
+
+impl Sink for Counted {
+    fn begin(&mut self, texture: &Texture) -> Result<(), SinkError> {
+        self.is_volume |= texture.size[2] > 1;
+        Ok(())
+    }
+
+    fn slice(&mut self, planes: &[&[f32]]) -> Result<(), SinkError> {
+        self.values += planes.iter().map(|plane| plane.len() as u64).sum::<u64>();
+        Ok(())
+    }
+}
+
+/// What a bake of a map that is not needed afterwards allocates at most at a time besides it, in maps, and what came out.
+fn measure(kind: &Kind, map: HeightMap, bits: u32) -> (f64, Counted) {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().expect("threads");
+    let mut settings = kind.defaults();
+    settings.set("bits", f64::from(bits)).expect("every kind has bits");
+    let metric = Metric::unit_tile(0.1).expect("a length");
+    let (texels, mut sink) = (map.texels().len(), Counted::default());
+    pool.install(|| {
+        ALLOCATOR.reset_peak_memory();
+        bake_last(kind, map, metric, &settings, &Progress::none(), &mut sink)
+    })
+    .expect("a bake");
+    (ALLOCATOR.get_peak_memory() as f64 / (4 * texels) as f64, sink)
+}
+
+#[test]
+fn bakes_take_no_more_memory_than_is_said() {
+    let [width, height] = SIZE;
+    let map =
+        HeightMap::new(width, height, fractal(7, width, height, 0.5), Wrap::Repeat).expect("a valid map");
+    let mut over = Vec::new();
+    for kind in KINDS {
+        for bits in [0, 8] {
+            let (maps, sink) = measure(kind, map.clone(), bits);
+            let output = sink.values as f64 / map.texels().len() as f64;
+            let (is, most) = if sink.is_volume {
+                let (_, most) =
+                    VOLUMES.into_iter().find(|(name, _)| *name == kind.name).expect("it is listed");
+                (maps, most)
+            } else {
+                ((1.0 + maps) / (1.0 + output), MOST)
+            };
+            println!(
+                "{} with {bits} bits: {maps:.2} maps for {output:.2} of output: {is:.2} of {most}",
+                kind.name
+            );
+            if is > most {
+                over.push(format!("{} with {bits} bits: {is:.3} of {most}", kind.name));
+            }
+        }
+    }
+    assert!(over.is_empty(), "{over:#?}");
+}
