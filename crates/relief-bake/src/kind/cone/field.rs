@@ -22,12 +22,10 @@ impl<'a> Field<'a> {
         Self { map, size: [i64::from(map.width()), i64::from(map.height())] }
     }
 
-    /// The cell at that offset from a texel, whether or not it is in the map.
+    /// The 3 by 3 heights around a texel, whether or not they are in the map, row by row.
     #[inline(always)]
-    pub fn cell(&self, texel: [i64; 2], offset: [i64; 2]) -> Seen {
-        let [i, j] = [texel[0] + offset[0], texel[1] + offset[1]];
-        let ([h00, h10], [h01, h11]) = (self.row([i, j]), self.row([i, j + 1]));
-        Seen { offset, heights: [h00, h10, h01, h11] }
+    pub fn around(&self, [i, j]: [i64; 2]) -> [[f64; 3]; 3] {
+        [self.row([i - 1, j - 1]), self.row([i - 1, j]), self.row([i - 1, j + 1])]
     }
 
     /// The heights of as many texels of a row, whether or not they are in the map.
@@ -40,5 +38,19 @@ impl<'a> Field<'a> {
         } else {
             std::array::from_fn(|k| f64::from(self.map.texel(i + k as i64, j)))
         }
+    }
+}
+
+impl Seen {
+    /// The cells around a vertex so many texels away, of the 3 by 3 heights around it.
+    #[inline(always)]
+    pub fn around([x, y]: [i64; 2], [above, level, below]: &[[f64; 3]; 3]) -> [Self; 4] {
+        let seen = |offset, heights| Self { offset, heights };
+        [
+            seen([x - 1, y - 1], [above[0], above[1], level[0], level[1]]),
+            seen([x, y - 1], [above[1], above[2], level[1], level[2]]),
+            seen([x - 1, y], [level[0], level[1], below[0], below[1]]),
+            seen([x, y], [level[1], level[2], below[1], below[2]]),
+        ]
     }
 }

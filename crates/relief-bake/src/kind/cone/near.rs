@@ -99,20 +99,29 @@ impl Block {
     }
 
     /// A cell that begins at a vertex, as seen from one of the texels.
-    fn cell(&self, lane: usize, first: usize) -> Seen {
+    #[inline(always)]
+    pub fn cell(&self, lane: usize, first: usize) -> Seen {
         let corners = [first, first + 1, first + SIDE, first + SIDE + 1];
-        Seen {
-            offset: [first % SIDE, first / SIDE].map(|place| place as i64 - REACH as i64),
-            heights: corners.map(|vertex| self.vertices[vertex][lane]),
-        }
+        Seen { offset: offset_of(first), heights: corners.map(|vertex| self.vertices[vertex][lane]) }
     }
 
-    /// All cells of the block as seen from one of the texels.
-    pub fn cells(&self, lane: usize) -> impl Iterator<Item = Seen> + '_ {
-        let cells =
-            (0..CELLS_ACROSS).flat_map(|row| (0..CELLS_ACROSS).map(move |column| row * SIDE + column));
-        cells.map(move |first| self.cell(lane, first))
+    /// The heights of the corners `h00 h10 h01 h11` of a cell that begins at a vertex.
+    #[inline(always)]
+    pub fn corners(&self, first: usize) -> [&Lanes; 4] {
+        let at = |by: usize| &self.vertices[(first + by) & MASK];
+        [at(0), at(1), at(SIDE), at(SIDE + 1)]
     }
+}
+
+/// The vertices at which the cells of a texel's block begin.
+pub(in crate::kind) fn cells_of_block() -> impl Iterator<Item = usize> {
+    (0..CELLS_ACROSS).flat_map(|row| (0..CELLS_ACROSS).map(move |column| row * SIDE + column))
+}
+
+/// How far a vertex is from the centre, in texels.
+#[inline(always)]
+pub(in crate::kind) fn offset_of(vertex: usize) -> [i64; 2] {
+    [vertex % SIDE, vertex / SIDE].map(|place| place as i64 - REACH as i64)
 }
 
 /// Squared slopes from the points of a row of texels to the blocks around them.

@@ -51,9 +51,6 @@ pub(in crate::kind) trait Sort: Sync {
     ) -> Lanes;
 }
 
-/// Offsets of the cells around a vertex.
-pub(in crate::kind) const CELLS_AROUND: [[i64; 2]; 4] = [[-1, -1], [0, -1], [-1, 0], [0, 0]];
-
 impl<'a> Search<'a> {
     pub fn new(map: &'a HeightMap, texel_m: [f64; 2], region: Region) -> Self {
         Self {
@@ -188,8 +185,7 @@ impl<'a> Search<'a> {
         let (places, side) = (&self.places, self.walk.side_m());
         self.raise_to_rim(apexes, by, height, slopes, best);
         let turn = places.turn(by, 1.0, side);
-        let texel = [0, 1].map(|axis| apexes.texel[axis] + by[axis]);
-        let around: [[f64; 3]; 3] = [-1, 0, 1].map(|row| self.field.row([texel[0] - 1, texel[1] + row]));
+        let around = self.field.around([apexes.texel[0] + by[0], apexes.texel[1] + by[1]]);
         if most(slopes) * MARGIN >= *best * turn {
             for (from, axis, heights) in [
                 ([by[0] - 1, by[1]], 0, [around[1][0], height]),
@@ -201,15 +197,10 @@ impl<'a> Search<'a> {
             }
         }
         let least = if turn > 0.0 { *best * turn * turn / MARGIN } else { 0.0 };
-        for [x, y] in CELLS_AROUND {
-            let offset = [by[0] + x, by[1] + y];
-            if is_in_block(offset) {
+        for seen in Seen::around(by, &around) {
+            if is_in_block(seen.offset) {
                 continue;
             }
-            let (column, row) = ((x + 1) as usize, (y + 1) as usize);
-            let [above, below] = [around[row], around[row + 1]];
-            let heights = [above[column], above[column + 1], below[column], below[column + 1]];
-            let seen = Seen { offset, heights };
             for apex in bits_of(places.may_peak_inside(simd, apexes, &seen, *best)) {
                 if slopes[apex % APEXES] >= least && apex < places.region.count() {
                     *best = places.patch(apexes, apex, &seen).inside(*best).max(*best);
@@ -228,29 +219,40 @@ struct Steepest<'a, 'b> {
 }
 
 impl Look for Steepest<'_, '_> {
+    const HIGHEST_CORNERS: bool = false;
+
     #[inline(always)]
-    fn look<S: Simd>(&mut self, simd: S, group: &mut Group, lane: usize, vertex: [i64; 2], height: f64) {
-        let (search, apexes, best) = (self.search, &self.apexes[lane], &mut self.best[lane]);
-        let by = [0, 1].map(|axis| vertex[axis] - apexes.texel[axis]);
-        if is_inside_block(by) {
-            return;
-        }
-        let before = *best;
-        let slopes = search.places.to_vertex(simd, apexes, by, height);
-        *best = most(&slopes).max(*best);
-        if search.may_be_steeper_around(by, most(&slopes), *best) {
-            search.raise_around(simd, apexes, by, height, &slopes, best);
-        }
-        if *best > before {
-            self.seeds[lane] = Some(vertex);
-            search.walk.raise_bar(group, lane, *best);
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        group: &mut Group,
+        excess: &[f32; LANES],
+        vertex: [i64; 2],
+        height: f64,
+    ) {
+        for lane in (0..LANES).filter(|lane| excess[*lane] > 0.0) {
+            let (search, apexes, best) = (self.search, &self.apexes[lane], &mut self.best[lane]);
+            let by = [0, 1].map(|axis| vertex[axis] - apexes.texel[axis]);
+            if is_inside_block(by) {
+                continue;
+            }
+            let before = *best;
+            let slopes = search.places.to_vertex(simd, apexes, by, height);
+            *best = most(&slopes).max(*best);
+            if search.may_be_steeper_around(by, most(&slopes), *best) {
+                search.raise_around(simd, apexes, by, height, &slopes, best);
+            }
+            if *best > before {
+                self.seeds[lane] = Some(vertex);
+                search.walk.raise_bar(group, lane, *best);
+            }
         }
     }
 }
 
 /// The numbers of the bits that are set.
 #[inline(always)]
-fn bits_of(mut set: u64) -> impl Iterator<Item = usize> {
+pub(in crate::kind) fn bits_of(mut set: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let bit = (set != 0).then_some(set.trailing_zeros() as usize);
         set &= set.wrapping_sub(1);

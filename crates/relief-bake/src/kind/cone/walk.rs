@@ -59,8 +59,19 @@ impl Group {
 /// What is done with a vertex that may matter. It is to be inlined always, so that it is compiled for the vectors that the
 /// machine has; a closure would not be.
 pub(in crate::kind) trait Look {
-    /// Looks at a vertex of that height for a lane.
-    fn look<S: Simd>(&mut self, simd: S, group: &mut Group, lane: usize, vertex: [i64; 2], height: f64);
+    /// Whether it is enough to look at a vertex when it is higher, seen from the cells around it, than the bar: for what looks at a
+    /// cell from the highest corner. Else a vertex is looked at when it, or what is around it, may be steeper.
+    const HIGHEST_CORNERS: bool;
+
+    /// Looks at a vertex of that height for the lanes whose excess is positive.
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        group: &mut Group,
+        excess: &[f32; LANES],
+        vertex: [i64; 2],
+        height: f64,
+    );
 }
 
 /// A node that is still to be looked into.
@@ -161,7 +172,7 @@ impl<'a> Walk<'a> {
 
     /// Walks one image of the map; whether it is near enough to matter.
     #[inline(always)]
-    fn walk_tile<S: Simd>(&self, simd: S, group: &mut Group, tile: [i64; 2], look: &mut impl Look) -> bool {
+    fn walk_tile<S: Simd, L: Look>(&self, simd: S, group: &mut Group, tile: [i64; 2], look: &mut L) -> bool {
         let image = Image {
             begin: [0, 1].map(|axis| tile[axis] * self.size[axis] - group.texel[axis]),
             is_mirrored: tile.map(|tile| self.wrap == Wrap::Mirror && tile & 1 != 0),
@@ -172,19 +183,17 @@ impl<'a> Walk<'a> {
             rows: self.rows(self.span(&image, 1, 0, level)),
             highest: self.levels.level(level).highest([0, 0]),
         };
-        if self.worth(simd, group, &sight).is_none() {
+        if self.worth::<S, L>(simd, group, &sight).is_none() {
             return false;
         }
         let mut pending = std::mem::take(&mut group.pending);
         pending.clear();
         pending.push(Node { level, at: [0, 0], sight });
         while let Some(Node { level, at, sight }) = pending.pop() {
-            let Some(excess) = self.worth(simd, group, &sight) else { continue };
+            let Some(excess) = self.worth::<S, L>(simd, group, &sight) else { continue };
             if level == 0 {
                 let vertex = [0, 1].map(|axis| group.texel[axis] + self.place(&image, axis, at[axis]));
-                for lane in (0..LANES).filter(|lane| excess[*lane] > 0.0) {
-                    look.look(simd, group, lane, vertex, f64::from(sight.highest));
-                }
+                look.look(simd, group, &excess, vertex, f64::from(sight.highest));
                 continue;
             }
             let level = level - 1;
@@ -205,7 +214,7 @@ impl<'a> Walk<'a> {
                     }
                     let columns = self.span(&image, 0, column, level);
                     let sight = Sight { columns, rows, highest: nodes.highest([column, row]) };
-                    if self.worth(simd, group, &sight).is_some() {
+                    if self.worth::<S, L>(simd, group, &sight).is_some() {
                         pending.push(Node { level, at: [column, row], sight });
                     }
                 }
@@ -244,7 +253,7 @@ impl<'a> Walk<'a> {
 
     /// For each lane a positive number if a vertex in sight may matter to it; nothing if to none.
     #[inline(always)]
-    fn worth<S: Simd>(&self, simd: S, group: &Group, sight: &Sight) -> Option<[f32; LANES]> {
+    fn worth<S: Simd, L: Look>(&self, simd: S, group: &Group, sight: &Sight) -> Option<[f32; LANES]> {
         let (zero, quarter) = (simd.splat_f32s(0.0), simd.splat_f32s(0.25));
         let [square_s, square_g] = sight.rows.near2;
         let (square_s, square_g) = (simd.splat_f32s(square_s), simd.splat_f32s(square_g));
@@ -262,9 +271,14 @@ impl<'a> Walk<'a> {
             let g2 = simd.add_f32s(simd.mul_f32s(gx, gx), square_g);
             let open = simd.max_f32s(simd.sub_f32s(g2, quarter), zero);
             let rise = simd.max_f32s(simd.sub_f32s(highest, S::as_simd_f32s(&group.low).0[part]), zero);
-            let rise = simd.mul_f32s(rise, simd.max_f32s(g2, quarter));
-            let bar = simd.mul_f32s(S::as_simd_f32s(&group.bar).0[part], s2);
-            *excess = simd.sub_f32s(simd.mul_f32s(rise, rise), simd.mul_f32s(bar, simd.mul_f32s(open, open)));
+            let bar = S::as_simd_f32s(&group.bar).0[part];
+            *excess = if L::HIGHEST_CORNERS {
+                simd.sub_f32s(simd.mul_f32s(rise, rise), simd.mul_f32s(bar, g2))
+            } else {
+                let rise = simd.mul_f32s(rise, simd.max_f32s(g2, quarter));
+                let bar = simd.mul_f32s(simd.mul_f32s(bar, s2), simd.mul_f32s(open, open));
+                simd.sub_f32s(simd.mul_f32s(rise, rise), bar)
+            };
             any |= simd.first_true_m32s(simd.less_than_f32s(zero, *excess)) < S::F32_LANES;
         }
         any.then_some(excess)

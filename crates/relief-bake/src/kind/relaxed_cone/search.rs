@@ -4,8 +4,8 @@ use pulp::Simd;
 use relief::{HeightMap, Wrap};
 
 use super::super::cone::{
-    Apexes, Block, CELLS_AROUND, Group, LANES, Lanes, Look, Region, Search, Seen, Sort, State, is_in_block,
-    is_inside_block, most, steepest_in_quarter,
+    Apexes, Block, Group, LANES, Lanes, Look, Region, Search, Seen, Sort, State, bits_of, cells_of_block,
+    is_in_block, offset_of, steepest_in_quarter,
 };
 use super::falling::{ROUNDING, falling_slope2};
 use super::own::own_bound;
@@ -50,19 +50,16 @@ impl Relaxed {
         let bound = own_bound(&around, texel_m, half);
         let per_side = texel_m.map(|side| 1.0 / side);
         let mut whole = 0.0f64;
-        for offset in CELLS_AROUND {
-            let (column, row) = ((offset[0] + 1) as usize, (offset[1] + 1) as usize);
-            let [above, below] = [around[row], around[row + 1]];
-            let heights = [above[column], above[column + 1], below[column], below[column + 1]];
-            let [aside, ahead] = [around[1][2 * column], around[2 * row][1]];
-            let quarter = [around[1][1], aside, ahead, around[2 * row][2 * column]];
+        for seen in Seen::around([0, 0], &around) {
+            let [column, row] = seen.offset.map(|offset| if offset == 0 { 2 } else { 0 });
+            let quarter = [around[1][1], around[1][column], around[row][1], around[row][column]];
             whole = whole.max(steepest_in_quarter(quarter, per_side));
-            whole = search.to_cell(simd, apexes, &Seen { offset, heights }, whole);
+            whole = search.to_cell(simd, apexes, &seen, whole);
         }
         whole.min(bound * bound)
     }
 
-    /// Raises `best` to what the falling part of a cell asks for.
+    /// Raises `best` to what the falling part of a cell asks for, when the cell falls anywhere.
     #[inline(always)]
     fn raise<S: Simd>(&self, simd: S, search: &Search, apexes: &Apexes, seen: &Seen, best: &mut f64) {
         let places = &search.places;
@@ -72,7 +69,7 @@ impl Relaxed {
             seen.heights.iter().fold(0.0, |most, &height| if height > most { height } else { most });
         let rise = (highest - apexes.low).max(0.0);
         let half = places.region.half();
-        if rise * rise <= *best * distance2 || !may_fall(seen, half) {
+        if rise * rise <= *best * distance2 {
             return;
         }
         if places.region == Region::Centre {
@@ -111,18 +108,21 @@ impl Sort for Relaxed {
             if region == Region::Footprint {
                 falling.best[lane] = self.own_slope2(simd, search, &block, lane, apexes);
             }
-            if let Some(seed) = falling.seeds[lane] {
-                let by = [0, 1].map(|axis| seed[axis] - apexes.texel[axis]);
-                for offset in around(by) {
-                    let seen = search.field.cell(apexes.texel, offset);
-                    falling.raise(simd, lane, &seen);
-                }
-            }
-            for seen in block.cells(lane) {
-                falling.raise(simd, lane, &seen);
-            }
             search.walk.lower(group, lane, apexes.low);
+        }
+        let lanes = (1 << count) - 1;
+        for first in cells_of_block() {
+            for lane in bits_of(lanes & falling.may_fall_in_block(simd, &block, first)) {
+                falling.raise(simd, lane, &block.cell(lane, first));
+            }
+        }
+        for lane in 0..count {
             search.walk.raise_bar(group, lane, falling.best[lane]);
+            if let Some(seed) = falling.seeds[lane] {
+                let mut only = [0.0; LANES];
+                only[lane] = 1.0;
+                falling.look(simd, group, &only, seed, f64::from(search.field.map.texel(seed[0], seed[1])));
+            }
         }
         search.walk.walk(simd, group, self.tiles, &mut falling);
         best
@@ -149,52 +149,114 @@ impl Falling<'_, '_> {
     }
 }
 
-impl Look for Falling<'_, '_> {
+impl Falling<'_, '_> {
+    /// The lanes, a bit each, whose cell that begins at a vertex of the block may fall.
     #[inline(always)]
-    fn look<S: Simd>(&mut self, simd: S, group: &mut Group, lane: usize, vertex: [i64; 2], height: f64) {
-        let (search, apexes) = (self.search, &self.apexes[lane]);
-        let by = [0, 1].map(|axis| vertex[axis] - apexes.texel[axis]);
-        if is_inside_block(by) {
-            return;
+    fn may_fall_in_block<S: Simd>(&self, simd: S, block: &Block, first: usize) -> u64 {
+        let corners = block.corners(first);
+        let [x, y] = offset_of(first);
+        let (x, y) = (simd.splat_f64s(x as f64), simd.splat_f64s(y as f64));
+        let half = simd.splat_f64s(self.search.places.region.half());
+        let mut may = [0; LANES];
+        for (part, may) in S::as_mut_simd_u64s(&mut may).0.iter_mut().enumerate() {
+            let at = |corner: usize| S::as_simd_f64s(corners[corner]).0[part];
+            let falls = may_fall(simd, [at(0), at(1), at(2), at(3)], x, y, half);
+            *may = simd.select_u64s(falls, S::as_simd_u64s(&BITS).0[part], simd.splat_u64s(0));
         }
-        let before = self.best[lane];
-        let steepest = most(&search.places.to_vertex(simd, apexes, by, height));
-        if !search.may_be_steeper_around(by, steepest, before) {
-            return;
+        may.into_iter().fold(0, |all, bit| all | bit)
+    }
+
+    /// The lanes, a bit each, for which a cell, as seen from the first lane, may fall.
+    #[inline(always)]
+    fn may_fall<S: Simd>(&self, simd: S, seen: &Seen) -> u64 {
+        let [h00, h10, h01, h11] = seen.heights;
+        let corners =
+            [simd.splat_f64s(h00), simd.splat_f64s(h10), simd.splat_f64s(h01), simd.splat_f64s(h11)];
+        let (x, y) = (simd.splat_f64s(seen.offset[0] as f64), simd.splat_f64s(seen.offset[1] as f64));
+        let half = simd.splat_f64s(self.search.places.region.half());
+        let mut may = [0; LANES];
+        for (part, may) in S::as_mut_simd_u64s(&mut may).0.iter_mut().enumerate() {
+            let x = simd.sub_f64s(x, S::as_simd_f64s(&COLUMNS).0[part]);
+            let falls = may_fall(simd, corners, x, y, half);
+            *may = simd.select_u64s(falls, S::as_simd_u64s(&BITS).0[part], simd.splat_u64s(0));
         }
-        for offset in around(by) {
-            if is_in_block(offset) {
+        may.into_iter().fold(0, |all, bit| all | bit)
+    }
+}
+
+/// A bit for each lane.
+const BITS: [u64; LANES] = [1, 2, 4, 8, 16, 32, 64, 128];
+
+/// How far each lane's texel is from the first.
+const COLUMNS: Lanes = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+
+impl Look for Falling<'_, '_> {
+    const HIGHEST_CORNERS: bool = true;
+
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        group: &mut Group,
+        excess: &[f32; LANES],
+        vertex: [i64; 2],
+        height: f64,
+    ) {
+        let first = self.apexes[0].texel;
+        let by = [vertex[0] - first[0], vertex[1] - first[1]];
+        let wanted = excess.iter().zip(BITS).fold(0, |all, (&x, bit)| all | if x > 0.0 { bit } else { 0 });
+        for seen in Seen::around(by, &self.search.field.around(vertex)) {
+            // Each cell once, but where corners are as high as each other.
+            let [h00, h10, h01, h11] = seen.heights;
+            if (h00 > height) | (h10 > height) | (h01 > height) | (h11 > height) {
                 continue;
             }
-            self.raise(simd, lane, &search.field.cell(apexes.texel, offset));
-        }
-        if self.best[lane] > before {
-            self.seeds[lane] = Some(vertex);
-            search.walk.raise_bar(group, lane, self.best[lane]);
+            for lane in bits_of(wanted & self.may_fall(simd, &seen)) {
+                let offset = [seen.offset[0] - lane as i64, seen.offset[1]];
+                let before = self.best[lane];
+                if !is_in_block(offset) {
+                    self.raise(simd, lane, &Seen { offset, heights: seen.heights });
+                }
+                if self.best[lane] > before {
+                    self.seeds[lane] = Some(vertex);
+                    self.search.walk.raise_bar(group, lane, self.best[lane]);
+                }
+            }
         }
     }
 }
 
-/// Offsets of the cells around a vertex.
-fn around(by: [i64; 2]) -> [[i64; 2]; 4] {
-    CELLS_AROUND.map(|[x, y]| [by[0] + x, by[1] + y])
-}
-
-/// Whether the patch falls at some point of it, or is level, in the direction from some apex.
+/// Those lanes in which a patch falls at some point of it, or is level, in the direction from some apex; in which corner
+/// `h00` is `(x, y)` texels from the centre of the apexes, which are up to `half` a texel from it along each axis.
 #[inline(always)]
-fn may_fall(seen: &Seen, half: f64) -> bool {
-    let [h00, h10, h01, h11] = seen.heights;
-    let [x, y] = seen.offset.map(|offset| offset as f64);
-    let falls = |u: f64, v: f64, along_x: f64, along_y: f64| {
-        let terms = [along_x * (x + u), along_y * (y + v), along_x.abs() * half, along_y.abs() * half];
-        let size = terms[0].abs() + terms[1].abs() + terms[2] + terms[3];
-        terms[0] + terms[1] - terms[2] - terms[3] <= ROUNDING * size
+fn may_fall<S: Simd>(
+    simd: S,
+    [h00, h10, h01, h11]: [S::f64s; 4],
+    x: S::f64s,
+    y: S::f64s,
+    half: S::f64s,
+) -> S::m64s {
+    let one = simd.splat_f64s(1.0);
+    let (right, down) = (simd.add_f64s(x, one), simd.add_f64s(y, one));
+    let (above, below) = (simd.sub_f64s(h10, h00), simd.sub_f64s(h11, h01));
+    let (left, beyond) = (simd.sub_f64s(h01, h00), simd.sub_f64s(h11, h10));
+    // The least over the apexes of the slope at a corner, towards it.
+    let least = |along_x: S::f64s, along_y: S::f64s, x: S::f64s, y: S::f64s| {
+        let size = simd.add_f64s(simd.abs_f64s(along_x), simd.abs_f64s(along_y));
+        let centre = simd.add_f64s(simd.mul_f64s(along_x, x), simd.mul_f64s(along_y, y));
+        simd.sub_f64s(centre, simd.mul_f64s(half, size))
     };
-    let (top, bottom, left, right) = (h10 - h00, h11 - h01, h01 - h00, h11 - h10);
-    falls(0.0, 0.0, top, left)
-        | falls(1.0, 0.0, top, right)
-        | falls(0.0, 1.0, bottom, left)
-        | falls(1.0, 1.0, bottom, right)
+    let least = simd.min_f64s(
+        simd.min_f64s(least(above, left, x, y), least(above, beyond, right, y)),
+        simd.min_f64s(least(below, left, x, down), least(below, beyond, right, down)),
+    );
+    let size = simd.add_f64s(
+        simd.add_f64s(simd.abs_f64s(above), simd.abs_f64s(below)),
+        simd.add_f64s(simd.abs_f64s(left), simd.abs_f64s(beyond)),
+    );
+    let reach = simd.add_f64s(simd.add_f64s(simd.abs_f64s(x), simd.abs_f64s(y)), simd.splat_f64s(2.0));
+    let rounding = simd.mul_f64s(simd.mul_f64s(size, reach), simd.splat_f64s(ROUNDING));
+    simd.less_than_or_equal_f64s(least, rounding)
 }
 
 /// The square of what `A - Dxy` over the distance is at most: the last bound of the proof.
