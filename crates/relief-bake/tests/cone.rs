@@ -5,94 +5,55 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 use relief::exact::least_gap;
 use relief::{HeightMap, Path, Wrap};
-use relief_bake::kind::cone::{ConeApex, KIND, cone_ratios, decode};
-use relief_bake::{Collected, Metric, Progress, bake, quantise};
-use relief_tests::brute;
+use relief_bake::kind::cone::{ConeApex, KIND, cone_ratios};
+use relief_bake::{Metric, Progress};
 use relief_tests::maps::{self, fractal};
 use relief_tests::probes::cone::{Contact, Probes, attack};
+use relief_tests::probes::stored::at;
+use relief_tests::probes::{run, stored};
 use relief_tests::rng::Rng;
+use relief_tests::{accuracy, brute};
 
 /// Probes of each map in each form.
 const PROBES: usize = 100_000;
 
-/// The maps that are attacked.
-const ATTACKED: [&str; 8] = [
-    "white noise 37x53",
-    "natural 128x128",
-    "natural 101x67",
-    "single spike 33x31",
-    "needles in a pit 64x64",
-    "checkerboard 24x24",
-    "steps 61x40",
-    "one row 1x29",
-];
+/// Texels of each map, in each wrap and from each sort of apex, that brute force is run on.
+const TEXELS: usize = 12;
 
-fn metrics() -> [Metric; 2] {
-    [[1.0, 1.0], [3.0, 0.7]].map(|tile| Metric::new(tile, 0.1).expect("positive lengths"))
-}
-
-fn attacked() -> Vec<HeightMap> {
-    let named = maps::ALL.iter().filter(|map| ATTACKED.contains(&map.name));
-    let built: Vec<HeightMap> =
-        named.enumerate().map(|(k, map)| map.build(Wrap::ALL[k % Wrap::ALL.len()])).collect();
-    assert_eq!(built.len(), ATTACKED.len());
-    built
+fn metric(k: usize) -> Metric {
+    Metric::new([[1.0, 1.0], [3.0, 0.7]][k % 2], 0.1).expect("positive lengths")
 }
 
 fn ratios(map: &HeightMap, metric: &Metric, apex: ConeApex) -> Vec<f32> {
     cone_ratios(map, metric, apex, &Progress::none()).expect("nobody cancels")
 }
 
-/// The stored map as a reader decodes it, and the heights that it was baked from.
-fn stored(map: &HeightMap, metric: Metric, apex: u32, bits: u32) -> (Vec<f64>, HeightMap) {
-    let mut settings = KIND.defaults();
-    settings.set("apex", f64::from(apex)).expect("an apex");
-    settings.set("bits", f64::from(bits)).expect("bits");
-    let mut sink = Collected::default();
-    bake(&KIND, map, metric, &settings, &Progress::none(), &mut sink).expect("the map can be baked");
-    let texture = &sink.textures[0];
-    let notes = &texture.texture.notes;
-    let note = notes.iter().find(|(name, _)| *name == "half_ratio_m").expect("the note is there");
-    let half: f64 = note.1.parse().expect("a number");
-    let decoded = texture.levels[0][0].iter().map(|&value| decode(value, half)).collect();
-    let heights = if bits == 0 { map.clone() } else { quantise::heights(map, bits).expect("a valid map") };
-    (decoded, heights)
-}
-
-fn at<T: Copy>(map: &HeightMap, values: &[T], [i, j]: [i64; 2]) -> T {
-    let (i, j) = (map.wrap().index(i, map.width()), map.wrap().index(j, map.height()));
-    values[j as usize * map.width() as usize + i as usize]
-}
-
 #[test]
 fn equals_brute_force() {
-    let cases: Vec<(usize, Wrap)> =
-        (0..maps::ALL.len()).flat_map(|k| Wrap::ALL.map(|wrap| (k, wrap))).collect();
+    let cases: Vec<(usize, usize)> =
+        (0..maps::ALL.len()).flat_map(|k| (0..Wrap::ALL.len()).map(move |wrap| (k, wrap))).collect();
     cases.into_par_iter().for_each(|(k, wrap)| {
-        let map = maps::ALL[k].build(wrap);
-        // The large maps take long by brute force; one wrap, one metric and the centres are enough for them,
-        // and the largest are left to the probes.
-        let is_large = map.texels().len() > 1100;
-        let is_huge = map.texels().len() > 4500;
-        if (is_large && wrap != Wrap::Repeat) || is_huge {
-            return;
-        }
-        for metric in metrics().into_iter().take(if is_large { 1 } else { 2 }) {
-            let texel_m = metric.texel_m(&map);
-            for apex in [ConeApex::Centre, ConeApex::Footprint] {
-                if is_large && apex == ConeApex::Footprint {
-                    continue;
-                }
-                let slow = brute::cone::slopes(&map, texel_m, apex == ConeApex::Footprint);
-                for (at, (ratio, slow)) in ratios(&map, &metric, apex).into_iter().zip(slow).enumerate() {
-                    let fast = 1.0 / f64::from(ratio);
-                    // A slope of a millionth more is the stated slack.
-                    assert!(
-                        fast >= slow && fast <= slow * (1.0 + 3e-6) + 1e-11 / texel_m[0].min(texel_m[1]),
-                        "{} {wrap} {apex:?} texel {at}: {fast} and {slow} by brute force",
-                        maps::ALL[k].name
-                    );
-                }
+        let map = maps::ALL[k].build(Wrap::ALL[wrap]);
+        let metric = metric(k + wrap);
+        let texel_m = metric.texel_m(&map);
+        let (width, texels) = (i64::from(map.width()), map.texels().len());
+        let mut rng = Rng::new(k as u64);
+        for apex in [ConeApex::Centre, ConeApex::Footprint] {
+            let ratios = ratios(&map, &metric, apex);
+            for place in 0..TEXELS.min(texels) {
+                // The corners of the map, and texels anywhere.
+                let corners = [0, width as usize - 1, texels - width as usize, texels - 1];
+                let place = corners.get(place).copied().unwrap_or_else(|| rng.below(texels as u32) as usize);
+                let texel = [place as i64 % width, place as i64 / width];
+                let slow = brute::cone::slope(&map, texel_m, apex == ConeApex::Footprint, texel);
+                let fast = 1.0 / f64::from(ratios[place]);
+                // A slope of a millionth more is the stated slack.
+                assert!(
+                    fast >= slow && fast <= slow * (1.0 + 3e-6) + 1e-11 / texel_m[0].min(texel_m[1]),
+                    "{} {} {apex:?} texel {texel:?}: {fast} and {slow} by brute force",
+                    maps::ALL[k].name,
+                    Wrap::ALL[wrap]
+                );
             }
         }
     });
@@ -100,25 +61,20 @@ fn equals_brute_force() {
 
 #[test]
 fn no_probe_finds_surface_in_a_cone() {
-    let cases: Vec<(usize, u32, u32)> = (0..ATTACKED.len())
-        .flat_map(|k| [0, 8, 16].into_iter().flat_map(move |bits| [0, 1].map(move |apex| (k, bits, apex))))
-        .collect();
-    let maps = attacked();
-    cases.into_par_iter().for_each(|(k, bits, apex)| {
-        let metric = metrics()[k % 2];
-        let (values, heights) = stored(&maps[k], metric, apex, bits);
-        let probes = Probes::new(&heights, metric.texel_m(&heights), apex == 1, u64::from(bits) + 1);
-        let (violations, tightest) = attack(probes, PROBES, |contact| at(&heights, &values, contact.texel));
-        assert_eq!(violations, 0, "{} with {bits} bits, apex {apex}: {tightest:?}", ATTACKED[k]);
-    });
+    for case in [0, 8, 16].into_iter().flat_map(|bits| run::cases(KIND.name, bits)) {
+        let outcome = run::run(&case, PROBES, &|_| {}).expect("a bake");
+        assert_eq!(outcome.violations, 0, "{case:?}: {outcome:?}");
+    }
 }
 
 #[test]
 fn a_map_loosened_by_one_step_is_caught() {
-    for (k, map) in attacked().iter().enumerate() {
+    (0..run::MAPS.len()).into_par_iter().for_each(|k| {
+        let (map, metric) = (run::map(k), metric(k));
         for (bits, apex) in [(8, 1), (16, 1), (16, 0)] {
-            let metric = metrics()[k % 2];
-            let (values, heights) = stored(map, metric, apex, bits);
+            let set = [("bits", f64::from(bits)), ("apex", f64::from(apex))];
+            let values = stored::ratios(&stored::textures(&KIND, &map, metric, &set).expect("a bake")[0]);
+            let heights = stored::heights(&map, bits).expect("a valid map");
             let probes = || Probes::new(&heights, metric.texel_m(&heights), apex == 1, 3);
             let ratio = |contact: &Contact| at(&heights, &values, contact.texel);
             let (_, tightest) = attack(probes(), PROBES, ratio);
@@ -126,18 +82,13 @@ fn a_map_loosened_by_one_step_is_caught() {
             if tightest.limit.is_infinite() {
                 continue;
             }
-            // The stored codes of that texel, raised until the next is past the contact.
-            let half = metric.tile_m[0].min(metric.tile_m[1]) / 8.0;
-            let most = f64::from((1u32 << bits) - 1);
-            let code = |ratio: f64| (ratio / (ratio + half)).sqrt() * most;
-            let loosened = ((code(tightest.limit).floor() + 1.0) / most) as f32;
-            let loosened = if loosened < 1.0 { decode(loosened, half) } else { f64::MAX };
+            let loosened = stored::ratio_above(tightest.limit, &metric, bits);
             let caught = attack(probes(), PROBES, |contact| {
                 if contact.texel == tightest.texel { loosened } else { ratio(contact) }
             });
-            assert!(caught.0 > 0, "{} with {bits} bits: {tightest:?}", ATTACKED[k]);
+            assert!(caught.0 > 0, "{:?} with {bits} bits: {tightest:?}", run::MAPS[k]);
         }
-    }
+    });
 }
 
 /// What a bilinear filter makes of four stored values.
@@ -161,8 +112,8 @@ fn filtered(
 
 #[test]
 fn the_filtered_variant_may_be_filtered_and_the_centres_may_not() {
-    let map = &attacked()[1];
-    let metric = metrics()[0];
+    let map = &run::map(1);
+    let metric = metric(0);
     let find = |apex: ConeApex, f: fn(f64) -> f64, back: fn(f64) -> f64| {
         let values: Vec<f64> = ratios(map, &metric, apex).into_iter().map(f64::from).collect();
         let probes = Probes::new(map, metric.texel_m(map), true, 5);
@@ -201,7 +152,8 @@ fn search(
     step: [f64; 2],
     fall: f64,
 ) -> (usize, bool) {
-    let n = f64::from(map.width());
+    let sizes = [f64::from(map.width()), f64::from(map.height())];
+    let finest = sizes[0].max(sizes[1]);
     let speed = step[0].hypot(step[1]);
     let (mut t, mut steps) = (0.0f64, 0);
     loop {
@@ -214,11 +166,11 @@ fn search(
         if z <= 0.0 || gap < 1e-6 || steps >= 2000 {
             return (steps, false);
         }
-        let texel = place.map(|x| (x * n).floor());
-        let centre = texel.map(|k| (k + 0.5) / n);
+        let texel = [0, 1].map(|axis: usize| (place[axis] * sizes[axis]).floor());
+        let centre = [0, 1].map(|axis: usize| (texel[axis] + 0.5) / sizes[axis]);
         let ratio = f64::from(at(map, ratios, texel.map(|k| k as i64)));
         // Steps below a thousandth of a texel end the search.
-        let least = 1e-3 / n / speed;
+        let least = 1e-3 / finest / speed;
         let advance = match fetch {
             Fetch::Moved => gap * ratio / (speed + fall * ratio),
             Fetch::Fixed => {
@@ -238,7 +190,7 @@ fn search(
                 // To the border of the texel, whose four patches a search solves exactly.
                 let border = (0..2).fold(f64::INFINITY, |t, axis| {
                     let side = if step[axis] > 0.0 { texel[axis] + 1.0 } else { texel[axis] };
-                    if step[axis] == 0.0 { t } else { t.min((side / n - place[axis]) / step[axis]) }
+                    if step[axis] == 0.0 { t } else { t.min((side / sizes[axis] - place[axis]) / step[axis]) }
                 });
                 if leave < border {
                     // The patches of the texel are solved: the first hit in it ends the search.
@@ -265,9 +217,18 @@ fn search(
 
 #[test]
 fn any_start_costs_little_more_than_the_centre() {
-    for (name, n, roughness) in [("smooth", 128, 0.4), ("natural", 128, 0.5)] {
-        let map = HeightMap::new(n, n, fractal(7, n, n, roughness), Wrap::Repeat).expect("a valid map");
-        let metric = metrics()[0];
+    let ground = |roughness| {
+        HeightMap::new(128, 128, fractal(7, 128, 128, roughness), Wrap::Repeat).expect("a valid map")
+    };
+    // On maps that are smooth from texel to texel the mean is within a tenth; walls of a texel's width cost more.
+    let mut cases =
+        vec![("smooth ground", ground(0.4), 1.10, 1.15), ("rough ground", ground(0.5), 1.15, 1.15)];
+    for (name, most_slope, most_steps) in [("jacksboro", 1.3, 1.3), ("cobbles", 1.5, 1.5)] {
+        let named = accuracy::maps().into_iter().find(|named| named.name == name);
+        cases.push((name, named.expect("a map of the accuracy tables").map, most_slope, most_steps));
+    }
+    for (name, map, most_slope, most_steps) in cases {
+        let metric = metric(0);
         let mut rng = Rng::new(1);
         let rays: Vec<([f64; 2], [f64; 2], f64)> = (0..1000)
             .map(|_| {
@@ -292,14 +253,20 @@ fn any_start_costs_little_more_than_the_centre() {
         let footprint = measure(ConeApex::Footprint, Fetch::Moved);
         let filtered = measure(ConeApex::Filtered, Fetch::Moved);
         assert_eq!((fixed.2, footprint.2, filtered.2), (0, 0, 0), "{name}: surface in a safe cone");
-        assert!(footprint.0 < 1.3 * centre.0, "{name}: slope {} and {}", footprint.0, centre.0);
+        let (slope, steps) = (footprint.0 / centre.0, footprint.1 / centre.1);
+        println!("{name}: {slope:.3} of the slope, {steps:.3} of the steps");
+        assert!(
+            slope < most_slope && steps < most_steps,
+            "{name}: {slope} of the slope, {steps} of the steps"
+        );
+        assert!(fixed.1 < centre.1, "{name}: solving the texel's own patches is to save steps");
     }
 }
 
 #[test]
 fn bakes_the_same_on_any_number_of_threads_and_ends_when_cancelled() {
-    let map = &attacked()[2];
-    let metric = metrics()[1];
+    let map = &run::map(2);
+    let metric = metric(1);
     let bake_on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         pool.install(|| ratios(map, &metric, ConeApex::Footprint))

@@ -118,8 +118,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     if arguments.brute > 0.0 {
         println!(
             "Brute force is parallel and ends early where nothing farther can matter. It was run for the share of the texels \
-             that is shown and extrapolated from these; `cone` on {0} by {0} texels, by the square of their number.",
-            brute::CONE_SIDE
+             that is shown and extrapolated from these. That of `cone` looks at texels from centres alone, as published bakers \
+             do; it is given away that this is less than the kind promises."
         );
     }
     println!("\n{times}\n");
@@ -141,7 +141,7 @@ impl Row {
             format!("{cpu:.2}"),
             format!("{memory:.2}"),
             shown(brute.as_ref().map(|brute| format!("{:.3}", brute.seconds))),
-            shown(brute.as_ref().map(|brute| brute.share.map_or("scaled".to_owned(), percent))),
+            shown(brute.as_ref().map(|brute| percent(brute.share))),
             shown(brute.as_ref().map(|brute| format!("{:.0}", 1e3 * brute.seconds / two))),
         ]
     }

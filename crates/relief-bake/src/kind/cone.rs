@@ -22,7 +22,7 @@ use relief::registry::{Param, Source as Publication};
 
 pub(super) use self::apexes::{Apexes, Region};
 pub(super) use self::encoding::texture;
-pub use self::encoding::{decode, encode};
+pub use self::encoding::{decode, encode, half_ratio};
 pub(super) use self::field::Seen;
 pub(super) use self::near::{Block, Lanes, cells_of_block, is_in_block, offset_of};
 pub(super) use self::search::{Search, Sort, State, bits_of};

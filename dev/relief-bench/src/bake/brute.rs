@@ -10,8 +10,8 @@ use relief_bake::{Metric, Settings};
 use relief_tests::brute;
 use relief_tests::rng::Rng;
 
-/// Side of the map that the brute force of cones is run on: it is written for whole maps.
-pub const CONE_SIDE: u32 = 64;
+/// Samples along either side of a patch in the brute force of relaxed cones.
+const SAMPLES: i32 = 4;
 
 /// Texels that are done between two looks at the time, at first.
 const BATCH: usize = 256;
@@ -20,8 +20,8 @@ const BATCH: usize = 256;
 pub struct Brute {
     /// Seconds, extrapolated from the texels that were done.
     pub seconds: f64,
-    /// The share of the texels that were done; none where another map was done.
-    pub share: Option<f64>,
+    /// The share of the texels that were done.
+    pub share: f64,
 }
 
 /// Runs the kind's brute force, with its default settings, in parallel on texels drawn at random until about `limit_s` has
@@ -59,15 +59,19 @@ pub fn time(kind: &str, map: &HeightMap, metric: Metric, limit_s: f64) -> Option
                 black_box(brute::dilation_erosion::bounds(map, radius, signed(texel), all));
             })
         }
-        "cone" => {
-            let small = super::ground(CONE_SIDE).ok()?;
-            let started = Instant::now();
-            black_box(brute::cone::slopes(&small, metric.texel_m(&small), true));
-            let times = map.texels().len() as f64 / small.texels().len() as f64;
-            Some(Brute { seconds: started.elapsed().as_secs_f64() * times * times, share: None })
-        }
+        "cone" => each(&|texel| {
+            black_box(brute::cone::vertex_slope(map, texel_m, signed(texel), highest, most));
+        }),
         "relaxed-cone" => each(&|texel| {
-            black_box(brute::relaxed_cone::slope(map, texel_m, signed(texel), highest, most));
+            black_box(brute::relaxed_cone::slope(
+                map,
+                texel_m,
+                signed(texel),
+                [0.0; 2],
+                SAMPLES,
+                highest,
+                most,
+            ));
         }),
         "distance" => {
             let slices = number(&settings, "slices");
@@ -135,7 +139,7 @@ fn directions(map: &HeightMap, metric: Metric, settings: &Settings) -> Vec<([f64
 fn whole(work: impl FnOnce()) -> Option<Brute> {
     let started = Instant::now();
     work();
-    Some(Brute { seconds: started.elapsed().as_secs_f64(), share: Some(1.0) })
+    Some(Brute { seconds: started.elapsed().as_secs_f64(), share: 1.0 })
 }
 
 /// Works on texels drawn at random, in batches that get larger, or on all where the first batch says that there is time.
@@ -149,7 +153,7 @@ fn each_texel(map: &HeightMap, limit_s: f64, work: &(dyn Fn([u32; 2]) + Sync)) -
         if done > 0 && rate * (all as f64) < limit_s {
             let started = Instant::now();
             (0..all as u32).into_par_iter().for_each(|texel| work(at(texel)));
-            return Brute { seconds: started.elapsed().as_secs_f64(), share: Some(1.0) };
+            return Brute { seconds: started.elapsed().as_secs_f64(), share: 1.0 };
         }
         let texels: Vec<u32> = (0..batch).map(|_| rng.below(all as u32)).collect();
         let started = Instant::now();
@@ -159,5 +163,5 @@ fn each_texel(map: &HeightMap, limit_s: f64, work: &(dyn Fn([u32; 2]) + Sync)) -
         batch *= 2;
     }
     let share = done as f64 / all as f64;
-    Brute { seconds: seconds / share, share: Some(share.min(1.0)) }
+    Brute { seconds: seconds / share, share: share.min(1.0) }
 }

@@ -1,30 +1,47 @@
 //! Cone maps the slow and obvious way: every cell in growing rings, every supremum by numerical search.
 
-use rayon::prelude::*;
 use relief::{HeightMap, Wrap};
 
 /// Steps of a golden-section search: the bracket shrinks to 1e-6 of its length.
 const STEPS: usize = 30;
-
-/// The slope of the steepest rise of the bilinear surface from any apex of each texel, in heights per metre of
-/// `texel_m`: from its square with `footprint`, else from its centre. Cells beyond the ring in which nothing steeper can
-/// be are left out.
-///
-/// Good to 1e-7 relatively (tops are flat). Uses no closed form but the gradient's; that apexes inside of the square need not be looked
-/// at is checked by [`crate::probes::cone`].
-pub fn slopes(map: &HeightMap, texel_m: [f64; 2], footprint: bool) -> Vec<f64> {
-    let highest = map.texels().iter().copied().fold(0.0, f32::max);
-    let (width, height) = (i64::from(map.width()), i64::from(map.height()));
-    let texels = (0..width * height).into_par_iter();
-    texels.map(|k| slope(map, texel_m, footprint, [k % width, k / width], f64::from(highest))).collect()
-}
 
 struct Apex {
     at: [f64; 2],
     height: f64,
 }
 
-fn slope(map: &HeightMap, texel_m: [f64; 2], footprint: bool, texel: [i64; 2], highest: f64) -> f64 {
+/// The slope of the steepest rise to a texel's centre from that of another, in heights per metre of `texel_m`: what published cone
+/// maps are made of, and less than a safe one needs. Texels are looked at ring by ring, up to `most` rings, until even `highest`,
+/// the map's highest texel, would not be steeper.
+pub fn vertex_slope(map: &HeightMap, texel_m: [f64; 2], texel: [i64; 2], highest: f64, most: i64) -> f64 {
+    let own = f64::from(map.texel(texel[0], texel[1]));
+    let finest = texel_m[0].min(texel_m[1]);
+    let mut best2 = 0.0f64;
+    for ring in 1..=most {
+        let nearest = finest * ring as f64;
+        if (highest - own) * (highest - own) <= best2 * nearest * nearest {
+            break;
+        }
+        for y in -ring..=ring {
+            let step = if y.abs() == ring { 1 } else { 2 * ring };
+            for x in (-ring..=ring).step_by(step as usize) {
+                let rise = f64::from(map.texel(texel[0] + x, texel[1] + y)) - own;
+                let [across, down] = [x as f64 * texel_m[0], y as f64 * texel_m[1]];
+                let slope2 = rise.max(0.0) * rise / (across * across + down * down);
+                best2 = if slope2 > best2 { slope2 } else { best2 };
+            }
+        }
+    }
+    best2.sqrt()
+}
+
+/// The slope of the steepest rise of the bilinear surface from any apex of a texel, in heights per metre of `texel_m`: from
+/// its square with `footprint`, else from its centre. Cells beyond the ring in which nothing steeper can be are left out.
+///
+/// Good to 1e-7 relatively (tops are flat). Uses no closed form but the gradient's; that apexes inside of the square need not be looked
+/// at is checked by [`crate::probes::cone`].
+pub fn slope(map: &HeightMap, texel_m: [f64; 2], footprint: bool, texel: [i64; 2]) -> f64 {
+    let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
     let centre = texel.map(|k| k as f64);
     let surface = |x: f64, y: f64| {
         let size = [f64::from(map.width()), f64::from(map.height())];

@@ -51,6 +51,14 @@ pub fn ratios(texture: &CollectedTexture) -> Vec<f64> {
     texture.levels[0][0].iter().map(|&value| cone::decode(value, half)).collect()
 }
 
+/// The least ratio above `limit` that a cone map of so many bits in that metric can store, in metres per height.
+pub fn ratio_above(limit: f64, metric: &Metric, bits: u32) -> f64 {
+    let half = cone::half_ratio(metric);
+    let most = f64::from((1u32 << bits) - 1);
+    let code = ((limit / (limit + half)).sqrt() * most).floor() + 1.0;
+    if code < most { cone::decode((code / most) as f32, half) } else { f64::MAX }
+}
+
 /// The frustum map in its two textures.
 ///
 /// # Panics

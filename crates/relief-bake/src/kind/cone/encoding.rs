@@ -23,7 +23,7 @@ fn down(value: f64) -> f32 {
 }
 
 /// The ratio that is stored as √½: an eighth of the shorter side of the tile, in metres for each unit of height.
-fn half_ratio(metric: &Metric) -> f64 {
+pub fn half_ratio(metric: &Metric) -> f64 {
     metric.tile_m[0].min(metric.tile_m[1]) / 8.0
 }
 
