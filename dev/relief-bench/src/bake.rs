@@ -118,8 +118,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     if arguments.brute > 0.0 {
         println!(
             "Brute force is parallel and ends early where nothing farther can matter. It was run for the share of the texels \
-             that is shown and extrapolated from these. That of `cone` looks at texels from centres alone, as published bakers \
-             do; it is given away that this is less than the kind promises."
+             that is shown and extrapolated from these. That of `cone` looks from the eight apexes at texels alone, not between them: \
+             it is given away that this is less than the kind promises."
         );
     }
     println!("\n{times}\n");

@@ -8,9 +8,11 @@
 //! Relief's own.
 
 mod apexes;
+mod block;
 mod encoding;
 mod field;
 mod near;
+mod point;
 mod search;
 mod slope;
 mod walk;
@@ -21,10 +23,10 @@ use relief::HeightMap;
 use relief::registry::{Param, Source as Publication};
 
 pub(super) use self::apexes::{Apexes, Region};
+pub(super) use self::block::{Block, Lanes, cells_of_block, is_in_block, offset_of};
 pub(super) use self::encoding::texture;
 pub use self::encoding::{decode, encode, half_ratio};
 pub(super) use self::field::Seen;
-pub(super) use self::near::{Block, Lanes, cells_of_block, is_in_block, offset_of};
 pub(super) use self::search::{Search, Sort, State, bits_of};
 pub(super) use self::slope::{Patch, inside_segment, steepest_in_quarter, to_point};
 pub(super) use self::walk::{Group, LANES, Look};
@@ -35,10 +37,13 @@ use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConeApex {
     /// From the surface at the texel's centre, as published. For searches that leave the cone's apex there, wherever in
-    /// the texel the ray is; a cone moved to the ray cuts the surface.
+    /// the texel the ray is; a cone moved to the ray cuts the surface. Such a search misses nothing: a ray in the cone meets no
+    /// surface until it leaves it, and where it is not in the cone of its texel the texel's own patches are solved up to the
+    /// texel's border. It takes a half to two thirds of the steps of one that moves the apex.
     Centre,
     /// From the surface at any place of the texel's square: for searches that move the apex to the ray and fetch the
-    /// nearest texel.
+    /// nearest texel. No wider cones are safe for these. They are narrower than those of the centres, on natural ground by a tenth;
+    /// where walls are a texel wide by up to a third.
     Footprint,
     /// From the surface at any place of the squares of the texel and its eight neighbours: for searches that move the
     /// apex and fetch through a bilinear filter.

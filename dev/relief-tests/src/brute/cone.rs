@@ -10,25 +10,39 @@ struct Apex {
     height: f64,
 }
 
-/// The slope of the steepest rise to a texel's centre from that of another, in heights per metre of `texel_m`: what published cone
-/// maps are made of, and less than a safe one needs. Texels are looked at ring by ring, up to `most` rings, until even `highest`,
-/// the map's highest texel, would not be steeper.
+/// The places in half texels from a texel's centre of the eight apexes that a safe cone has to do with.
+const RIM: [[f64; 2]; 8] =
+    [[-1.0, -1.0], [0.0, -1.0], [1.0, -1.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-1.0, 1.0], [-1.0, 0.0]];
+
+/// The slope of the steepest rise to a texel's centre from any of the eight apexes on the rim of a texel, in heights per metre of
+/// `texel_m`: without the edges and the insides of cells, and so a little less than a safe cone needs, but quick. Texels are looked at
+/// ring by ring, up to `most` rings, until even `highest`, the map's highest texel, would not be steeper.
 pub fn vertex_slope(map: &HeightMap, texel_m: [f64; 2], texel: [i64; 2], highest: f64, most: i64) -> f64 {
-    let own = f64::from(map.texel(texel[0], texel[1]));
+    let size = [f64::from(map.width()), f64::from(map.height())];
+    let apexes = RIM.map(|place| {
+        let at = place.map(|x| 0.5 * x);
+        let [u, v] = [0, 1].map(|axis| (texel[axis] as f64 + at[axis] + 0.5) / size[axis]);
+        Apex { at, height: map.height_at(u, v) }
+    });
+    let low = apexes.iter().map(|apex| apex.height).fold(1.0, f64::min);
     let finest = texel_m[0].min(texel_m[1]);
     let mut best2 = 0.0f64;
-    for ring in 1..=most {
-        let nearest = finest * ring as f64;
-        if (highest - own) * (highest - own) <= best2 * nearest * nearest {
+    for ring in 0..=most {
+        let nearest = finest * (ring as f64 - 0.5).max(0.0);
+        if (highest - low) * (highest - low) <= best2 * nearest * nearest {
             break;
         }
         for y in -ring..=ring {
             let step = if y.abs() == ring { 1 } else { 2 * ring };
-            for x in (-ring..=ring).step_by(step as usize) {
-                let rise = f64::from(map.texel(texel[0] + x, texel[1] + y)) - own;
-                let [across, down] = [x as f64 * texel_m[0], y as f64 * texel_m[1]];
-                let slope2 = rise.max(0.0) * rise / (across * across + down * down);
-                best2 = if slope2 > best2 { slope2 } else { best2 };
+            for x in (-ring..=ring).step_by(step.max(1) as usize) {
+                let height = f64::from(map.texel(texel[0] + x, texel[1] + y));
+                for apex in &apexes {
+                    let rise = (height - apex.height).max(0.0);
+                    let across = (x as f64 - apex.at[0]) * texel_m[0];
+                    let down = (y as f64 - apex.at[1]) * texel_m[1];
+                    let slope2 = rise * rise / (across * across + down * down);
+                    best2 = if slope2 > best2 { slope2 } else { best2 };
+                }
             }
         }
     }
@@ -48,18 +62,7 @@ pub fn slope(map: &HeightMap, texel_m: [f64; 2], footprint: bool, texel: [i64; 2
         map.height_at((centre[0] + x + 0.5) / size[0], (centre[1] + y + 0.5) / size[1])
     };
     let half = if footprint { 0.5 } else { 0.0 };
-    let rim: Vec<[f64; 2]> = [
-        [-1.0, -1.0],
-        [0.0, -1.0],
-        [1.0, -1.0],
-        [1.0, 0.0],
-        [1.0, 1.0],
-        [0.0, 1.0],
-        [-1.0, 1.0],
-        [-1.0, 0.0],
-    ]
-    .map(|[x, y]| [half * x, half * y])
-    .to_vec();
+    let rim = RIM.map(|[x, y]| [half * x, half * y]).to_vec();
     let ends: Vec<Apex> = if footprint { rim } else { vec![[0.0; 2]] }
         .into_iter()
         .map(|at| Apex { at, height: surface(at[0], at[1]) })

@@ -7,9 +7,10 @@ use rayon::prelude::*;
 use relief::{HeightMap, Wrap};
 
 use super::apexes::{APEXES, Apexes, PerApex, Places, Region};
+use super::block::{Block, Lanes, is_in_block, is_inside_block};
 use super::encoding::ratio;
 use super::field::{Field, Seen};
-use super::near::{Block, Lanes, Near, NearRow, is_in_block, is_inside_block};
+use super::near::{Near, NearRow};
 use super::walk::{Group, LANES, Look, Walk};
 use crate::{Cancelled, Progress};
 
