@@ -68,17 +68,21 @@ impl<'a> Probes<'a> {
             let (bend, slope) = (2.0 * (a + b - 2.0 * m), 4.0 * m - 3.0 * a - b);
             let turn = (-slope / (2.0 * bend)).clamp(0.0, 1.0);
             let turn = if turn.is_finite() { turn } else { 0.0 };
+            let mut before = t;
             for share in [0.0, turn, 1.0] {
                 let t = t + (end - t) * share;
-                let gap = gap(t);
-                if is_below && gap > CLEAR && z(t) > ground {
-                    let far = (step[0] * t * self.texel_m[0]).hypot(step[1] * t * self.texel_m[1]);
-                    exit.place = at(t);
-                    exit.heights[1] = z(t);
-                    exit.limit = far / (z(t) - ground);
+                if is_below && gap(t) > CLEAR {
+                    let out = first_out(&gap, before, t);
+                    if z(out) > ground {
+                        let far = (step[0] * out * self.texel_m[0]).hypot(step[1] * out * self.texel_m[1]);
+                        exit.place = at(out);
+                        exit.heights[1] = z(out);
+                        exit.limit = far / (z(out) - ground);
+                    }
                     return exit;
                 }
-                is_below |= gap < -CLEAR;
+                is_below |= gap(t) < -CLEAR;
+                before = t;
             }
             t = end;
             if z(t) <= ground {
@@ -87,6 +91,20 @@ impl<'a> Probes<'a> {
         }
         exit
     }
+}
+
+/// The first place at which a gap, which grows from `below` to `above`, has come out.
+fn first_out(gap: &impl Fn(f64) -> f64, mut below: f64, mut above: f64) -> f64 {
+    // As often as `f64` can be halved between two places that are no farther apart than a cell.
+    for _ in 0..60 {
+        let middle = 0.5 * (below + above);
+        if gap(middle) > CLEAR {
+            above = middle;
+        } else {
+            below = middle;
+        }
+    }
+    above
 }
 
 impl Iterator for Probes<'_> {
