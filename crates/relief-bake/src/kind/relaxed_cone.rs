@@ -90,7 +90,8 @@ pub const KIND: Kind = Kind {
 ///
 /// * `∇f_X(q)·(q - p)` is affine in each of `q.x, q.y, p.x, p.y`, so it has its least value over a cell and the square at corners
 ///   of both.
-/// * The slope of the cone from the square to the whole patch, found as the kind `cone` does.
+/// * The slope of the cone from the rim of the square to the whole patch, found as the kind `cone` does, and as much nearer to the
+///   greatest slope in the square as the way inside it, a diagonal at most, may count: a way from inside leads over the rim.
 /// * With the patch extended over `p` as `A + Bx + Cy + Dxy` over `f(p)`, `(x, y) = q - p`, a falling pair has `Bx + Cy + 2Dxy ≤ 0`
 ///   and so rises by at most `A - Dxy`. `A` is greatest at a corner of the nine points of the square's patches,
 ///   `-Dxy` at a corner of the two boxes, and the distance is at least that of the boxes.

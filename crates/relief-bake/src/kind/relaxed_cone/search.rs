@@ -35,33 +35,42 @@ impl Relaxed {
         (images <= MOST_IMAGES).then_some(Self { tiles })
     }
 
-    /// What the four cells around the centre ask for, which hold the apexes: the least of two bounds.
+    /// What the four cells around the centre ask for, which hold the apexes: the least of two bounds. And the squared slope
+    /// of the surface itself in the square.
     #[inline(always)]
-    fn own_slope2<S: Simd>(
+    fn own_slopes2<S: Simd>(
         &self,
         simd: S,
         search: &Search,
         block: &Block,
         lane: usize,
         apexes: &Apexes,
-    ) -> f64 {
+    ) -> [f64; 2] {
         let around = block.around(lane);
         let (texel_m, half) = (search.places.texel_m, search.places.region.half());
         let bound = own_bound(&around, texel_m, half);
         let per_side = texel_m.map(|side| 1.0 / side);
-        let mut whole = 0.0f64;
+        let (mut whole, mut gradient2) = (0.0f64, 0.0f64);
         for seen in Seen::around([0, 0], &around) {
             let [column, row] = seen.offset.map(|offset| if offset == 0 { 2 } else { 0 });
             let quarter = [around[1][1], around[1][column], around[row][1], around[row][column]];
-            whole = whole.max(steepest_in_quarter(quarter, per_side));
+            gradient2 = gradient2.max(steepest_in_quarter(quarter, per_side));
             whole = search.to_cell(simd, apexes, &seen, whole);
         }
-        whole.min(bound * bound)
+        [whole.max(gradient2).min(bound * bound), gradient2]
     }
 
     /// Raises `best` to what the falling part of a cell asks for, when the cell falls anywhere.
     #[inline(always)]
-    fn raise<S: Simd>(&self, simd: S, search: &Search, apexes: &Apexes, seen: &Seen, best: &mut f64) {
+    fn raise<S: Simd>(
+        &self,
+        simd: S,
+        search: &Search,
+        apexes: &Apexes,
+        gradient2: f64,
+        seen: &Seen,
+        best: &mut f64,
+    ) {
         let places = &search.places;
         let from = seen.offset.map(|offset| offset as f64);
         let distance2 = places.distance2(from, [from[0] + 1.0, from[1] + 1.0]);
@@ -78,7 +87,13 @@ impl Relaxed {
         }
         let bound = falling_bound2(&places.grid(apexes), half, seen, distance2);
         if bound > *best {
-            *best = search.to_cell(simd, apexes, seen, *best).min(bound).max(*best);
+            // From inside the square the way leads over the rim: its slope is a mean of those before and behind, of which the
+            // first part is no longer than the square's diagonal.
+            let rim = search.to_cell(simd, apexes, seen, 0.0).sqrt();
+            let (gradient, far) = (gradient2.sqrt(), distance2.sqrt());
+            let diagonal = (2.0 * half) * places.texel_m[0].hypot(places.texel_m[1]);
+            let within = rim + (gradient - rim).max(0.0) * (diagonal / (diagonal + far));
+            *best = (within * within).min(bound).min(rise * rise / distance2).max(*best);
         }
     }
 }
@@ -102,11 +117,14 @@ impl Sort for Relaxed {
         let mut best = [0.0; LANES];
         let (group, seeds) = (&mut state.group, &mut state.seeds[texel[0] as usize..]);
         group.begin(texel);
-        let mut falling = Falling { relaxed: self, search, apexes: &apexes, best: &mut best, seeds };
+        let gradients2 = [0.0; LANES];
+        let mut falling =
+            Falling { relaxed: self, search, apexes: &apexes, gradients2, best: &mut best, seeds };
         for lane in 0..count {
             let apexes = &apexes[lane];
             if region == Region::Footprint {
-                falling.best[lane] = self.own_slope2(simd, search, &block, lane, apexes);
+                [falling.best[lane], falling.gradients2[lane]] =
+                    self.own_slopes2(simd, search, &block, lane, apexes);
             }
             search.walk.lower(group, lane, apexes.low);
         }
@@ -134,6 +152,8 @@ struct Falling<'a, 'b> {
     relaxed: &'b Relaxed,
     search: &'b Search<'a>,
     apexes: &'b [Apexes; LANES],
+    /// Squared slopes of the surface itself in the squares.
+    gradients2: Lanes,
     best: &'b mut Lanes,
     seeds: &'b mut [Option<[i64; 2]>],
 }
@@ -144,7 +164,8 @@ impl Falling<'_, '_> {
     fn raise<S: Simd>(&mut self, simd: S, lane: usize, seen: &Seen) {
         let is_own = seen.offset.iter().all(|&x| x == 0 || x == -1);
         if !is_own || self.search.places.region == Region::Centre {
-            self.relaxed.raise(simd, self.search, &self.apexes[lane], seen, &mut self.best[lane]);
+            let (apexes, gradient2) = (&self.apexes[lane], self.gradients2[lane]);
+            self.relaxed.raise(simd, self.search, apexes, gradient2, seen, &mut self.best[lane]);
         }
     }
 }
