@@ -546,6 +546,32 @@ impl<'g> Resources<'g> {
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
     }
+    pub fn search_map_texel(&self, place: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_search_map_texel(rt::into(place)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_map_texel(&self, place: rt::Vec2<i32>) -> rt::Vec4<f32> {
+        let _e3 = rt::texture::Read::read_texel((&self.search_map), place, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        return _e3;
+    }
+    pub fn cone_slope(&self, texel: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_cone_slope(rt::into(texel)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cone_slope(&self, texel: rt::Vec2<f32>) -> rt::Scalar<f32> {
+        let _e3 = self.settings.height_size;
+        let n_4 = _e3.cast_elem_as_i32();
+        let place_1 = texel.cast_elem_as_i32();
+        let _e8 = self.v_wrap_index(place_1.x(), n_4.x());
+        let _e11 = self.v_wrap_index(place_1.y(), n_4.y());
+        let _e13 = self.v_search_map_texel(<rt::Vec2<i32>>::from_scalars(_e8, _e11));
+        let value = _e13.x();
+        let squared = ((rt::Scalar(0.125f32) * value) * value);
+        if rt::Scalar::into_branch_condition(squared.elementwise_gt(rt::Scalar(0f32))) {
+            return (((rt::Scalar(1f32) - value) * (rt::Scalar(1f32) + value)) / squared);
+        }
+        return rt::Scalar(-1f32);
+    }
     pub fn quadratic(
         &self,
         c: impl rt::Into<rt::Vec3<f32>>,
@@ -595,9 +621,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first.elementwise_le(span)) {
-                return first;
+            let first_1 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_1.elementwise_le(span)) {
+                return first_1;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -645,13 +671,64 @@ impl<'g> Resources<'g> {
         }
         return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(0i32));
     }
-    pub fn search_map_texel(&self, place: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_search_map_texel(rt::into(place)))
+    pub fn least_at(
+        &self,
+        c_2: impl rt::Into<rt::Vec3<f32>>,
+        span_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_least_at(rt::into(c_2), rt::into(span_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_map_texel(&self, place: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e3 = rt::texture::Read::read_texel((&self.search_map), place, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        return _e3;
+    fn v_least_at(
+        &self,
+        c_2: rt::Vec3<f32>,
+        span_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(c_2.z().elementwise_gt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(0f32) - c_2.y()) / (rt::Scalar(2f32) * c_2.z())).clamp(rt::Scalar(0f32), span_1);
+        }
+        return span_1;
+    }
+    pub fn found_in_cell(
+        &self,
+        c_3: impl rt::Into<rt::Vec3<f32>>,
+        t_3: impl rt::Into<rt::Scalar<f32>>,
+        span_2: impl rt::Into<rt::Scalar<f32>>,
+        first: impl rt::Into<rt::Scalar<bool>>,
+        reads: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Found {
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_3), rt::into(span_2), rt::into(first), rt::into(reads)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_found_in_cell(
+        &self,
+        c_3: rt::Vec3<f32>,
+        t_3: rt::Scalar<f32>,
+        span_2: rt::Scalar<f32>,
+        first: rt::Scalar<bool>,
+        reads: rt::Scalar<u32>,
+    ) -> Found {
+        let mut local_2: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition(first) {
+                local_2 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+            } else {
+                local_2 = rt::Scalar(false);
+            }
+            let _e14 = local_2;
+            if rt::Scalar::into_branch_condition(_e14) {
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), reads);
+            }
+            return <Found>::new(FOUND_BRACKET, t_3, t_3, c_3.x(), c_3.x(), reads);
+        }
+        let _e25 = self.v_least_at(c_3, span_2);
+        let _e26 = self.v_quadratic(c_3, _e25);
+        if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
+            return <Found>::new(FOUND_BRACKET, t_3, (t_3 + _e25), c_3.x(), _e26, reads);
+        }
+        let _e36 = self.v_quadratic(c_3, span_2);
+        return <Found>::new(FOUND_ABOVE, t_3, (t_3 + span_2), c_3.x(), _e36, reads);
     }
     pub fn frustum_slope(
         &self,
@@ -666,18 +743,18 @@ impl<'g> Resources<'g> {
         cell_6: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_2: rt::Scalar<bool>;
+        let mut local_3: rt::Scalar<bool>;
 
         let _e6 = self.settings.height_size.x();
         let _e8 = self.v_folded_cell(cell_6.x(), _e6.cast_elem_as_i32());
         let _e13 = self.settings.height_size.y();
         let _e15 = self.v_folded_cell(cell_6.y(), _e13.cast_elem_as_i32());
         if rt::Scalar::into_branch_condition((!_e8.x().elementwise_lt(rt::Scalar(0i32)))) {
-            local_2 = _e15.x().elementwise_lt(rt::Scalar(0i32));
+            local_3 = _e15.x().elementwise_lt(rt::Scalar(0i32));
         } else {
-            local_2 = rt::Scalar(true);
+            local_3 = rt::Scalar(true);
         }
-        let _e26 = local_2;
+        let _e26 = local_3;
         if rt::Scalar::into_branch_condition(_e26) {
             return rt::Scalar(-1f32);
         }
@@ -707,28 +784,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
-        let mut local_3: rt::Scalar<bool>;
         let mut local_4: rt::Scalar<bool>;
         let mut local_5: rt::Scalar<bool>;
+        let mut local_6: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-                local_4 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_4 = rt::Scalar(true);
-            }
-            let _e16 = local_4;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_5 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+                local_5 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_5 = rt::Scalar(true);
             }
-            let _e24 = local_5;
-            local_3 = _e24;
+            let _e16 = local_5;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_6 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_6 = rt::Scalar(true);
+            }
+            let _e24 = local_6;
+            local_4 = _e24;
         } else {
-            local_3 = rt::Scalar(false);
+            local_4 = rt::Scalar(false);
         }
-        let _e26 = local_3;
+        let _e26 = local_4;
         return _e26;
     }
     pub fn height_and_slope(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -764,74 +841,74 @@ impl<'g> Resources<'g> {
     pub fn path_height(
         &self,
         path_3: Path,
-        t_3: impl rt::Into<rt::Scalar<f32>>,
+        t_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_height(path_3, rt::into(t_3)))
+        rt::into(self.v_path_height(path_3, rt::into(t_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_height(
         &self,
         path_3: Path,
-        t_3: rt::Scalar<f32>,
+        t_4: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_3.h.x() + (t_3 * (path_3.h.y() + (t_3 * path_3.h.z()))));
+        return (path_3.h.x() + (t_4 * (path_3.h.y() + (t_4 * path_3.h.z()))));
     }
-    pub fn miss(&self, reads: impl rt::Into<rt::Scalar<u32>>) -> Hit {
-        rt::into(self.v_miss(rt::into(reads)))
+    pub fn miss(&self, reads_1: impl rt::Into<rt::Scalar<u32>>) -> Hit {
+        rt::into(self.v_miss(rt::into(reads_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_miss(&self, reads: rt::Scalar<u32>) -> Hit {
-        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads);
+    fn v_miss(&self, reads_1: rt::Scalar<u32>) -> Hit {
+        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads_1);
     }
     pub fn path_uv(
         &self,
         path_4: Path,
-        t_4: impl rt::Into<rt::Scalar<f32>>,
+        t_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_path_uv(path_4, rt::into(t_4)))
+        rt::into(self.v_path_uv(path_4, rt::into(t_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_uv(
         &self,
         path_4: Path,
-        t_4: rt::Scalar<f32>,
+        t_5: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        return (path_4.uv + (path_4.duv * t_4));
+        return (path_4.uv + (path_4.duv * t_5));
     }
     pub fn hit_on_path(
         &self,
         path_5: Path,
-        t_5: impl rt::Into<rt::Scalar<f32>>,
+        t_6: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
-        reads_1: impl rt::Into<rt::Scalar<u32>>,
+        reads_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_5, rt::into(t_5), rt::into(exhausted), rt::into(reads_1)))
+        rt::into(self.v_hit_on_path(path_5, rt::into(t_6), rt::into(exhausted), rt::into(reads_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
         path_5: Path,
-        t_5: rt::Scalar<f32>,
+        t_6: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
-        reads_1: rt::Scalar<u32>,
+        reads_2: rt::Scalar<u32>,
     ) -> Hit {
-        let mut local_6: rt::Scalar<bool>;
+        let mut local_7: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_5.elementwise_gt(rt::Scalar(path_5.exit))) {
+        if rt::Scalar::into_branch_condition(t_6.elementwise_gt(rt::Scalar(path_5.exit))) {
             let _e9 = self.v_path_height(path_5, rt::Scalar(path_5.exit));
-            local_6 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_7 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_6 = rt::Scalar(false);
+            local_7 = rt::Scalar(false);
         }
-        let _e13 = local_6;
+        let _e13 = local_7;
         if rt::Scalar::into_branch_condition(_e13) {
-            let _e14 = self.v_miss(reads_1);
+            let _e14 = self.v_miss(reads_2);
             return _e14;
         }
-        let inside = t_5.clamp(rt::Scalar(0f32), rt::Scalar(path_5.exit));
+        let inside = t_6.clamp(rt::Scalar(0f32), rt::Scalar(path_5.exit));
         let _e19 = self.v_path_uv(path_5, inside);
         let _e20 = self.v_path_height(path_5, inside);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_1);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_2);
     }
     pub fn inside_unit(
         &self,
@@ -848,15 +925,15 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_7: rt::Scalar<bool>;
+        let mut local_8: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_7 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_8 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_7 = rt::Scalar(true);
+                local_8 = rt::Scalar(true);
             }
-            let _e13 = local_7;
+            let _e13 = local_8;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
@@ -866,40 +943,22 @@ impl<'g> Resources<'g> {
         let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
         return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
     }
-    pub fn least_at(
-        &self,
-        c_2: impl rt::Into<rt::Vec3<f32>>,
-        span_1: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_least_at(rt::into(c_2), rt::into(span_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_least_at(
-        &self,
-        c_2: rt::Vec3<f32>,
-        span_1: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(c_2.z().elementwise_gt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(0f32) - c_2.y()) / (rt::Scalar(2f32) * c_2.z())).clamp(rt::Scalar(0f32), span_1);
-        }
-        return span_1;
-    }
     pub fn normal_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_normal_at(rt::into(uv_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_at(&self, uv_4: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.settings.normal_size;
-        let n_4 = _e3.cast_elem_as_i32();
+        let n_5 = _e3.cast_elem_as_i32();
         let _e7 = self.settings.normal_size;
         let point_5 = ((uv_4 * _e7.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e14 = self.v_cell_of(point_5);
         let f_3 = (point_5 - _e14);
         let i_3 = _e14.cast_elem_as_i32();
-        let _e19 = self.v_wrap_index(i_3.x(), n_4.x());
-        let _e24 = self.v_wrap_index((i_3.x() + rt::Scalar(1i32)), n_4.x());
-        let _e27 = self.v_wrap_index(i_3.y(), n_4.y());
-        let _e32 = self.v_wrap_index((i_3.y() + rt::Scalar(1i32)), n_4.y());
+        let _e19 = self.v_wrap_index(i_3.x(), n_5.x());
+        let _e24 = self.v_wrap_index((i_3.x() + rt::Scalar(1i32)), n_5.x());
+        let _e27 = self.v_wrap_index(i_3.y(), n_5.y());
+        let _e32 = self.v_wrap_index((i_3.y() + rt::Scalar(1i32)), n_5.y());
         let h00_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let h10_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let h01_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -991,41 +1050,41 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let m = path_6.metric;
         let area = ((m.x() * m.z()) - (m.y() * m.y()));
-        let squared = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared)).sqrt());
+        let squared_1 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
     }
     pub fn path_gap(
         &self,
         path_7: Path,
-        t_6: impl rt::Into<rt::Scalar<f32>>,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_gap(path_7, rt::into(t_6)))
+        rt::into(self.v_path_gap(path_7, rt::into(t_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_gap(
         &self,
         path_7: Path,
-        t_6: rt::Scalar<f32>,
+        t_7: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_path_height(path_7, t_6);
-        let _e3 = self.v_path_uv(path_7, t_6);
+        let _e2 = self.v_path_height(path_7, t_7);
+        let _e3 = self.v_path_uv(path_7, t_7);
         let _e4 = self.v_height_at(_e3);
         return (_e2 - _e4);
     }
     pub fn path_slope(
         &self,
         path_8: Path,
-        t_7: impl rt::Into<rt::Scalar<f32>>,
+        t_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_8, rt::into(t_7)))
+        rt::into(self.v_path_slope(path_8, rt::into(t_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
         path_8: Path,
-        t_7: rt::Scalar<f32>,
+        t_8: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_8.h.y() + ((rt::Scalar(2f32) * t_7) * path_8.h.z()));
+        return (path_8.h.y() + ((rt::Scalar(2f32) * t_8) * path_8.h.z()));
     }
     pub fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel)))
@@ -1041,41 +1100,41 @@ impl<'g> Resources<'g> {
         &self,
         a_1: Corner,
         b_1: Corner,
-        c_3: Corner,
+        c_4: Corner,
         side: impl rt::Into<rt::Scalar<f32>>,
         point_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_1, b_1, c_3, rt::into(side), rt::into(point_1)))
+        rt::into(self.v_pixel_of(a_1, b_1, c_4, rt::into(side), rt::into(point_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_pixel_of(
         &self,
         a_1: Corner,
         b_1: Corner,
-        c_3: Corner,
+        c_4: Corner,
         side: rt::Scalar<f32>,
         point_1: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e7 = self.settings.eye;
         let _e9 = self.v_pixel_direction(point_1);
-        return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_3);
+        return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_4);
     }
     pub fn starting_point(&self, path_9: Path, found_1: Found) -> f32 {
         rt::into(self.v_starting_point(path_9, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_9: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_8: rt::Scalar<bool>;
+        let mut local_9: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_9.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_8 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_9 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_8 = rt::Scalar(true);
+            local_9 = rt::Scalar(true);
         }
-        let _e16 = local_8;
+        let _e16 = local_9;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -1122,8 +1181,8 @@ impl<'g> Resources<'g> {
     ) -> Hit {
         let mut near: rt::Scalar<f32>;
         let mut far: rt::Scalar<f32>;
-        let mut reads_2: rt::Scalar<u32>;
-        let mut local_9: rt::Scalar<bool>;
+        let mut reads_3: rt::Scalar<u32>;
+        let mut local_10: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -1134,15 +1193,15 @@ impl<'g> Resources<'g> {
         }
         near = rt::Scalar(found_3.near);
         far = rt::Scalar(found_3.far);
-        reads_2 = rt::Scalar(found_3.reads);
+        reads_3 = rt::Scalar(found_3.reads);
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far;
             let _e19 = self.v_path_height(path_11, _e18);
-            local_9 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_10 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_9 = rt::Scalar(true);
+            local_10 = rt::Scalar(true);
         }
-        let _e23 = local_9;
+        let _e23 = local_10;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -1155,8 +1214,8 @@ impl<'g> Resources<'g> {
                     let _e30 = near;
                     let _e31 = far;
                     let middle = (rt::Scalar(0.5f32) * (_e30 + _e31));
-                    let _e35 = reads_2;
-                    reads_2 = (_e35 + rt::Scalar(1u32));
+                    let _e35 = reads_3;
+                    reads_3 = (_e35 + rt::Scalar(1u32));
                     let _e38 = self.v_path_gap(path_11, middle);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
                         far = middle;
@@ -1171,13 +1230,13 @@ impl<'g> Resources<'g> {
         }
         let _e45 = crossed;
         if rt::Scalar::into_branch_condition((!_e45)) {
-            let _e47 = reads_2;
+            let _e47 = reads_3;
             let _e48 = self.v_miss(_e47);
             return _e48;
         }
         let _e49 = near;
         let _e50 = far;
-        let _e55 = reads_2;
+        let _e55 = reads_3;
         let _e56 = self.v_hit_on_path(path_11, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
     }
@@ -1196,7 +1255,7 @@ impl<'g> Resources<'g> {
         found_4: Found,
         params_2: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_8: rt::Scalar<f32>;
+        let mut t_9: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_4.reads));
@@ -1206,12 +1265,12 @@ impl<'g> Resources<'g> {
         let _e9 = self.v_path_uv(path_12, _e8);
         let _e10 = self.v_height_at(_e9);
         let _e11 = self.v_path_slope(path_12, _e8);
-        t_8 = _e8;
+        t_9 = _e8;
         if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
             let _e15 = self.v_path_height(path_12, _e8);
-            t_8 = (_e8 + ((_e10 - _e15) / _e11));
+            t_9 = (_e8 + ((_e10 - _e15) / _e11));
         }
-        let _e19 = t_8;
+        let _e19 = t_9;
         let _e29 = self.v_hit_on_path(path_12, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
         return _e29;
     }
@@ -1265,10 +1324,10 @@ impl<'g> Resources<'g> {
         found_6: Found,
         params_4: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_9: rt::Scalar<f32>;
+        let mut t_10: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
-        let mut reads_3: rt::Scalar<u32>;
-        let mut local_10: rt::Scalar<bool>;
+        let mut reads_4: rt::Scalar<u32>;
+        let mut local_11: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_6.reads));
@@ -1283,16 +1342,16 @@ impl<'g> Resources<'g> {
             return _e21;
         }
         let _e22 = self.v_grid_of(path_14);
-        t_9 = rt::Scalar(found_6.near);
-        let _e27 = t_9;
+        t_10 = rt::Scalar(found_6.near);
+        let _e27 = t_10;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_7 = _e30;
-        reads_3 = rt::Scalar(found_6.reads);
-        let _e34 = reads_3;
+        reads_4 = rt::Scalar(found_6.reads);
+        let _e34 = reads_4;
         let limit = (_e34 + params_4.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = reads_3;
+                let _e38 = reads_4;
                 if rt::Scalar::into_branch_condition(_e38.elementwise_lt(limit)) {
                 } else {
                     break 'naga_break;
@@ -1301,52 +1360,52 @@ impl<'g> Resources<'g> {
                     let _e40 = cell_7;
                     let _e41 = self.v_cell_leave(_e22, _e40);
                     let end = _e41.x().min(_e41.y()).min(rt::Scalar(found_6.far));
-                    let _e47 = t_9;
-                    let span_3 = (end - _e47).max(rt::Scalar(0f32));
+                    let _e47 = t_10;
+                    let span_4 = (end - _e47).max(rt::Scalar(0f32));
                     let _e51 = cell_7;
-                    let _e52 = t_9;
+                    let _e52 = t_10;
                     let _e53 = self.v_cell_gap(path_14, _e22, _e51, _e52);
-                    let _e54 = reads_3;
-                    reads_3 = (_e54 + rt::Scalar(1u32));
+                    let _e54 = reads_4;
+                    reads_4 = (_e54 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e60 = t_9;
-                        let _e62 = reads_3;
+                        let _e60 = t_10;
+                        let _e62 = reads_4;
                         let _e63 = self.v_hit_on_path(path_14, _e60, rt::Scalar(0u32), _e62);
                         return _e63;
                     }
-                    let _e64 = self.v_first_root(_e53, span_3);
+                    let _e64 = self.v_first_root(_e53, span_4);
                     if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e67 = t_9;
-                        let _e70 = reads_3;
+                        let _e67 = t_10;
+                        let _e70 = reads_4;
                         let _e71 = self.v_hit_on_path(path_14, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
                     if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_6.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_10 = rt::Scalar(found_6.status).elementwise_eq(FOUND_BELOW);
+                            local_11 = rt::Scalar(found_6.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_10 = rt::Scalar(true);
+                            local_11 = rt::Scalar(true);
                         }
-                        let _e84 = local_10;
+                        let _e84 = local_11;
                         if rt::Scalar::into_branch_condition(_e84) {
-                            let _e87 = reads_3;
+                            let _e87 = reads_4;
                             let _e88 = self.v_hit_on_path(path_14, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
                             return _e88;
                         }
-                        let _e89 = reads_3;
+                        let _e89 = reads_4;
                         let _e90 = self.v_miss(_e89);
                         return _e90;
                     }
                     let _e91 = cell_7;
                     let _e92 = self.v_cell_next(_e22, _e91, _e41);
                     cell_7 = _e92;
-                    let _e93 = t_9;
-                    t_9 = _e93.max(end);
+                    let _e93 = t_10;
+                    t_10 = _e93.max(end);
                 }
             }
         }
-        let _e95 = t_9;
-        let _e97 = reads_3;
+        let _e95 = t_10;
+        let _e97 = reads_4;
         let _e98 = self.v_hit_on_path(path_14, _e95, rt::Scalar(1u32), _e97);
         return _e98;
     }
@@ -1369,8 +1428,8 @@ impl<'g> Resources<'g> {
         let mut far_1: rt::Scalar<f32>;
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
-        let mut reads_4: rt::Scalar<u32>;
-        let mut t_10: rt::Scalar<f32>;
+        let mut reads_5: rt::Scalar<u32>;
+        let mut t_11: rt::Scalar<f32>;
         let mut k_1: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_7);
@@ -1382,7 +1441,7 @@ impl<'g> Resources<'g> {
         far_1 = rt::Scalar(found_7.far);
         near_gap = rt::Scalar(found_7.near_gap);
         far_gap = rt::Scalar(found_7.far_gap);
-        reads_4 = rt::Scalar(found_7.reads);
+        reads_5 = rt::Scalar(found_7.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_1;
             let _e20 = self.v_path_gap(path_15, _e19);
@@ -1390,17 +1449,17 @@ impl<'g> Resources<'g> {
             let _e21 = far_1;
             let _e22 = self.v_path_gap(path_15, _e21);
             far_gap = _e22;
-            let _e23 = reads_4;
-            reads_4 = (_e23 + rt::Scalar(2u32));
+            let _e23 = reads_5;
+            reads_5 = (_e23 + rt::Scalar(2u32));
             let _e26 = far_gap;
             if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_4;
+                let _e29 = reads_5;
                 let _e30 = self.v_miss(_e29);
                 return _e30;
             }
         }
         let _e31 = far_1;
-        t_10 = _e31;
+        t_11 = _e31;
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_1;
@@ -1419,19 +1478,19 @@ impl<'g> Resources<'g> {
                     let _e45 = far_1;
                     let _e46 = near_1;
                     let _e48 = near_gap;
-                    t_10 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
+                    t_11 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
                     let _e52 = k_1;
                     if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_5.x())) {
-                        let _e55 = t_10;
+                        let _e55 = t_11;
                         let _e56 = self.v_path_gap(path_15, _e55);
-                        let _e57 = reads_4;
-                        reads_4 = (_e57 + rt::Scalar(1u32));
+                        let _e57 = reads_5;
+                        reads_5 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
-                            let _e62 = t_10;
+                            let _e62 = t_11;
                             far_1 = _e62;
                             far_gap = _e56;
                         } else {
-                            let _e63 = t_10;
+                            let _e63 = t_11;
                             near_1 = _e63;
                             near_gap = _e56;
                         }
@@ -1441,8 +1500,8 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e67 = t_10;
-        let _e69 = reads_4;
+        let _e67 = t_11;
+        let _e69 = reads_5;
         let _e70 = self.v_hit_on_path(path_15, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
@@ -1461,7 +1520,7 @@ impl<'g> Resources<'g> {
         found_8: Found,
         params_6: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_11: rt::Scalar<f32>;
+        let mut t_12: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_8.reads));
@@ -1472,18 +1531,18 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_height_and_slope(_e9);
         let _e12 = self.v_path_height(path_16, _e8);
         let rise = (_e10.x() - _e12);
-        t_11 = _e8;
+        t_12 = _e8;
         if rt::Scalar::into_branch_condition(params_6.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e18 = self.v_path_slope(path_16, _e8);
             let closing = (_e18 - ((_e10.y() * path_16.duv.x()) + (_e10.z() * path_16.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_11 = (_e8 + (rise / closing));
+                t_12 = (_e8 + (rise / closing));
             }
         } else {
             let _e39 = self.v_normal_z(path_16, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_11 = (_e8 - ((rise * path_16.metric.w()) * _e39));
+            t_12 = (_e8 - ((rise * path_16.metric.w()) * _e39));
         }
-        let _e42 = t_11;
+        let _e42 = t_12;
         let _e52 = self.v_hit_on_path(path_16, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
         return _e52;
     }
@@ -1502,8 +1561,8 @@ impl<'g> Resources<'g> {
         found_9: Found,
         params_7: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_12: rt::Scalar<f32>;
-        let mut reads_5: rt::Scalar<u32>;
+        let mut t_13: rt::Scalar<f32>;
+        let mut reads_6: rt::Scalar<u32>;
         let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_eq(FOUND_MISS)) {
@@ -1511,8 +1570,8 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let _e8 = self.v_starting_point(path_17, found_9);
-        t_12 = _e8;
-        reads_5 = rt::Scalar(found_9.reads);
+        t_13 = _e8;
+        reads_6 = rt::Scalar(found_9.reads);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_2;
@@ -1521,36 +1580,36 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = t_12;
+                    let _e17 = t_13;
                     let _e18 = self.v_path_uv(path_17, _e17);
                     let _e19 = self.v_height_and_slope(_e18);
-                    let _e20 = reads_5;
-                    reads_5 = (_e20 + rt::Scalar(1u32));
-                    let _e24 = t_12;
+                    let _e20 = reads_6;
+                    reads_6 = (_e20 + rt::Scalar(1u32));
+                    let _e24 = t_13;
                     let _e25 = self.v_path_height(path_17, _e24);
                     let rise_1 = (_e19.x() - _e25);
                     if rt::Scalar::into_branch_condition(params_7.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e30 = t_12;
+                        let _e30 = t_13;
                         let _e31 = self.v_path_slope(path_17, _e30);
                         let closing_1 = (_e31 - ((_e19.y() * path_17.duv.x()) + (_e19.z() * path_17.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e44 = t_12;
-                            t_12 = (_e44 + (rise_1 / closing_1));
+                            let _e44 = t_13;
+                            t_13 = (_e44 + (rise_1 / closing_1));
                         }
                     } else {
-                        let _e47 = t_12;
+                        let _e47 = t_13;
                         let _e54 = self.v_normal_z(path_17, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_12 = (_e47 - ((rise_1 * path_17.metric.w()) * _e54));
+                        t_13 = (_e47 - ((rise_1 * path_17.metric.w()) * _e54));
                     }
-                    let _e57 = t_12;
-                    t_12 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_17.exit));
+                    let _e57 = t_13;
+                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_17.exit));
                     let _e61 = k_2;
                     k_2 = (_e61 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e64 = t_12;
-        let _e71 = reads_5;
+        let _e64 = t_13;
+        let _e71 = reads_6;
         let _e72 = self.v_hit_on_path(path_17, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
         return _e72;
     }
@@ -1573,7 +1632,7 @@ impl<'g> Resources<'g> {
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
-        let mut reads_6: rt::Scalar<u32>;
+        let mut reads_7: rt::Scalar<u32>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_10);
@@ -1585,7 +1644,7 @@ impl<'g> Resources<'g> {
         last = rt::Scalar(found_10.far);
         before_gap = rt::Scalar(found_10.near_gap);
         last_gap = rt::Scalar(found_10.far_gap);
-        reads_6 = rt::Scalar(found_10.reads);
+        reads_7 = rt::Scalar(found_10.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
             let _e20 = self.v_path_gap(path_18, _e19);
@@ -1593,11 +1652,11 @@ impl<'g> Resources<'g> {
             let _e21 = last;
             let _e22 = self.v_path_gap(path_18, _e21);
             last_gap = _e22;
-            let _e23 = reads_6;
-            reads_6 = (_e23 + rt::Scalar(2u32));
+            let _e23 = reads_7;
+            reads_7 = (_e23 + rt::Scalar(2u32));
             let _e26 = last_gap;
             if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_6;
+                let _e29 = reads_7;
                 let _e30 = self.v_miss(_e29);
                 return _e30;
             }
@@ -1620,18 +1679,18 @@ impl<'g> Resources<'g> {
                     let _e42 = last;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_15 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_18 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e52 = last;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last = t_15;
+                    last = t_18;
                     let _e54 = k_3;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
-                        let _e57 = self.v_path_gap(path_18, t_15);
+                        let _e57 = self.v_path_gap(path_18, t_18);
                         last_gap = _e57;
-                        let _e58 = reads_6;
-                        reads_6 = (_e58 + rt::Scalar(1u32));
+                        let _e58 = reads_7;
+                        reads_7 = (_e58 + rt::Scalar(1u32));
                     }
                     let _e61 = k_3;
                     k_3 = (_e61 + rt::Scalar(1f32));
@@ -1639,7 +1698,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e64 = last;
-        let _e66 = reads_6;
+        let _e66 = reads_7;
         let _e67 = self.v_hit_on_path(path_18, _e64, rt::Scalar(0u32), _e66);
         return _e67;
     }
@@ -1711,9 +1770,8 @@ impl<'g> Resources<'g> {
         params_9: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
-        let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_7: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_11: rt::Scalar<bool>;
+        let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e2 = self.v_grid_of(path_20);
         let _e4 = self.v_cell_of(_e2.origin);
@@ -1721,7 +1779,7 @@ impl<'g> Resources<'g> {
         let limit_1 = params_9.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e12 = reads_7;
+                let _e12 = reads_8;
                 if rt::Scalar::into_branch_condition(_e12.elementwise_lt(limit_1)) {
                 } else {
                     break 'naga_break;
@@ -1731,267 +1789,407 @@ impl<'g> Resources<'g> {
                     let _e15 = self.v_cell_leave(_e2, _e14);
                     let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_20.exit));
                     let _e21 = cell_8;
-                    let _e22 = t_13;
+                    let _e22 = t_14;
                     let _e23 = self.v_cell_gap(path_20, _e2, _e21, _e22);
-                    let _e24 = reads_7;
-                    reads_7 = (_e24 + rt::Scalar(1u32));
-                    let _e27 = t_13;
-                    let span_4 = (end_1 - _e27).max(rt::Scalar(0f32));
-                    if rt::Scalar::into_branch_condition(_e23.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e34 = reads_7;
-                        if rt::Scalar::into_branch_condition(_e34.elementwise_eq(rt::Scalar(1u32))) {
-                            local_11 = _e23.x().elementwise_lt(rt::Scalar(0f32));
-                        } else {
-                            local_11 = rt::Scalar(false);
-                        }
-                        let _e43 = local_11;
-                        if rt::Scalar::into_branch_condition(_e43) {
-                            let _e47 = reads_7;
-                            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e23.x(), _e23.x(), _e47);
-                        }
-                        let _e52 = t_13;
-                        let _e53 = t_13;
-                        let _e56 = reads_7;
-                        return <Found>::new(FOUND_BRACKET, _e52, _e53, _e23.x(), _e23.x(), _e56);
-                    }
-                    let _e58 = self.v_least_at(_e23, span_4);
-                    let _e59 = self.v_quadratic(_e23, _e58);
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_le(rt::Scalar(0f32))) {
-                        let _e63 = t_13;
-                        let _e64 = t_13;
-                        let _e67 = reads_7;
-                        return <Found>::new(FOUND_BRACKET, _e63, (_e64 + _e58), _e23.x(), _e59, _e67);
+                    let _e24 = reads_8;
+                    reads_8 = (_e24 + rt::Scalar(1u32));
+                    let _e27 = t_14;
+                    let span_5 = (end_1 - _e27).max(rt::Scalar(0f32));
+                    let _e31 = t_14;
+                    let _e32 = reads_8;
+                    let _e35 = reads_8;
+                    let _e36 = self.v_found_in_cell(_e23, _e31, span_5, _e32.elementwise_eq(rt::Scalar(1u32)), _e35);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
+                        return _e36;
                     }
                     if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_20.exit))) {
-                        let _e72 = t_13;
-                        let _e75 = self.v_quadratic(_e23, span_4);
-                        let _e76 = reads_7;
-                        return <Found>::new(FOUND_MISS, _e72, rt::Scalar(path_20.exit), _e23.x(), _e75, _e76);
+                        let _e43 = t_14;
+                        let _e47 = reads_8;
+                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_20.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
                     }
-                    let _e78 = cell_8;
-                    let _e79 = self.v_cell_next(_e2, _e78, _e15);
-                    cell_8 = _e79;
-                    let _e80 = t_13;
-                    t_13 = _e80.max(end_1);
+                    let _e49 = cell_8;
+                    let _e50 = self.v_cell_next(_e2, _e49, _e15);
+                    cell_8 = _e50;
+                    let _e51 = t_14;
+                    t_14 = _e51.max(end_1);
                 }
             }
         }
-        let _e83 = t_13;
-        let _e85 = reads_7;
-        return <Found>::new(FOUND_EXHAUSTED, _e83, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e85);
+        let _e54 = t_14;
+        let _e56 = reads_8;
+        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
     }
-    pub fn stays_above(
+    pub fn stays_inside(
         &self,
-        above: impl rt::Into<rt::Vec3<f32>>,
+        path_21: Path,
+        grid_5: Grid,
+        offset: impl rt::Into<rt::Vec2<f32>>,
+        apex: impl rt::Into<rt::Scalar<f32>>,
         slope_1: impl rt::Into<rt::Scalar<f32>>,
-        left: impl rt::Into<rt::Scalar<f32>>,
-        speed: impl rt::Into<rt::Scalar<f32>>,
-        lost: impl rt::Into<rt::Scalar<f32>>,
-        span_2: impl rt::Into<rt::Scalar<f32>>,
+        t_15: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_above(rt::into(above), rt::into(slope_1), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_2)))
+        rt::into(self.v_stays_inside(path_21, grid_5, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_stays_above(
+    fn v_stays_inside(
         &self,
-        above: rt::Vec3<f32>,
+        path_21: Path,
+        grid_5: Grid,
+        offset: rt::Vec2<f32>,
+        apex: rt::Scalar<f32>,
         slope_1: rt::Scalar<f32>,
-        left: rt::Scalar<f32>,
-        speed: rt::Scalar<f32>,
-        lost: rt::Scalar<f32>,
-        span_2: rt::Scalar<f32>,
+        t_15: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let rise_2 = (slope_1 * speed.abs());
-        let gap = ((above.x() + (slope_1 * left)) - lost);
-        if rt::Scalar::into_branch_condition(gap.elementwise_le(rt::Scalar(0f32))) {
+        let mut most: rt::Scalar<f32>;
+        let mut local_12: rt::Scalar<bool>;
+        let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+
+        let rest_1 = (rt::Scalar(path_21.exit) - t_15);
+        let _e8 = self.v_path_height(path_21, t_15);
+        let height = (_e8 - apex);
+        let terms = (path_21.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_21.exit)) * path_21.h.z().abs()));
+        let _e21 = self.v_path_slope(path_21, t_15);
+        let rise_2 = ((_e21 + (path_21.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_1;
+        if rt::Scalar::into_branch_condition(rise_2.elementwise_lt(rt::Scalar(0f32))) {
+            let _e34 = most;
+            most = _e34.min((height / (rt::Scalar(0f32) - rise_2)));
+        }
+        let _e39 = most;
+        let end_2 = (t_15 + _e39);
+        let _e51 = self.v_height_size();
+        let far_2 = (((grid_5.origin.abs() + (grid_5.step.abs() * end_2)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
+        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_21.h.x().abs() + (end_2 * (path_21.h.y().abs() + (end_2 * path_21.h.z().abs())))));
+        let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_2.x() + far_2.y())));
+        let gap = (height - (rt::Scalar(2f32) * lost_1));
+        let _e83 = self.v_height_size();
+        let aside = (((grid_5.origin - offset) + (grid_5.step * t_15)) / _e83);
+        let c_5 = (((slope_1 * aside.length()) - gap) * ((slope_1 * aside.length()) + gap));
+        if rt::Scalar::into_branch_condition((!gap.elementwise_le(rt::Scalar(0f32)))) {
+            local_12 = c_5.elementwise_ge(rt::Scalar(0f32));
+        } else {
+            local_12 = rt::Scalar(true);
+        }
+        let _e100 = local_12;
+        if rt::Scalar::into_branch_condition(_e100) {
             return rt::Scalar(0f32);
         }
-        let closing_2 = ((rise_2 - above.y()) + (rt::Scalar(0.0000009536743f32) * (rise_2 + above.y().abs())));
-        if rt::Scalar::into_branch_condition(above.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap, (rt::Scalar(0f32) - closing_2), above.z()), span_2);
-            return _e30;
+        let b_3 = (((slope_1 * slope_1) * aside.dot(path_21.duv)) - (gap * rise_2));
+        let a_3 = (((slope_1 * slope_1) * path_21.duv.dot(path_21.duv)) - (rise_2 * rise_2));
+        let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
+        if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
+            let root_1 = discriminant_1.sqrt();
+            if rt::Scalar::into_branch_condition(b_3.elementwise_ge(rt::Scalar(0f32))) {
+                leave_3 = ((rt::Scalar(0f32) - c_5) / (b_3 + root_1));
+            } else {
+                if rt::Scalar::into_branch_condition(a_3.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_3 = ((root_1 - b_3) / a_3);
+                }
+            }
         }
-        if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
-            return (gap / closing_2);
+        let _e133 = leave_3;
+        let _e134 = most;
+        leave_3 = _e133.min(_e134);
+        let _e137 = leave_3;
+        let _e143 = leave_3;
+        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_21.duv * _e137)).length()) + lost_1).elementwise_le((height + (rise_2 * _e143)))) {
+            let _e147 = leave_3;
+            return _e147;
         }
-        return rt::Scalar(300000000000000000000000000000000000000f32);
+        return rt::Scalar(0f32);
     }
-    pub fn search_frustum(
+    pub fn search_cone(
         &self,
-        path_21: Path,
+        path_22: Path,
         params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_21, rt::into(params_10)))
+        rt::into(self.v_search_cone(path_22, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_frustum(
+    fn v_search_cone(
         &self,
-        path_21: Path,
+        path_22: Path,
         params_10: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
-        let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_9: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_1: rt::Scalar<f32>;
-        let mut slope_2: rt::Scalar<f32>;
-        let mut local_12: rt::Scalar<bool>;
-        let mut local_13: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_21);
+        let _e2 = self.v_grid_of(path_22);
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
         let limit_2 = params_10.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e17 = reads_8;
+                let _e17 = reads_9;
                 if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = reads_8;
-                    let first_1 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let _e19 = reads_9;
+                    let first_2 = _e19.elementwise_eq(rt::Scalar(0u32));
                     let _e22 = cell_9;
                     let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
-                    let _e25 = reads_8;
-                    reads_8 = (_e25 + rt::Scalar(1u32));
+                    let _e25 = reads_9;
+                    reads_9 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_9;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_2 = _e29.x().min(_e29.y()).min(rt::Scalar(path_21.exit));
-                    let _e35 = t_14;
-                    let span_5 = (end_2 - _e35).max(rt::Scalar(0f32));
-                    let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
-                    let _e46 = t_14;
-                    let _e47 = self.v_path_height(path_21, _e46);
-                    let _e49 = t_14;
-                    let _e50 = self.v_path_slope(path_21, _e49);
-                    let above_1 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_21.h.z());
-                    let _e57 = t_14;
-                    let _e61 = t_14;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_21.h.x().abs() + (_e57 * (path_21.h.y().abs() + (_e61 * path_21.h.z().abs())))));
-                    let _e71 = t_14;
-                    next_1 = _e71.max(end_2);
-                    slope_2 = rt::Scalar(-1f32);
-                    let _e76 = self.v_least_at(above_1, span_5);
-                    let _e77 = self.v_quadratic(above_1, _e76);
-                    if rt::Scalar::into_branch_condition(_e77.elementwise_gt(of_heights)) {
-                        local_12 = above_1.x().elementwise_gt(of_heights);
-                    } else {
-                        local_12 = rt::Scalar(false);
-                    }
-                    let _e84 = local_12;
-                    if rt::Scalar::into_branch_condition(_e84) {
-                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_21.exit))) {
-                            let _e87 = cell_9;
-                            let _e89 = self.v_frustum_slope(_e87.cast_elem_as_i32(), forward_2);
-                            slope_2 = _e89;
-                            let _e90 = reads_8;
-                            let _e93 = slope_2;
-                            reads_8 = (_e90 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e93.elementwise_ge(rt::Scalar(0f32))));
-                        }
-                    } else {
-                        let _e98 = cell_9;
-                        let _e99 = t_14;
-                        let _e100 = self.v_gap_to(path_21, _e2, _e98, _e24, _e99);
-                        if rt::Scalar::into_branch_condition(_e100.x().elementwise_le(rt::Scalar(0f32))) {
-                            if rt::Scalar::into_branch_condition(first_1) {
-                                local_13 = _e100.x().elementwise_lt(rt::Scalar(0f32));
-                            } else {
-                                local_13 = rt::Scalar(false);
-                            }
-                            let _e110 = local_13;
-                            if rt::Scalar::into_branch_condition(_e110) {
-                                let _e114 = reads_8;
-                                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e100.x(), _e100.x(), _e114);
-                            }
-                            let _e119 = t_14;
-                            let _e120 = t_14;
-                            let _e123 = reads_8;
-                            return <Found>::new(FOUND_BRACKET, _e119, _e120, _e100.x(), _e100.x(), _e123);
-                        }
-                        let _e125 = self.v_least_at(_e100, span_5);
-                        let _e126 = self.v_quadratic(_e100, _e125);
-                        if rt::Scalar::into_branch_condition(_e126.elementwise_le(rt::Scalar(0f32))) {
-                            let _e130 = t_14;
-                            let _e131 = t_14;
-                            let _e134 = reads_8;
-                            return <Found>::new(FOUND_BRACKET, _e130, (_e131 + _e125), _e100.x(), _e126, _e134);
+                    let end_3 = _e29.x().min(_e29.y()).min(rt::Scalar(path_22.exit));
+                    let _e35 = t_16;
+                    let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
+                    let _e40 = cell_9;
+                    let _e43 = t_16;
+                    let at_5 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_5.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let above_1 = _e24.x().select(_e24.y(), at_5.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let below = _e24.z().select(_e24.w(), at_5.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let apex_1 = above_1.select(below, at_5.y().elementwise_ge(rt::Scalar(0.5f32)));
+                    let _e73 = t_16;
+                    next_1 = _e73;
+                    let _e75 = t_16;
+                    let _e76 = self.v_path_height(path_22, _e75);
+                    if rt::Scalar::into_branch_condition(_e76.elementwise_gt(apex_1)) {
+                        let _e78 = cell_9;
+                        let texel_1 = (_e78 + corner);
+                        let _e80 = self.v_cone_slope(texel_1);
+                        let _e81 = reads_9;
+                        reads_9 = (_e81 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e80.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e86 = t_16;
+                            let _e87 = t_16;
+                            let _e88 = self.v_stays_inside(path_22, _e2, texel_1, apex_1, _e80, _e87);
+                            next_1 = (_e86 + _e88);
                         }
                     }
-                    let _e136 = slope_2;
-                    if rt::Scalar::into_branch_condition(_e136.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e140 = cell_9;
-                        let _e143 = t_14;
-                        let at_5 = ((_e2.origin - _e140) + (_e2.step * _e143));
-                        let left_2 = at_5.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_5), forward_2);
-                        let _e155 = t_14;
-                        let far_2 = ((_e2.origin.abs() + (_e2.step.abs() * _e155)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                        let _e163 = slope_2;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e163) * far_2));
-                        let _e169 = t_14;
-                        let rest_1 = (rt::Scalar(path_21.exit) - _e169);
-                        let _e171 = slope_2;
-                        let _e176 = self.v_stays_above(above_1, _e171, left_2.x(), _e2.step.x(), lost_1.x(), rest_1);
-                        let _e177 = slope_2;
-                        let _e182 = self.v_stays_above(above_1, _e177, left_2.y(), _e2.step.y(), lost_1.y(), rest_1);
-                        let _e183 = next_1;
-                        let _e184 = t_14;
-                        next_1 = _e183.max((_e184 + _e176.min(_e182)));
+                    let _e90 = next_1;
+                    if rt::Scalar::into_branch_condition(_e90.elementwise_lt(end_3)) {
+                        let _e92 = cell_9;
+                        let _e93 = t_16;
+                        let _e94 = self.v_gap_to(path_22, _e2, _e92, _e24, _e93);
+                        let _e95 = t_16;
+                        let _e96 = reads_9;
+                        let _e97 = self.v_found_in_cell(_e94, _e95, span_6, first_2, _e96);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e97.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e97;
+                        }
+                        let _e101 = t_16;
+                        next_1 = _e101.max(end_3);
                     }
-                    let _e188 = next_1;
-                    if rt::Scalar::into_branch_condition(_e188.elementwise_ge(rt::Scalar(path_21.exit))) {
-                        let _e192 = t_14;
-                        let _e194 = reads_8;
-                        return <Found>::new(FOUND_MISS, _e192, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+                    let _e103 = next_1;
+                    if rt::Scalar::into_branch_condition(_e103.elementwise_ge(rt::Scalar(path_22.exit))) {
+                        let _e107 = t_16;
+                        let _e109 = reads_9;
+                        return <Found>::new(FOUND_MISS, _e107, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
                     }
-                    let _e198 = slope_2;
-                    if rt::Scalar::into_branch_condition(_e198.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e201 = cell_9;
-                        let _e202 = next_1;
-                        let _e203 = self.v_cell_after(_e2, _e201, _e29, forward_2, _e202);
-                        cell_9 = _e203;
-                    } else {
-                        let _e204 = cell_9;
-                        let _e205 = self.v_cell_next(_e2, _e204, _e29);
-                        cell_9 = _e205;
-                    }
-                    let _e206 = next_1;
-                    t_14 = _e206;
+                    let _e113 = cell_9;
+                    let _e114 = next_1;
+                    let _e115 = self.v_cell_after(_e2, _e113, _e29, forward_2, _e114);
+                    cell_9 = _e115;
+                    let _e116 = next_1;
+                    t_16 = _e116;
                 }
             }
         }
-        let _e208 = t_14;
-        let _e210 = reads_8;
-        return <Found>::new(FOUND_EXHAUSTED, _e208, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e210);
+        let _e118 = t_16;
+        let _e120 = reads_9;
+        return <Found>::new(FOUND_EXHAUSTED, _e118, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e120);
+    }
+    pub fn stays_above(
+        &self,
+        above: impl rt::Into<rt::Vec3<f32>>,
+        slope_2: impl rt::Into<rt::Scalar<f32>>,
+        left: impl rt::Into<rt::Scalar<f32>>,
+        speed: impl rt::Into<rt::Scalar<f32>>,
+        lost: impl rt::Into<rt::Scalar<f32>>,
+        span_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_stays_above(rt::into(above), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_stays_above(
+        &self,
+        above: rt::Vec3<f32>,
+        slope_2: rt::Scalar<f32>,
+        left: rt::Scalar<f32>,
+        speed: rt::Scalar<f32>,
+        lost: rt::Scalar<f32>,
+        span_3: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let rise_3 = (slope_2 * speed.abs());
+        let gap_1 = ((above.x() + (slope_2 * left)) - lost);
+        if rt::Scalar::into_branch_condition(gap_1.elementwise_le(rt::Scalar(0f32))) {
+            return rt::Scalar(0f32);
+        }
+        let closing_2 = ((rise_3 - above.y()) + (rt::Scalar(0.0000009536743f32) * (rise_3 + above.y().abs())));
+        if rt::Scalar::into_branch_condition(above.z().elementwise_ne(rt::Scalar(0f32))) {
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_1, (rt::Scalar(0f32) - closing_2), above.z()), span_3);
+            return _e30;
+        }
+        if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
+            return (gap_1 / closing_2);
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub fn search_frustum(
+        &self,
+        path_23: Path,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_frustum(path_23, rt::into(params_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_frustum(
+        &self,
+        path_23: Path,
+        params_11: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_10: rt::Vec2<f32>;
+        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_2: rt::Scalar<f32>;
+        let mut slope_3: rt::Scalar<f32>;
+        let mut local_13: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_23);
+        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_cell_of(_e2.origin);
+        cell_10 = _e9;
+        let limit_3 = params_11.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e17 = reads_10;
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_3)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e19 = reads_10;
+                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let _e22 = cell_10;
+                    let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
+                    let _e25 = reads_10;
+                    reads_10 = (_e25 + rt::Scalar(1u32));
+                    let _e28 = cell_10;
+                    let _e29 = self.v_cell_leave(_e2, _e28);
+                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_23.exit));
+                    let _e35 = t_17;
+                    let span_7 = (end_4 - _e35).max(rt::Scalar(0f32));
+                    let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
+                    let _e46 = t_17;
+                    let _e47 = self.v_path_height(path_23, _e46);
+                    let _e49 = t_17;
+                    let _e50 = self.v_path_slope(path_23, _e49);
+                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_23.h.z());
+                    let _e57 = t_17;
+                    let _e61 = t_17;
+                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_23.h.x().abs() + (_e57 * (path_23.h.y().abs() + (_e61 * path_23.h.z().abs())))));
+                    let _e71 = t_17;
+                    next_2 = _e71.max(end_4);
+                    slope_3 = rt::Scalar(-1f32);
+                    let _e76 = self.v_least_at(above_2, span_7);
+                    let _e77 = self.v_quadratic(above_2, _e76);
+                    if rt::Scalar::into_branch_condition(_e77.elementwise_gt(of_heights_1)) {
+                        local_13 = above_2.x().elementwise_gt(of_heights_1);
+                    } else {
+                        local_13 = rt::Scalar(false);
+                    }
+                    let _e84 = local_13;
+                    if rt::Scalar::into_branch_condition(_e84) {
+                        if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_23.exit))) {
+                            let _e87 = cell_10;
+                            let _e89 = self.v_frustum_slope(_e87.cast_elem_as_i32(), forward_3);
+                            slope_3 = _e89;
+                            let _e90 = reads_10;
+                            let _e93 = slope_3;
+                            reads_10 = (_e90 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e93.elementwise_ge(rt::Scalar(0f32))));
+                        }
+                    } else {
+                        let _e98 = cell_10;
+                        let _e99 = t_17;
+                        let _e100 = self.v_gap_to(path_23, _e2, _e98, _e24, _e99);
+                        let _e101 = t_17;
+                        let _e102 = reads_10;
+                        let _e103 = self.v_found_in_cell(_e100, _e101, span_7, first_3, _e102);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e103.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e103;
+                        }
+                    }
+                    let _e107 = slope_3;
+                    if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e111 = cell_10;
+                        let _e114 = t_17;
+                        let at_6 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_2 = at_6.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_6), forward_3);
+                        let _e126 = t_17;
+                        let far_3 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e134 = slope_3;
+                        let lost_2 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_3));
+                        let _e140 = t_17;
+                        let rest_2 = (rt::Scalar(path_23.exit) - _e140);
+                        let _e142 = slope_3;
+                        let _e147 = self.v_stays_above(above_2, _e142, left_2.x(), _e2.step.x(), lost_2.x(), rest_2);
+                        let _e148 = slope_3;
+                        let _e153 = self.v_stays_above(above_2, _e148, left_2.y(), _e2.step.y(), lost_2.y(), rest_2);
+                        let _e154 = next_2;
+                        let _e155 = t_17;
+                        next_2 = _e154.max((_e155 + _e147.min(_e153)));
+                    }
+                    let _e159 = next_2;
+                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_23.exit))) {
+                        let _e163 = t_17;
+                        let _e165 = reads_10;
+                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
+                    }
+                    let _e169 = slope_3;
+                    if rt::Scalar::into_branch_condition(_e169.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e172 = cell_10;
+                        let _e173 = next_2;
+                        let _e174 = self.v_cell_after(_e2, _e172, _e29, forward_3, _e173);
+                        cell_10 = _e174;
+                    } else {
+                        let _e175 = cell_10;
+                        let _e176 = self.v_cell_next(_e2, _e175, _e29);
+                        cell_10 = _e176;
+                    }
+                    let _e177 = next_2;
+                    t_17 = _e177;
+                }
+            }
+        }
+        let _e179 = t_17;
+        let _e181 = reads_10;
+        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
     }
     pub fn search_linear(
         &self,
-        path_22: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        path_24: Path,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_22, rt::into(params_11)))
+        rt::into(self.v_search_linear(path_24, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_22: Path,
-        params_11: rt::Vec4<f32>,
+        path_24: Path,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
-        let mut reads_9: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut reads_11: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine = (path_22.h.y().abs() * path_22.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_11.x() * params_11.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
-        let _e22 = self.v_path_gap(path_22, rt::Scalar(0f32));
+        let cosine = (path_24.h.y().abs() * path_24.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_12.x() * params_12.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
+        let _e22 = self.v_path_gap(path_24, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
         if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
             let _e30 = near_gap_1;
             let _e31 = near_gap_1;
-            let _e32 = reads_9;
+            let _e32 = reads_11;
             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e30, _e31, _e32);
         }
         'naga_break: loop {
@@ -2003,17 +2201,17 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e41 = k_4;
-                    let t_16 = (rt::Scalar(path_22.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_22, t_16);
-                    let _e45 = reads_9;
-                    reads_9 = (_e45 + rt::Scalar(1u32));
+                    let t_19 = (rt::Scalar(path_24.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_24, t_19);
+                    let _e45 = reads_11;
+                    reads_11 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_2;
                         let _e52 = near_gap_1;
-                        let _e53 = reads_9;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_16, _e52, _e44, _e53);
+                        let _e53 = reads_11;
+                        return <Found>::new(FOUND_BRACKET, _e51, t_19, _e52, _e44, _e53);
                     }
-                    near_2 = t_16;
+                    near_2 = t_19;
                     near_gap_1 = _e44;
                     let _e55 = k_4;
                     k_4 = (_e55 + rt::Scalar(1f32));
@@ -2024,50 +2222,55 @@ impl<'g> Resources<'g> {
         let _e60 = near_2;
         let _e61 = near_gap_1;
         let _e62 = near_gap_1;
-        let _e63 = reads_9;
+        let _e63 = reads_11;
         return <Found>::new(FOUND_MISS, _e59, _e60, _e61, _e62, _e63);
     }
     pub fn search_none(
         &self,
-        path_23: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        path_25: Path,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_23, rt::into(params_12)))
+        rt::into(self.v_search_none(path_25, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_23: Path,
-        params_12: rt::Vec4<f32>,
+        path_25: Path,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
-    pub fn search_stage(&self, path_24: Path) -> Found {
-        rt::into(self.v_search_stage(path_24))
+    pub fn search_stage(&self, path_26: Path) -> Found {
+        rt::into(self.v_search_stage(path_26))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_24: Path) -> Found {
+    fn v_search_stage(&self, path_26: Path) -> Found {
         let _e1 = self.v_chosen_search();
         match rt::Scalar::into_inner(_e1) {
             0u32 => {
                 let _e4 = self.settings.search_params;
-                let _e5 = self.v_search_none(path_24, _e4);
+                let _e5 = self.v_search_none(path_26, _e4);
                 return _e5;
             }
             1u32 => {
                 let _e8 = self.settings.search_params;
-                let _e9 = self.v_search_linear(path_24, _e8);
+                let _e9 = self.v_search_linear(path_26, _e8);
                 return _e9;
             }
             2u32 => {
                 let _e12 = self.settings.search_params;
-                let _e13 = self.v_search_cells(path_24, _e12);
+                let _e13 = self.v_search_cells(path_26, _e12);
                 return _e13;
             }
-            _ => {
+            3u32 => {
                 let _e16 = self.settings.search_params;
-                let _e17 = self.v_search_frustum(path_24, _e16);
+                let _e17 = self.v_search_frustum(path_26, _e16);
                 return _e17;
+            }
+            _ => {
+                let _e20 = self.settings.search_params;
+                let _e21 = self.v_search_cone(path_26, _e20);
+                return _e21;
             }
         }
     }
@@ -2151,14 +2354,14 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e24 = k_5;
-                    let place_1 = self.settings.lights[rt::Scalar::into_array_index(_e24)].place;
+                    let place_2 = self.settings.lights[rt::Scalar::into_array_index(_e24)].place;
                     let _e30 = k_5;
                     let _e33 = self.settings.lights[rt::Scalar::into_array_index(_e30)].color;
                     let strength = _e33.xyz();
-                    toward = place_1.xyz();
+                    toward = place_2.xyz();
                     falloff = rt::Scalar(1f32);
-                    if rt::Scalar::into_branch_condition(place_1.w().elementwise_gt(rt::Scalar(0.5f32))) {
-                        toward = (place_1.xyz() - position);
+                    if rt::Scalar::into_branch_condition(place_2.w().elementwise_gt(rt::Scalar(0.5f32))) {
+                        toward = (place_2.xyz() - position);
                         let _e44 = toward;
                         let _e45 = toward;
                         falloff = (rt::Scalar(1f32) / _e44.dot(_e45).max(rt::Scalar(0.000001f32)));
@@ -2228,10 +2431,10 @@ impl<'g> Resources<'g> {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
         }
         let _e41 = self.v_height_at(hit_1.uv);
-        let aside = (hit_1.uv - at_3.uv);
+        let aside_1 = (hit_1.uv - at_3.uv);
         let _e57 = rt::Scalar(self.settings.bias_m);
         let _e60 = rt::Scalar(self.settings.scale_m);
-        let position_2 = (((at_3.point + (at_3.tangent * aside.x())) + (at_3.bitangent * aside.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
+        let position_2 = (((at_3.point + (at_3.tangent * aside_1.x())) + (at_3.bitangent * aside_1.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
         let _e66 = self.v_mesostructure_normal(at_3, hit_1.uv);
         let _e69 = self.settings.eye;
         let view_2 = (_e69.xyz() - position_2).normalize();
@@ -2252,20 +2455,20 @@ impl<'g> Resources<'g> {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut local_15: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
-        let mut leave_3: rt::Scalar<f32>;
+        let mut leave_4: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
 
-        let a_3 = pixel_2.a.position;
-        let e1_ = (pixel_2.b.position - a_3);
-        let e2_ = (pixel_2.c.position - a_3);
-        let n_5 = e1_.cross(e2_);
-        let nn = n_5.dot(n_5);
-        let toward_1 = n_5.dot(pixel_2.direction);
-        let distance = (n_5.dot((a_3 - pixel_2.origin)) / toward_1);
+        let a_4 = pixel_2.a.position;
+        let e1_ = (pixel_2.b.position - a_4);
+        let e2_ = (pixel_2.c.position - a_4);
+        let n_6 = e1_.cross(e2_);
+        let nn = n_6.dot(n_6);
+        let toward_1 = n_6.dot(pixel_2.direction);
+        let distance = (n_6.dot((a_4 - pixel_2.origin)) / toward_1);
         let point_6 = (pixel_2.origin + (pixel_2.direction * distance));
-        let from_a = (point_6 - a_3);
-        let wb = (from_a.cross(e2_).dot(n_5) / nn);
-        let wc = (e1_.cross(from_a).dot(n_5) / nn);
+        let from_a = (point_6 - a_4);
+        let wb = (from_a.cross(e2_).dot(n_6) / nn);
+        let wc = (e1_.cross(from_a).dot(n_6) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
         let uv_8 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
         let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
@@ -2294,18 +2497,18 @@ impl<'g> Resources<'g> {
         let scale = _e119.max(rt::Scalar(0.000000001f32));
         let _e124 = rt::Scalar(self.settings.bias_m);
         let base_height = ((rt::Scalar(0f32) - _e124) / scale);
-        let slope_3 = ((rt::Scalar(0f32) - descent) / scale);
+        let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
         let eye = ((rt::Scalar(0f32) - distance) * along);
         let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
         enter = top_5.max(eye);
-        leave_3 = ((base_height * scale) / descent);
-        let _e143 = leave_3;
-        let _e144 = leave_3;
-        leave_3 = (_e143 + ((_e144 - top_5) * rt::Scalar(0.000001f32)));
+        leave_4 = ((base_height * scale) / descent);
+        let _e143 = leave_4;
+        let _e144 = leave_4;
+        leave_4 = (_e143 + ((_e144 - top_5) * rt::Scalar(0.000001f32)));
         let _e151 = rt::Scalar(self.settings.wrap);
         if rt::Scalar::into_branch_condition(_e151.elementwise_eq(WRAP_CLAMP)) {
             let _e156 = enter;
-            let _e157 = leave_3;
+            let _e157 = leave_4;
             let _e159 = self.v_inside_unit(uv_8.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e156, _e157));
             interval_1 = _e159;
             let _e163 = interval_1;
@@ -2314,25 +2517,25 @@ impl<'g> Resources<'g> {
             let _e166 = interval_1.x();
             enter = _e166;
             let _e168 = interval_1.y();
-            leave_3 = _e168;
+            leave_4 = _e168;
         }
-        let _e169 = leave_3;
+        let _e169 = leave_4;
         let _e170 = enter;
         if rt::Scalar::into_branch_condition((!_e169.elementwise_gt(_e170))) {
             valid = rt::Scalar(0u32);
         }
         let _e174 = enter;
         let _e177 = enter;
-        let entry_height = (base_height + (slope_3 * _e174)).select(rt::Scalar(1f32), _e177.elementwise_eq(top_5));
+        let entry_height = (base_height + (slope_4 * _e174)).select(rt::Scalar(1f32), _e177.elementwise_eq(top_5));
         let _e181 = enter;
         let base_1 = (rt::Scalar(0f32) - _e181).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e187 = enter;
-        let _e192 = leave_3;
+        let _e192 = leave_4;
         let _e193 = enter;
         let _e197 = rt::Scalar(self.settings.scale_m);
-        let path_26 = <Path>::new((uv_8 + (duv * _e187)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_3, rt::Scalar(0f32)), (_e192 - _e193), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e197));
+        let path_28 = <Path>::new((uv_8 + (duv * _e187)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e192 - _e193), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e197));
         let _e200 = valid;
-        return <Entered>::new(_e200, path_26, point_6, uv_8, tangent, bitangent, normal_2);
+        return <Entered>::new(_e200, path_28, point_6, uv_8, tangent, bitangent, normal_2);
     }
     pub fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
@@ -2347,13 +2550,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub fn trace(&self, path_25: Path) -> Hit {
-        rt::into(self.v_trace(path_25))
+    pub fn trace(&self, path_27: Path) -> Hit {
+        rt::into(self.v_trace(path_27))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_25: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_25);
-        let _e2 = self.v_refine_stage(path_25, _e1);
+    fn v_trace(&self, path_27: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_27);
+        let _e2 = self.v_refine_stage(path_27, _e1);
         return _e2;
     }
     pub fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {

@@ -12,6 +12,9 @@
 //   SEARCH = 3: frustum, over the empty frustum on each cell that the path comes to (Relief)
 //     search_map: frustum slopes
 //     params.x: limit, most reads before the search gives up (1 to 16777216, 1048576)
+//   SEARCH = 4: cone, over the empty cone on each texel that the path comes to (section 4.3.5)
+//     search_map: cone
+//     params.x: limit, most reads before the search gives up (1 to 16777216, 1048576)
 //   REFINE = 0: none, what the search found: the processed point, or the first sample below (section 4.1.1)
 //   REFINE = 1: offset, parallax mapping: a level surface at the starting point's height (section 4.1.2)
 //   REFINE = 2: offset-limited, parallax mapping with offset limiting: never farther than the height (section 4.1.3)
@@ -41,6 +44,7 @@ const FOUND_EXHAUSTED = 4u;
 const FOUND_MISS = 0u;
 const FOUND_STARTED_BELOW = 5u;
 const FOUND_UNBRACKETED = 6u;
+const HALF_RATIO = 0.125;
 const LEAST_SCALE_M = 1e-9;
 const MAX_LIGHTS = 8u;
 const NEVER = 3e38;
@@ -306,6 +310,17 @@ fn color_or_white(uv: vec2f) -> vec3f {
     return vec3f(1.0, 1.0, 1.0);
 }
 
+fn cone_slope(texel: vec2f) -> f32 {
+    let n = vec2i(settings.height_size);
+    let place = vec2i(texel);
+    let value = search_map_texel(vec2i(wrap_index(place.x, n.x), wrap_index(place.y, n.y))).x;
+    let squared = HALF_RATIO * value * value;
+    if (squared > 0.0) {
+        return (1.0 - value) * (1.0 + value) / squared;
+    }
+    return -1.0;
+}
+
 fn first_root(c: vec3f, span: f32) -> f32 {
     let discriminant = c.y * c.y - 4.0 * c.z * c.x;
     if (discriminant >= 0.0) {
@@ -348,6 +363,21 @@ fn folded_cell(i: i32, n: i32) -> vec2i {
         return vec2i(select(-1, period - 2 - folded, folded < period - 1), 1);
     }
     return vec2i(-1, 0);
+}
+
+fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, reads: u32) -> Found {
+    if (c.x <= 0.0) {
+        if (first && c.x < 0.0) {
+            return Found(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, reads);
+        }
+        return Found(FOUND_BRACKET, t, t, c.x, c.x, reads);
+    }
+    let s = least_at(c, span);
+    let gap = quadratic(c, s);
+    if (gap <= 0.0) {
+        return Found(FOUND_BRACKET, t, t + s, c.x, gap, reads);
+    }
+    return Found(FOUND_ABOVE, t, t + span, c.x, quadratic(c, span), reads);
 }
 
 @fragment
@@ -820,22 +850,59 @@ fn search_cells(path: Path, params: vec4f) -> Found {
         let c = cell_gap(path, grid, cell, t);
         reads = reads + 1u;
         let span = max(end - t, 0.0);
-        if (c.x <= 0.0) {
-            if (reads == 1u && c.x < 0.0) {
-                return Found(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, reads);
-            }
-            return Found(FOUND_BRACKET, t, t, c.x, c.x, reads);
-        }
-        let s = least_at(c, span);
-        let gap = quadratic(c, s);
-        if (gap <= 0.0) {
-            return Found(FOUND_BRACKET, t, t + s, c.x, gap, reads);
+        let found = found_in_cell(c, t, span, reads == 1u, reads);
+        if (found.status != FOUND_ABOVE) {
+            return found;
         }
         if (end >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, c.x, quadratic(c, span), reads);
+            return Found(FOUND_MISS, t, path.exit, c.x, found.far_gap, reads);
         }
         cell = cell_next(grid, cell, leave);
         t = max(t, end);
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}
+
+fn search_cone(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let forward = grid.step >= vec2f(0.0, 0.0);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while ((reads < limit)) {
+        let first = reads == 0u;
+        let heights = height_cell(vec2i(cell));
+        reads = reads + 1u;
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let span = max(end - t, 0.0);
+        let at = (grid.origin - cell) + grid.step * t;
+        let corner = select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), at >= vec2f(0.5, 0.5));
+        let above = select(heights.x, heights.y, at.x >= 0.5);
+        let below = select(heights.z, heights.w, at.x >= 0.5);
+        let apex = select(above, below, at.y >= 0.5);
+        var next = t;
+        if (path_height(path, t) > apex) {
+            let texel = cell + corner;
+            let slope = cone_slope(texel);
+            reads = reads + 1u;
+            if (slope >= 0.0) {
+                next = t + stays_inside(path, grid, texel, apex, slope, t);
+            }
+        }
+        if (next < end) {
+            let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, first, reads);
+            if (found.status != FOUND_ABOVE) {
+                return found;
+            }
+            next = max(t, end);
+        }
+        if (next >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        cell = cell_after(grid, cell, leave, forward, next);
+        t = next;
     }
     return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
 }
@@ -867,16 +934,9 @@ fn search_frustum(path: Path, params: vec4f) -> Found {
         }
         else {
             let c = gap_to(path, grid, cell, heights, t);
-            if (c.x <= 0.0) {
-                if (first && c.x < 0.0) {
-                    return Found(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, reads);
-                }
-                return Found(FOUND_BRACKET, t, t, c.x, c.x, reads);
-            }
-            let s = least_at(c, span);
-            let gap = quadratic(c, s);
-            if (gap <= 0.0) {
-                return Found(FOUND_BRACKET, t, t + s, c.x, gap, reads);
+            let found = found_in_cell(c, t, span, first, reads);
+            if (found.status != FOUND_ABOVE) {
+                return found;
             }
         }
         if (slope >= 0.0) {
@@ -946,8 +1006,11 @@ fn search_stage(path: Path) -> Found {
         case 2u {
             return search_cells(path, settings.search_params);
         }
-        case default {
+        case 3u {
             return search_frustum(path, settings.search_params);
+        }
+        case default {
+            return search_cone(path, settings.search_params);
         }
     }
 }
@@ -1053,6 +1116,45 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         return gap / closing;
     }
     return NEVER;
+}
+
+fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t: f32) -> f32 {
+    let rest = path.exit - t;
+    let height = path_height(path, t) - apex;
+    let terms = abs(path.h.y) + 2.0 * path.exit * abs(path.h.z);
+    let rise = path_slope(path, t) + min(path.h.z, 0.0) * rest - ROUNDING * terms;
+    var most = rest;
+    if (rise < 0.0) {
+        most = min(most, height / (0.0 - rise));
+    }
+    let end = t + most;
+    let far = (abs(grid.origin) + abs(grid.step) * end + vec2f(1.0, 1.0)) / height_size();
+    let of_heights = ROUNDING * (abs(path.h.x) + end * (abs(path.h.y) + end * abs(path.h.z)));
+    let lost = of_heights + ROUNDING * slope * (far.x + far.y);
+    let gap = height - 2.0 * lost;
+    let aside = ((grid.origin - offset) + grid.step * t) / height_size();
+    let c = (slope * length(aside) - gap) * (slope * length(aside) + gap);
+    if (gap <= 0.0 || c >= 0.0) {
+        return 0.0;
+    }
+    let b = slope * slope * dot(aside, path.duv) - gap * rise;
+    let a = slope * slope * dot(path.duv, path.duv) - rise * rise;
+    let discriminant = b * b - a * c;
+    var leave = NEVER;
+    if (discriminant >= 0.0) {
+        let root = sqrt(discriminant);
+        if (b >= 0.0) {
+            leave = (0.0 - c) / (b + root);
+        }
+        else if (a > 0.0) {
+            leave = (root - b) / a;
+        }
+    }
+    leave = min(leave, most);
+    if (slope * length(aside + path.duv * leave) + lost <= height + rise * leave) {
+        return leave;
+    }
+    return 0.0;
 }
 
 fn surface_plane(pixel: PixelIn) -> Entered {

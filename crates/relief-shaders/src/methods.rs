@@ -76,6 +76,14 @@ pub const METHODS: &[Method] = &[
         "parallax occlusion mapping: linear search, then secant",
     ),
     survey("exact", "cells", "patch", DEFAULTS, "4.3.1", "the first hit with the bilinear surface"),
+    survey(
+        "cone",
+        "cone",
+        "patch",
+        DEFAULTS,
+        "4.3.5",
+        "cone stepping: the same first hit by fewer reads, over empty cones",
+    ),
     Method {
         name: "frustum",
         summary: "the same first hit by fewer reads, over quadrant frusta",

@@ -44,7 +44,7 @@ fn relief_and_occlusion_come_nearer_with_every_doubling_of_their_steps() {
 
 #[test]
 fn the_exact_pairs_of_stages_find_every_first_hit() {
-    for method in ["exact", "frustum"] {
+    for method in ["exact", "cone", "frustum"] {
         let exact = Selection::method(method).expect("a method");
         for named in &maps() {
             let baked = search_map(&named.map, &exact);

@@ -3,9 +3,10 @@
 //! * Dummer, *Cone Step Mapping: An Iterative Ray-Heightfield Intersection Algorithm*, 2006.
 //! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008, section 4.3.5.
 //!
-//! Published cone maps bound the texels, not the bilinear surface between them, and only from texel centres. The cones here
-//! stand clear of the bilinear surface, and the default ones from any place in their texel; that, and how it is found, is
-//! Relief's own.
+//! Published cone maps bound the texels, not the bilinear surface between them, and are made for texel centres but moved to the ray.
+//! The cones here stand clear of the bilinear surface. The default ones are as wide as can be and stay where they stand, which a
+//! search such as that of the shaders needs for nothing to be passed from any start in the texel; others may be moved. That,
+//! and how it is found, is Relief's own.
 
 mod apexes;
 mod block;
@@ -36,10 +37,10 @@ use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
 /// From where the cones of a map are safe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConeApex {
-    /// From the surface at the texel's centre, as published. For searches that leave the cone's apex there, wherever in
+    /// From the surface at the texel's centre, as published. For searches that leave the cone there, wherever in
     /// the texel the ray is; a cone moved to the ray cuts the surface. Such a search misses nothing: a ray in the cone meets no
-    /// surface until it leaves it, and where it is not in the cone of its texel the texel's own patches are solved up to the
-    /// texel's border. It takes a half to two thirds of the steps of one that moves the apex.
+    /// surface until it leaves it, and where it is not in the cone of its texel the texel's own patches are solved, as the
+    /// shaders' search `cone` does. It takes a half to two thirds of the steps of one that moves the apex.
     Centre,
     /// From the surface at any place of the texel's square: for searches that move the apex to the ray and fetch the
     /// nearest texel. No wider cones are safe for these. They are narrower than those of the centres, on natural ground by a tenth;
@@ -57,11 +58,11 @@ impl ConeApex {
 
 const APEX: Param = Param {
     name: "apex",
-    summary: "where the cones are safe from: 0 texel centre, 1 anywhere in the texel, 2 through a bilinear filter too",
+    summary: "0 for searches that leave the cone on the texel; for those that move it to the ray 1, through a bilinear filter 2",
     unit: "",
     min: 0.0,
     max: 2.0,
-    default: 1.0,
+    default: 0.0,
     integer: true,
 };
 

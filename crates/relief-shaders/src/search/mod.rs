@@ -6,9 +6,10 @@ use relief::registry::Entry;
 use crate::SURVEY;
 
 mod cells;
+mod cone;
 mod frustum;
 mod linear;
 mod none;
 
 /// All of them; the place of each is its number in the shaders.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY, cone::ENTRY];

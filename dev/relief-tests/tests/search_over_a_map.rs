@@ -1,5 +1,5 @@
-//! The search `frustum` as the shaders have it, with the refinement `patch`, against the exact first hit: adversarial rays
-//! through adversarial maps in all wraps. `cells` with the same refinement is held to the same bound.
+//! The searches that read a baked map, as the shaders have them, with the refinement `patch`, against the exact first hit:
+//! adversarial rays through adversarial maps in all wraps. `cells` with the same refinement is held to the same bound.
 
 use rayon::prelude::*;
 use relief::exact::{ExactHit, cell_walk};
@@ -78,7 +78,7 @@ fn trial(map: &HeightMap, selection: &Selection, baked: Option<&SearchMap>, rays
 
 #[test]
 fn no_first_hit_is_missed_or_passed_on_any_map_in_any_wrap() {
-    for method in ["exact", "frustum"] {
+    for method in ["exact", "cone", "frustum"] {
         let selection = Selection::method(method).expect("a method");
         let cases: Vec<_> = maps::ALL.iter().flat_map(|named| Wrap::ALL.map(|wrap| (named, wrap))).collect();
         let (tally, reads) = cases
@@ -94,27 +94,62 @@ fn no_first_hit_is_missed_or_passed_on_any_map_in_any_wrap() {
     }
 }
 
+/// How a map is made to promise too much, texel by texel.
+type Mutation = (&'static str, fn([f32; 4]) -> [f32; 4]);
+
+/// A search, and what is wrong with the maps that it is given.
+struct Wrong {
+    method: &'static str,
+    /// Maps, their wraps, and other wraps in which they are baked. In a mirrored map no two points are nearer than in the map
+    /// itself, so cones baked for repeat are safe there.
+    foreign: [(usize, Wrap, Wrap); 2],
+    mutations: &'static [Mutation],
+}
+
+const WRONG: [Wrong; 2] = [
+    Wrong {
+        method: "frustum",
+        foreign: [(0, Wrap::Repeat, Wrap::Clamp), (2, Wrap::Mirror, Wrap::Repeat)],
+        mutations: &[
+            ("lowered", |slopes| slopes.map(|slope| slope * 0.8)),
+            ("swapped", |[x, y, z, w]| [y, x, w, z]),
+        ],
+    },
+    Wrong {
+        method: "cone",
+        foreign: [(0, Wrap::Repeat, Wrap::Clamp), (0, Wrap::Repeat, Wrap::Mirror)],
+        // The ratio is proportional to v² / (1 - v²).
+        mutations: &[("widened by half", |[v, ..]| {
+            [(1.5 * v * v / (1.0 + 0.5 * v * v)).sqrt(), 0.0, 0.0, 0.0]
+        })],
+    },
+];
+
 #[test]
-fn lower_slopes_and_another_wraps_map_are_noticed() {
-    let selection = Selection::method("frustum").expect("a method");
-    for (at, wrap, other) in [(0, Wrap::Repeat, Wrap::Clamp), (2, Wrap::Mirror, Wrap::Repeat)] {
-        let map = maps::ALL[at].build(wrap);
-        let steepest = steepest(&map);
-        let right = search_map(&map, &selection).expect("it reads a map");
-        let lowered = right.texels().iter().map(|slopes| slopes.map(|slope| slope * 0.8)).collect();
-        let lowered = SearchMap::new(right.input(), right.size(), lowered);
-        let swapped = right.texels().iter().map(|[x, y, z, w]| [*y, *x, *w, *z]).collect();
-        let swapped = SearchMap::new(right.input(), right.size(), swapped);
-        let foreign = search_map(&map.clone().with_wrap(other), &selection).expect("it reads a map");
-        for (name, wrong) in [("lowered", &lowered), ("swapped", &swapped), ("another wrap's", &foreign)] {
-            let resources = Resources::tracing(&map, &selection, Some(wrong)).expect("a map of that size");
-            let noticed = paths(&map, 2).take(20_000).filter(|(_, path)| {
-                let other = answer(&map, &resources, path);
-                judge(&map, path, &cell_walk(&map, path), &other, slack(&map, steepest, path)).is_err()
-            });
-            let noticed = noticed.count();
-            println!("{name}, {wrap}: noticed on {noticed} of 20000 rays");
-            assert!(noticed >= 5, "{name}, {wrap}: noticed on {noticed} of 20000 rays");
+fn a_map_that_promises_too_much_and_another_wraps_map_are_noticed() {
+    for Wrong { method, foreign, mutations } in WRONG {
+        let selection = Selection::method(method).expect("a method");
+        for (at, wrap, other) in foreign {
+            let map = maps::ALL[at].build(wrap);
+            let steepest = steepest(&map);
+            let right = search_map(&map, &selection).expect("it reads a map");
+            let foreign = search_map(&map.clone().with_wrap(other), &selection).expect("it reads a map");
+            let mut wrong = vec![("another wrap's", foreign)];
+            for (name, mutate) in mutations {
+                let texels = right.texels().iter().copied().map(mutate).collect();
+                wrong.push((name, SearchMap::new(right.input(), right.size(), texels)));
+            }
+            for (name, wrong) in wrong {
+                let resources =
+                    Resources::tracing(&map, &selection, Some(&wrong)).expect("a map of that size");
+                let noticed = paths(&map, 2).take(20_000).filter(|(_, path)| {
+                    let other = answer(&map, &resources, path);
+                    judge(&map, path, &cell_walk(&map, path), &other, slack(&map, steepest, path)).is_err()
+                });
+                let noticed = noticed.count();
+                println!("{method}, {name}, {wrap}: noticed on {noticed} of 20000 rays");
+                assert!(noticed >= 5, "{method}, {name}, {wrap}: noticed on {noticed} of 20000 rays");
+            }
         }
     }
 }

@@ -1,0 +1,29 @@
+//! Registry entry of the search `cone`.
+
+use relief::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Source};
+
+/// Over the empty cone on the texel nearest to the path.
+pub const ENTRY: Entry = Entry {
+    id: 4,
+    name: "cone",
+    summary: "over the empty cone on each texel that the path comes to",
+    source: Source { paper: super::SURVEY, section: "4.3.5" },
+    maps: &[MapInput { kind: "cone", texture: "" }],
+    params: &[Param {
+        name: "limit",
+        summary: "most reads before the search gives up",
+        unit: "",
+        min: 1.0,
+        max: 16_777_216.0,
+        default: 1_048_576.0,
+        integer: true,
+    }],
+    guarantee: Guarantees::all(Guarantee::Exact),
+    argument: "The cone stays on the centre of the texel that it was baked for and holds no surface, so a path that is \
+        inside of it, wherever over the texel, is above the surface until it leaves it. A cone is convex: a line that is inside at \
+        both ends of a step is inside between, and a path that bends stays above its tangent or its chord. Where the path is \
+        outside, or leaves the cone within the cell, the cell's patch is bounded in closed form as in `cells`. In f32 both ends of a \
+        step must be inside by 8 roundings of the heights and, times the slope, of the places. So the ray is known as \
+        well as to `cells`: rays that clear the surface by less than 2 roundings of the path's heights and, times the map's \
+        steepest slope, of its places in texels may be judged either way.",
+};
