@@ -12,7 +12,7 @@ use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use rayon::ThreadPool;
 use relief::{HeightMap, Wrap};
-use relief_bake::{KINDS, Kind, Metric};
+use relief_bake::{KINDS, Kind, Metric, Settings};
 use relief_tests::maps::fractal;
 
 use self::brute::Brute;
@@ -51,6 +51,13 @@ pub struct Arguments {
     beside_python: Option<PathBuf>,
 }
 
+/// What is measured: a kind with its default settings, but for what the name says.
+struct Variant {
+    name: String,
+    kind: &'static Kind,
+    settings: Settings,
+}
+
 /// One row of the table.
 struct Row {
     side: u32,
@@ -59,6 +66,8 @@ struct Row {
     /// Memory of input, output and everything between, over input and output.
     memory: f64,
     brute: Option<Brute>,
+    /// Of cones one that looks at texels only.
+    at_texels: Option<Brute>,
 }
 
 /// Prints the tables.
@@ -66,7 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     if let Some(code) = measure::with_fresh_memory()? {
         return Ok(code);
     }
-    let kinds = chosen(&arguments.kinds)?;
+    let variants = variants(&chosen(&arguments.kinds)?, arguments.bits)?;
     let pools = [pool(1)?, pool(2)?];
     if let Some(python) = &arguments.beside_python {
         return python::run(python, &arguments.sizes, &pools[0]).map(|()| ExitCode::SUCCESS);
@@ -83,11 +92,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         "lead over brute force",
     ]);
     let mut growth = table(&["kind", "sizes", "1 thread", "2 threads", "processor time"]);
+    let mut at_texels = table(&["kind", "size", "brute force s, 2 threads", "texels done", "lead over it"]);
     let mut left_out = Vec::new();
-    for kind in kinds {
-        let rows = rows(kind, arguments, &pools, &mut left_out)?;
+    for variant in &variants {
+        let rows = rows(variant, arguments, &pools, &mut left_out)?;
         for row in &rows {
-            times.add_row(row.cells(kind));
+            times.add_row(row.cells(&variant.name));
+            if let Some(brute) = &row.at_texels {
+                let [seconds, share, lead] = brute.cells(row.ms[1]);
+                at_texels.add_row([variant.name.clone(), format!("{}²", row.side), seconds, share, lead]);
+            }
         }
         if let [first, .., last] = rows.as_slice() {
             let exponent = |which: usize| {
@@ -95,7 +109,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
                 format!("{:.2}", slope(&points.collect::<Vec<_>>()))
             };
             growth.add_row([
-                kind.name.to_owned(),
+                variant.name.clone(),
                 format!("{}² to {}²", first.side, last.side),
                 exponent(0),
                 exponent(1),
@@ -118,32 +132,43 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     if arguments.brute > 0.0 {
         println!(
             "Brute force is parallel and ends early where nothing farther can matter. It was run for the share of the texels \
-             that is shown and extrapolated from these. That of `cone` looks from the eight apexes at texels alone, not between them: \
-             it is given away that this is less than the kind promises."
+             that is shown and extrapolated from these."
         );
     }
     println!("\n{times}\n");
     println!(
         "Exponents of time over texels, fitted by least squares to the logarithms of all sizes:\n\n{growth}"
     );
+    if !at_texels.is_empty() {
+        println!(
+            "\nCones beside a brute force that looks at texels only, not between them, which is quicker and less than the kind \
+             promises:\n\n{at_texels}"
+        );
+    }
     Ok(ExitCode::SUCCESS)
 }
 
 impl Row {
-    fn cells(&self, kind: &Kind) -> [String; 9] {
-        let Row { side, ms: [one, two, cpu], memory, brute } = self;
-        let shown = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
-        [
-            kind.name.to_owned(),
+    fn cells(&self, name: &str) -> Vec<String> {
+        let Row { side, ms: [one, two, cpu], memory, brute, .. } = self;
+        let mut cells = vec![
+            name.to_owned(),
             format!("{side}²"),
             format!("{one:.2}"),
             format!("{two:.2}"),
             format!("{cpu:.2}"),
             format!("{memory:.2}"),
-            shown(brute.as_ref().map(|brute| format!("{:.3}", brute.seconds))),
-            shown(brute.as_ref().map(|brute| percent(brute.share))),
-            shown(brute.as_ref().map(|brute| format!("{:.0}", 1e3 * brute.seconds / two))),
-        ]
+        ];
+        cells.extend(brute.as_ref().map_or(["-"; 3].map(str::to_owned), |brute| brute.cells(*two)));
+        cells
+    }
+}
+
+impl Brute {
+    /// Its seconds, the share of the texels that was done, and the lead over it of a bake that takes so many milliseconds.
+    fn cells(&self, bake_ms: f64) -> [String; 3] {
+        let lead = 1e3 * self.seconds / bake_ms;
+        [format!("{:.3}", self.seconds), percent(self.share), format!("{lead:.0}")]
     }
 }
 
@@ -151,15 +176,14 @@ fn percent(share: f64) -> String {
     if share >= 1.0 { "all".to_owned() } else { format!("{:.2} %", 100.0 * share) }
 }
 
-/// Measures a kind at every size that the limit allows.
+/// Measures at every size that the limit allows.
 fn rows(
-    kind: &Kind,
+    variant: &Variant,
     arguments: &Arguments,
     pools: &[ThreadPool; 2],
     left_out: &mut Vec<String>,
 ) -> Result<Vec<Row>, String> {
-    let mut settings = kind.defaults();
-    settings.set("bits", f64::from(arguments.bits)).map_err(|error| error.to_string())?;
+    let Variant { name, kind, settings } = variant;
     let mut sizes = arguments.sizes.clone();
     sizes.sort_unstable();
     let mut rows: Vec<Row> = Vec::new();
@@ -169,22 +193,27 @@ fn rows(
             let expected = 1e-3 * last.ms[0] * growth;
             if expected > arguments.limit {
                 left_out.push(format!(
-                    "{} is left out from {side}² on: about {expected:.0} s on one thread, more than --limit {}.",
-                    kind.name, arguments.limit
+                    "{name} is left out from {side}² on: about {expected:.0} s on one thread, more than --limit {}.",
+                    arguments.limit
                 ));
                 break;
             }
         }
-        eprintln!("{} {side}²", kind.name);
+        eprintln!("{name} {side}²");
         let map = ground(side)?;
         let metric = metric()?;
         let measure = |pool: &ThreadPool| {
-            measure::measure(kind, &map, metric, &settings, pool, arguments.runs, 0.1 * arguments.limit)
+            measure::measure(kind, &map, metric, settings, pool, arguments.runs, 0.1 * arguments.limit)
         };
         let [one, two]: [Measured; 2] = [measure(&pools[0])?, measure(&pools[1])?];
-        let brute = (arguments.brute > 0.0)
-            .then(|| pools[1].install(|| brute::time(kind.name, &map, metric, arguments.brute)));
-        rows.push(Row { side, ms: [one.ms, two.ms, one.cpu_ms], memory: two.memory, brute: brute.flatten() });
+        let limit_s = arguments.brute;
+        let brute = (limit_s > 0.0)
+            .then(|| pools[1].install(|| brute::time(kind.name, settings, &map, metric, limit_s)))
+            .flatten();
+        let at_texels = (limit_s > 0.0 && kind.name == "cone")
+            .then(|| pools[1].install(|| brute::time_cones_at_texels(settings, &map, metric, limit_s)));
+        let ms = [one.ms, two.ms, one.cpu_ms];
+        rows.push(Row { side, ms, memory: two.memory, brute, at_texels });
     }
     Ok(rows)
 }
@@ -213,6 +242,23 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Kind>, String> {
         return Ok(KINDS.iter().collect());
     }
     names.iter().map(|name| relief_bake::kind(name).map_err(|error| error.to_string())).collect()
+}
+
+/// The kinds as they are by default; and cones with the other sort of apex, which is another search.
+fn variants(kinds: &[&'static Kind], bits: u32) -> Result<Vec<Variant>, String> {
+    let mut variants = Vec::new();
+    for kind in kinds {
+        let mut settings = kind.defaults();
+        settings.set("bits", f64::from(bits)).map_err(|error| error.to_string())?;
+        let apex = settings.iter().find(|setting| setting.0 == "apex").map(|setting| setting.1);
+        variants.push(Variant { name: kind.name.to_owned(), kind, settings: settings.clone() });
+        if let Some(apex) = apex {
+            let other = 1.0 - f64::from(apex);
+            settings.set("apex", other).map_err(|error| error.to_string())?;
+            variants.push(Variant { name: format!("{}, apex {other}", kind.name), kind, settings });
+        }
+    }
+    Ok(variants)
 }
 
 fn metric() -> Result<Metric, String> {

@@ -27,7 +27,7 @@ pub(super) use self::apexes::{Apexes, Region};
 pub(super) use self::block::{Block, Lanes, cells_of_block, is_in_block, offset_of};
 pub(super) use self::encoding::texture;
 pub use self::encoding::{decode, encode, half_ratio};
-pub(super) use self::field::Seen;
+pub(super) use self::field::{Field, Seen};
 pub(super) use self::search::{Search, Sort, State, bits_of};
 pub(super) use self::slope::{Patch, inside_segment, steepest_in_quarter, to_point};
 pub(super) use self::walk::{Group, LANES, Look};

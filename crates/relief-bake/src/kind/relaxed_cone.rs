@@ -6,6 +6,7 @@
 //! The published bake marches rays between pairs of texels, which passes over what lies between the samples. Here a cone is
 //! limited by falling patches only, and by bounds that hold for the bilinear surface; that is Relief's own.
 
+mod directions;
 mod falling;
 mod own;
 mod search;

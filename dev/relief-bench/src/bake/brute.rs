@@ -24,18 +24,17 @@ pub struct Brute {
     pub share: f64,
 }
 
-/// Runs the kind's brute force, with its default settings, in parallel on texels drawn at random until about `limit_s` has
+/// Runs the kind's brute force, with those settings, in parallel on texels drawn at random until about `limit_s` has
 /// passed, or on all of them. Nothing for a kind without one.
-pub fn time(kind: &str, map: &HeightMap, metric: Metric, limit_s: f64) -> Option<Brute> {
+pub fn time(kind: &str, settings: &Settings, map: &HeightMap, metric: Metric, limit_s: f64) -> Option<Brute> {
     let (tile_m, scale_m, texel_m) = (metric.tile_m, metric.scale_m, metric.texel_m(map));
-    let settings = relief_bake::kind(kind).ok()?.defaults();
-    let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
+    let highest = highest(map);
     let most = 2 * i64::from(map.width().max(map.height()));
     let levels = map.width().max(map.height()).ilog2();
     let each = |work: &(dyn Fn([u32; 2]) + Sync)| Some(each_texel(map, limit_s, work));
     let signed = |texel: [u32; 2]| texel.map(i64::from);
     let sky = || {
-        let (azimuths, tiles) = (number(&settings, "azimuths"), number(&settings, "tiles"));
+        let (azimuths, tiles) = (number(settings, "azimuths"), number(settings, "tiles"));
         let reach = f64::from(map.width()) * tiles;
         brute::sky::Sky { texel_m, scale_m, azimuths: azimuths as u32, reach, highest }
     };
@@ -54,27 +53,23 @@ pub fn time(kind: &str, map: &HeightMap, metric: Metric, limit_s: f64) -> Option
             }
         }),
         "dilation-erosion" => {
-            let (radius, all) = (number(&settings, "radius") as u32, brute::dilation_erosion::extremes(map));
+            let (radius, all) = (number(settings, "radius") as u32, brute::dilation_erosion::extremes(map));
             each(&|texel| {
                 black_box(brute::dilation_erosion::bounds(map, radius, signed(texel), all));
             })
         }
-        "cone" => each(&|texel| {
-            black_box(brute::cone::vertex_slope(map, texel_m, signed(texel), highest, most));
-        }),
+        "cone" => {
+            let footprint = number(settings, "apex") > 0.0;
+            each(&|texel| {
+                black_box(brute::cone::slope(map, texel_m, footprint, signed(texel), highest));
+            })
+        }
         "relaxed-cone" => each(&|texel| {
-            black_box(brute::relaxed_cone::slope(
-                map,
-                texel_m,
-                signed(texel),
-                [0.0; 2],
-                SAMPLES,
-                highest,
-                most,
-            ));
+            let (texel, centre) = (signed(texel), [0.0; 2]);
+            black_box(brute::relaxed_cone::slope(map, texel_m, texel, centre, SAMPLES, highest, most));
         }),
         "distance" => {
-            let slices = number(&settings, "slices");
+            let slices = number(settings, "slices");
             each(&|texel| {
                 for slice in 0..slices as u32 {
                     let level = (f64::from(slice) + 0.5) / slices;
@@ -100,7 +95,7 @@ pub fn time(kind: &str, map: &HeightMap, metric: Metric, limit_s: f64) -> Option
             each(&|texel| _ = black_box(sky.bent_normal(map, texel)))
         }
         "visibility" => {
-            let directions = directions(map, metric, &settings);
+            let directions = directions(map, metric, settings);
             each(&|texel| {
                 for &(step_uv, slope, reach) in &directions {
                     let path = brute::visibility::path(map, texel, step_uv, slope, reach);
@@ -110,6 +105,20 @@ pub fn time(kind: &str, map: &HeightMap, metric: Metric, limit_s: f64) -> Option
         }
         _ => None,
     }
+}
+
+/// Runs a brute force for cones that looks at texels only, not between them, and so does less than the kind promises.
+pub fn time_cones_at_texels(settings: &Settings, map: &HeightMap, metric: Metric, limit_s: f64) -> Brute {
+    let (texel_m, highest, footprint) = (metric.texel_m(map), highest(map), number(settings, "apex") > 0.0);
+    let most = 2 * i64::from(map.width().max(map.height()));
+    each_texel(map, limit_s, &|texel| {
+        let texel = texel.map(i64::from);
+        black_box(brute::cone::vertex_slope(map, texel_m, footprint, texel, highest, most));
+    })
+}
+
+fn highest(map: &HeightMap) -> f64 {
+    f64::from(map.texels().iter().copied().fold(0.0, f32::max))
 }
 
 /// The value of a setting that the kind has.

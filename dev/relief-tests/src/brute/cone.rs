@@ -14,15 +14,28 @@ struct Apex {
 const RIM: [[f64; 2]; 8] =
     [[-1.0, -1.0], [0.0, -1.0], [1.0, -1.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-1.0, 1.0], [-1.0, 0.0]];
 
-/// The slope of the steepest rise to a texel's centre from any of the eight apexes on the rim of a texel, in heights per metre of
-/// `texel_m`: without the edges and the insides of cells, and so a little less than a safe cone needs, but quick. Texels are looked at
-/// ring by ring, up to `most` rings, until even `highest`, the map's highest texel, would not be steeper.
-pub fn vertex_slope(map: &HeightMap, texel_m: [f64; 2], texel: [i64; 2], highest: f64, most: i64) -> f64 {
+/// The centre of a texel, or the eight places on its rim.
+fn apexes(footprint: bool, height: &dyn Fn([f64; 2]) -> f64) -> Vec<Apex> {
+    let places = if footprint { RIM.map(|place| place.map(|x| 0.5 * x)).to_vec() } else { vec![[0.0; 2]] };
+    places.into_iter().map(|at| Apex { at, height: height(at) }).collect()
+}
+
+/// The slope of the steepest rise to a texel's centre from the centre of a texel, or with `footprint` from any of the eight apexes on
+/// its rim, in heights per metre of `texel_m`: without the edges and the insides of cells, and so a little less than a safe cone needs,
+/// but quick. Texels are looked at ring by ring, up to `most` rings, until even `highest`, the map's highest texel, would not be
+/// steeper.
+pub fn vertex_slope(
+    map: &HeightMap,
+    texel_m: [f64; 2],
+    footprint: bool,
+    texel: [i64; 2],
+    highest: f64,
+    most: i64,
+) -> f64 {
     let size = [f64::from(map.width()), f64::from(map.height())];
-    let apexes = RIM.map(|place| {
-        let at = place.map(|x| 0.5 * x);
+    let apexes = apexes(footprint, &|at| {
         let [u, v] = [0, 1].map(|axis| (texel[axis] as f64 + at[axis] + 0.5) / size[axis]);
-        Apex { at, height: map.height_at(u, v) }
+        map.height_at(u, v)
     });
     let low = apexes.iter().map(|apex| apex.height).fold(1.0, f64::min);
     let finest = texel_m[0].min(texel_m[1]);
@@ -40,7 +53,7 @@ pub fn vertex_slope(map: &HeightMap, texel_m: [f64; 2], texel: [i64; 2], highest
                     let rise = (height - apex.height).max(0.0);
                     let across = (x as f64 - apex.at[0]) * texel_m[0];
                     let down = (y as f64 - apex.at[1]) * texel_m[1];
-                    let slope2 = rise * rise / (across * across + down * down);
+                    let slope2 = rise * rise / (across * across + down * down).max(f64::MIN_POSITIVE);
                     best2 = if slope2 > best2 { slope2 } else { best2 };
                 }
             }
@@ -50,23 +63,19 @@ pub fn vertex_slope(map: &HeightMap, texel_m: [f64; 2], texel: [i64; 2], highest
 }
 
 /// The slope of the steepest rise of the bilinear surface from any apex of a texel, in heights per metre of `texel_m`: from
-/// its square with `footprint`, else from its centre. Cells beyond the ring in which nothing steeper can be are left out.
+/// its square with `footprint`, else from its centre. Cells beyond the ring in which nothing steeper can be, as `highest` is the map's
+/// highest texel, are left out.
 ///
 /// Good to 1e-7 relatively (tops are flat). Uses no closed form but the gradient's; that apexes inside of the square need not be looked
 /// at is checked by [`crate::probes::cone`].
-pub fn slope(map: &HeightMap, texel_m: [f64; 2], footprint: bool, texel: [i64; 2]) -> f64 {
-    let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
+pub fn slope(map: &HeightMap, texel_m: [f64; 2], footprint: bool, texel: [i64; 2], highest: f64) -> f64 {
     let centre = texel.map(|k| k as f64);
     let surface = |x: f64, y: f64| {
         let size = [f64::from(map.width()), f64::from(map.height())];
         map.height_at((centre[0] + x + 0.5) / size[0], (centre[1] + y + 0.5) / size[1])
     };
     let half = if footprint { 0.5 } else { 0.0 };
-    let rim = RIM.map(|[x, y]| [half * x, half * y]).to_vec();
-    let ends: Vec<Apex> = if footprint { rim } else { vec![[0.0; 2]] }
-        .into_iter()
-        .map(|at| Apex { at, height: surface(at[0], at[1]) })
-        .collect();
+    let ends = apexes(footprint, &|[x, y]| surface(x, y));
     let low = ends.iter().map(|apex| apex.height).fold(surface(0.0, 0.0), f64::min);
     let mut best = own_gradient(map, texel_m, footprint, texel);
     let finest = texel_m[0].min(texel_m[1]);

@@ -14,9 +14,6 @@ pub(super) const SIDE: usize = 2 * REACH + 2;
 /// Numbers of vertices have no other bits: the compiler then knows that they are within an array of so many.
 pub(super) const MASK: usize = (SIDE * SIDE).next_power_of_two() - 1;
 
-/// Cells along a side of the block.
-const CELLS_ACROSS: usize = 2 * REACH;
-
 /// Cells along a side of what is read.
 pub(super) const CELLS_READ: usize = SIDE - 1;
 
@@ -106,9 +103,15 @@ impl Block {
     }
 }
 
-/// The vertices at which the cells of a texel's block begin.
+/// The vertices at which the cells of a texel's block begin, those around its centre first.
 pub(in crate::kind) fn cells_of_block() -> impl Iterator<Item = usize> {
-    (0..CELLS_ACROSS).flat_map(|row| (0..CELLS_ACROSS).map(move |column| row * SIDE + column))
+    (0..REACH).flat_map(|ring| {
+        let (from, to) = (REACH - 1 - ring, REACH + ring);
+        (from..=to).flat_map(move |row| {
+            let is_end = row == from || row == to;
+            (from..=to).step_by(if is_end { 1 } else { to - from }).map(move |column| row * SIDE + column)
+        })
+    })
 }
 
 /// How far a vertex is from the centre, in texels.

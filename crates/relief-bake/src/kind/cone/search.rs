@@ -70,7 +70,8 @@ impl<'a> Search<'a> {
         let arch = Arch::new();
         ratios.par_chunks_mut(width * ROWS).enumerate().try_for_each(|(band, ratios)| {
             let mut state = State { group: Group::new(), seeds: vec![None; width] };
-            let mut near = [NearRow::new(width), NearRow::new(width)];
+            let columns = if K::NEAR { width } else { 0 };
+            let mut near = [NearRow::new(columns), NearRow::new(columns)];
             let top = (band * ROWS) as i64;
             if K::NEAR {
                 arch.dispatch(Above { search: self, row: top - 1, near: &mut near[1] });
@@ -221,6 +222,11 @@ struct Steepest<'a, 'b> {
 
 impl Look for Steepest<'_, '_> {
     const HIGHEST_CORNERS: bool = false;
+
+    #[inline(always)]
+    fn may_matter(&self, _: u32, _: [u32; 2], _: [f32; 2], _: [f32; 2]) -> bool {
+        true
+    }
 
     #[inline(always)]
     fn look<S: Simd>(

@@ -63,6 +63,10 @@ pub(in crate::kind) trait Look {
     /// cell from the highest corner. Else a vertex is looked at when it, or what is around it, may be steeper.
     const HIGHEST_CORNERS: bool;
 
+    /// Whether anything around the vertices of a node may matter, which is so many columns and rows from the apexes of all lanes: the
+    /// least and the most along either axis of the map, with the cells around the vertices.
+    fn may_matter(&self, level: u32, at: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool;
+
     /// Looks at a vertex of that height for the lanes whose excess is positive.
     fn look<S: Simd>(
         &mut self,
@@ -207,14 +211,21 @@ impl<'a> Walk<'a> {
                 if row >= size[1] {
                     continue;
                 }
-                let rows = self.rows(self.span(&image, 1, row, level));
+                let span = self.span(&image, 1, row, level);
+                let rows = self.rows(span);
                 for column in [first[0] + flip[0], first[0] + 1 - flip[0]] {
                     if column >= size[0] {
                         continue;
                     }
                     let columns = self.span(&image, 0, column, level);
                     let sight = Sight { columns, rows, highest: nodes.highest([column, row]) };
-                    if self.worth::<S, L>(simd, group, &sight).is_some() {
+                    let [[left, right], [top, bottom]] = [
+                        self.around_columns(columns, image.is_mirrored[0]),
+                        self.around_rows(span, image.is_mirrored[1]),
+                    ];
+                    if look.may_matter(level, [column, row], [left, top], [right, bottom])
+                        && self.worth::<S, L>(simd, group, &sight).is_some()
+                    {
                         pending.push(Node { level, at: [column, row], sight });
                     }
                 }
@@ -242,6 +253,20 @@ impl<'a> Walk<'a> {
             [first, last]
         };
         [(image.begin[axis] + ends[0]) as f32, (image.begin[axis] + ends[1]) as f32]
+    }
+
+    /// The least and the most columns, along the map, from the apexes of all lanes to the cells around those columns.
+    #[inline(always)]
+    fn around_columns(&self, [from, to]: [f32; 2], is_mirrored: bool) -> [f32; 2] {
+        let around = [from - (LANES - 1) as f32 - 1.0 - self.half, to + 1.0 + self.half];
+        if is_mirrored { [-around[1], -around[0]] } else { around }
+    }
+
+    /// The same of rows.
+    #[inline(always)]
+    fn around_rows(&self, [from, to]: [f32; 2], is_mirrored: bool) -> [f32; 2] {
+        let around = [from - 1.0 - self.half, to + 1.0 + self.half];
+        if is_mirrored { [-around[1], -around[0]] } else { around }
     }
 
     #[inline(always)]

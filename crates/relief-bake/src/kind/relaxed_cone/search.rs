@@ -7,6 +7,7 @@ use super::super::cone::{
     Apexes, Block, Group, LANES, Lanes, Look, Region, Search, Seen, Sort, State, bits_of, cells_of_block,
     is_in_block, offset_of, steepest_in_quarter,
 };
+use super::directions::Directions;
 use super::falling::{ROUNDING, falling_slope2};
 use super::own::own_bound;
 
@@ -14,17 +15,28 @@ use super::own::own_bound;
 /// takes hours for cones that hardly differ.
 const MOST_IMAGES: i64 = 4096;
 
+/// What is below the best by no more than this is not known to be below it.
+const CAUTION: f64 = 1.0 - 1e-12;
+
 /// Cones that a falling ray leaves after one entry at most.
 pub(super) struct Relaxed {
     /// How many tiles away, along either axis, a point may be nearer than the highest point of the nearest tiles.
     tiles: [i64; 2],
+    directions: Directions,
+    /// The longest way inside of a texel's square.
+    diagonal_m: f64,
 }
 
 impl Relaxed {
     /// For that map; none where too many images would have to be looked at.
     pub fn new(map: &HeightMap, texel_m: [f64; 2]) -> Option<Self> {
+        let of = |tiles| Self {
+            tiles,
+            directions: Directions::new(map),
+            diagonal_m: texel_m[0].hypot(texel_m[1]),
+        };
         if map.wrap() == Wrap::Clamp {
-            return Some(Self { tiles: [0; 2] });
+            return Some(of([0; 2]));
         }
         // Some image of the highest point is in the tile around an apex, and so not farther than a tile's diagonal. A patch that
         // rises in the nearest image may fall in another.
@@ -32,7 +44,7 @@ impl Relaxed {
         let diagonal = tile_m[0].hypot(tile_m[1]);
         let tiles = tile_m.map(|side| ((diagonal / side).ceil() + 1.0).min(1e6) as i64);
         let images: i64 = tiles.iter().map(|tiles| 2 * tiles + 1).product();
-        (images <= MOST_IMAGES).then_some(Self { tiles })
+        (images <= MOST_IMAGES).then(|| of(tiles))
     }
 
     /// What the four cells around the centre ask for, which hold the apexes: the least of two bounds. And the squared slope
@@ -50,14 +62,21 @@ impl Relaxed {
         let (texel_m, half) = (search.places.texel_m, search.places.region.half());
         let bound = own_bound(&around, texel_m, half);
         let per_side = texel_m.map(|side| 1.0 / side);
-        let (mut whole, mut gradient2) = (0.0f64, 0.0f64);
-        for seen in Seen::around([0, 0], &around) {
-            let [column, row] = seen.offset.map(|offset| if offset == 0 { 2 } else { 0 });
+        let cells = Seen::around([0, 0], &around);
+        let mut gradient2 = 0.0f64;
+        for seen in &cells {
+            let [column, row] = [usize::from(seen.offset[0] == 0) * 2, usize::from(seen.offset[1] == 0) * 2];
             let quarter = [around[1][1], around[1][column], around[row][1], around[row][column]];
             gradient2 = gradient2.max(steepest_in_quarter(quarter, per_side));
-            whole = search.to_cell(simd, apexes, &seen, whole);
         }
-        [whole.max(gradient2).min(bound * bound), gradient2]
+        let mut whole = gradient2;
+        for seen in &cells {
+            if whole >= bound * bound {
+                break;
+            }
+            whole = search.to_cell(simd, apexes, seen, whole);
+        }
+        [whole.min(bound * bound), gradient2]
     }
 
     /// Raises `best` to what the falling part of a cell asks for, when the cell falls anywhere.
@@ -89,10 +108,16 @@ impl Relaxed {
         if bound > *best {
             // From inside the square the way leads over the rim: its slope is a mean of those before and behind, of which the
             // first part is no longer than the square's diagonal.
-            let rim = search.to_cell(simd, apexes, seen, 0.0).sqrt();
             let (gradient, far) = (gradient2.sqrt(), distance2.sqrt());
-            let diagonal = (2.0 * half) * places.texel_m[0].hypot(places.texel_m[1]);
-            let within = rim + (gradient - rim).max(0.0) * (diagonal / (diagonal + far));
+            let inside = self.diagonal_m / (self.diagonal_m + far);
+            // Below this slope from the rim the way is not steeper than the best, whatever is inside.
+            let steepest = best.sqrt();
+            let least = ((steepest - gradient.max(steepest) * inside) / (1.0 - inside)).max(0.0) * CAUTION;
+            let rim = search.to_cell(simd, apexes, seen, least * least).sqrt();
+            if rim <= least {
+                return;
+            }
+            let within = rim + (gradient - rim).max(0.0) * inside;
             *best = (within * within).min(bound).min(rise * rise / distance2).max(*best);
         }
     }
@@ -117,9 +142,9 @@ impl Sort for Relaxed {
         let mut best = [0.0; LANES];
         let (group, seeds) = (&mut state.group, &mut state.seeds[texel[0] as usize..]);
         group.begin(texel);
-        let gradients2 = [0.0; LANES];
+        let (lows, gradients2) = (apexes.each_ref().map(|apexes| apexes.low), [0.0; LANES]);
         let mut falling =
-            Falling { relaxed: self, search, apexes: &apexes, gradients2, best: &mut best, seeds };
+            Falling { relaxed: self, search, apexes: &apexes, lows, gradients2, best: &mut best, seeds };
         for lane in 0..count {
             let apexes = &apexes[lane];
             if region == Region::Footprint {
@@ -128,12 +153,7 @@ impl Sort for Relaxed {
             }
             search.walk.lower(group, lane, apexes.low);
         }
-        let lanes = (1 << count) - 1;
-        for first in cells_of_block() {
-            for lane in bits_of(lanes & falling.may_fall_in_block(simd, &block, first)) {
-                falling.raise(simd, lane, &block.cell(lane, first));
-            }
-        }
+        // What was steepest for the row above, then the nearest cells: after these little else is steeper.
         for lane in 0..count {
             search.walk.raise_bar(group, lane, falling.best[lane]);
             if let Some(seed) = falling.seeds[lane] {
@@ -141,6 +161,15 @@ impl Sort for Relaxed {
                 only[lane] = 1.0;
                 falling.look(simd, group, &only, seed, f64::from(search.field.map.texel(seed[0], seed[1])));
             }
+        }
+        let lanes = (1 << count) - 1;
+        for first in cells_of_block() {
+            for lane in bits_of(lanes & falling.may_matter_in_block(simd, &block, first)) {
+                falling.raise(simd, lane, &block.cell(lane, first));
+            }
+        }
+        for lane in 0..count {
+            search.walk.raise_bar(group, lane, falling.best[lane]);
         }
         search.walk.walk(simd, group, self.tiles, &mut falling);
         best
@@ -152,6 +181,8 @@ struct Falling<'a, 'b> {
     relaxed: &'b Relaxed,
     search: &'b Search<'a>,
     apexes: &'b [Apexes; LANES],
+    /// The lowest apexes.
+    lows: Lanes,
     /// Squared slopes of the surface itself in the squares.
     gradients2: Lanes,
     best: &'b mut Lanes,
@@ -171,18 +202,29 @@ impl Falling<'_, '_> {
 }
 
 impl Falling<'_, '_> {
-    /// The lanes, a bit each, whose cell that begins at a vertex of the block may fall.
+    /// The lanes, a bit each, whose cell that begins at a vertex of the block may fall, and be steeper than the best.
     #[inline(always)]
-    fn may_fall_in_block<S: Simd>(&self, simd: S, block: &Block, first: usize) -> u64 {
+    fn may_matter_in_block<S: Simd>(&self, simd: S, block: &Block, first: usize) -> u64 {
         let corners = block.corners(first);
-        let [x, y] = offset_of(first);
-        let (x, y) = (simd.splat_f64s(x as f64), simd.splat_f64s(y as f64));
+        let [x, y] = offset_of(first).map(|offset| offset as f64);
+        let distance2 = simd.splat_f64s(self.search.places.distance2([x, y], [x + 1.0, y + 1.0]));
+        let (x, y) = (simd.splat_f64s(x), simd.splat_f64s(y));
         let half = simd.splat_f64s(self.search.places.region.half());
+        let zero = simd.splat_f64s(0.0);
         let mut may = [0; LANES];
         for (part, may) in S::as_mut_simd_u64s(&mut may).0.iter_mut().enumerate() {
-            let at = |corner: usize| S::as_simd_f64s(corners[corner]).0[part];
-            let falls = may_fall(simd, [at(0), at(1), at(2), at(3)], x, y, half);
-            *may = simd.select_u64s(falls, S::as_simd_u64s(&BITS).0[part], simd.splat_u64s(0));
+            let [h00, h10, h01, h11] = [
+                S::as_simd_f64s(corners[0]).0[part],
+                S::as_simd_f64s(corners[1]).0[part],
+                S::as_simd_f64s(corners[2]).0[part],
+                S::as_simd_f64s(corners[3]).0[part],
+            ];
+            let falls = may_fall(simd, [h00, h10, h01, h11], x, y, half);
+            let highest = simd.max_f64s(simd.max_f64s(h00, h10), simd.max_f64s(h01, h11));
+            let rise = simd.max_f64s(simd.sub_f64s(highest, S::as_simd_f64s(&self.lows).0[part]), zero);
+            let least = simd.mul_f64s(S::as_simd_f64s(self.best).0[part], distance2);
+            let matters = simd.and_m64s(falls, simd.less_than_f64s(least, simd.mul_f64s(rise, rise)));
+            *may = simd.select_u64s(matters, S::as_simd_u64s(&BITS).0[part], simd.splat_u64s(0));
         }
         may.into_iter().fold(0, |all, bit| all | bit)
     }
@@ -213,6 +255,11 @@ const COLUMNS: Lanes = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 impl Look for Falling<'_, '_> {
     const HIGHEST_CORNERS: bool = true;
+
+    #[inline(always)]
+    fn may_matter(&self, level: u32, at: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool {
+        self.relaxed.directions.may_fall(level, at, from, to)
+    }
 
     #[inline(always)]
     fn look<S: Simd>(
@@ -261,15 +308,15 @@ fn may_fall<S: Simd>(
     let (right, down) = (simd.add_f64s(x, one), simd.add_f64s(y, one));
     let (above, below) = (simd.sub_f64s(h10, h00), simd.sub_f64s(h11, h01));
     let (left, beyond) = (simd.sub_f64s(h01, h00), simd.sub_f64s(h11, h10));
-    // The least over the apexes of the slope at a corner, towards it.
-    let least = |along_x: S::f64s, along_y: S::f64s, x: S::f64s, y: S::f64s| {
-        let size = simd.add_f64s(simd.abs_f64s(along_x), simd.abs_f64s(along_y));
-        let centre = simd.add_f64s(simd.mul_f64s(along_x, x), simd.mul_f64s(along_y, y));
-        simd.sub_f64s(centre, simd.mul_f64s(half, size))
-    };
     let least = simd.min_f64s(
-        simd.min_f64s(least(above, left, x, y), least(above, beyond, right, y)),
-        simd.min_f64s(least(below, left, x, down), least(below, beyond, right, down)),
+        simd.min_f64s(
+            least_towards(simd, [above, left], [x, y], half),
+            least_towards(simd, [above, beyond], [right, y], half),
+        ),
+        simd.min_f64s(
+            least_towards(simd, [below, left], [x, down], half),
+            least_towards(simd, [below, beyond], [right, down], half),
+        ),
     );
     let size = simd.add_f64s(
         simd.add_f64s(simd.abs_f64s(above), simd.abs_f64s(below)),
@@ -278,6 +325,14 @@ fn may_fall<S: Simd>(
     let reach = simd.add_f64s(simd.add_f64s(simd.abs_f64s(x), simd.abs_f64s(y)), simd.splat_f64s(2.0));
     let rounding = simd.mul_f64s(simd.mul_f64s(size, reach), simd.splat_f64s(ROUNDING));
     simd.less_than_or_equal_f64s(least, rounding)
+}
+
+/// The least over the apexes of the slope at a corner, towards it.
+#[inline(always)]
+fn least_towards<S: Simd>(simd: S, along: [S::f64s; 2], place: [S::f64s; 2], half: S::f64s) -> S::f64s {
+    let size = simd.add_f64s(simd.abs_f64s(along[0]), simd.abs_f64s(along[1]));
+    let centre = simd.add_f64s(simd.mul_f64s(along[0], place[0]), simd.mul_f64s(along[1], place[1]));
+    simd.sub_f64s(centre, simd.mul_f64s(half, size))
 }
 
 /// The square of what `A - Dxy` over the distance is at most: the last bound of the proof.
