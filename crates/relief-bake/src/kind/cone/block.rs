@@ -29,12 +29,6 @@ pub(in crate::kind) fn is_in_block(cell: [i64; 2]) -> bool {
     cell.iter().all(|x| (-(REACH as i64)..REACH as i64).contains(x))
 }
 
-/// Whether all cells around a vertex at that offset are.
-#[inline(always)]
-pub(in crate::kind) fn is_inside_block(vertex: [i64; 2]) -> bool {
-    vertex.iter().all(|x| x.abs() < REACH as i64)
-}
-
 /// The vertex so many columns and rows from the centre.
 pub(super) const fn vertex_at(column: isize, row: isize) -> usize {
     (CENTRE as isize + row * SIDE as isize + column) as usize

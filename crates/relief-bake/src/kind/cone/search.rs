@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use relief::{HeightMap, Wrap};
 
 use super::apexes::{APEXES, Apexes, PerApex, Places, Region};
-use super::block::{Block, Lanes, is_in_block, is_inside_block};
+use super::block::{Block, Lanes, is_in_block};
 use super::encoding::ratio;
 use super::field::{Field, Seen};
 use super::near::{Near, NearRow};
@@ -240,9 +240,6 @@ impl Look for Steepest<'_, '_> {
         for lane in (0..LANES).filter(|lane| excess[*lane] > 0.0) {
             let (search, apexes, best) = (self.search, &self.apexes[lane], &mut self.best[lane]);
             let by = [0, 1].map(|axis| vertex[axis] - apexes.texel[axis]);
-            if is_inside_block(by) {
-                continue;
-            }
             let before = *best;
             let slopes = search.places.to_vertex(simd, apexes, by, height);
             *best = most(&slopes).max(*best);

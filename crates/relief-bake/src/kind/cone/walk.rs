@@ -4,6 +4,7 @@ use pulp::Simd;
 use relief::{HeightMap, Wrap};
 
 use super::super::levels::Levels;
+use super::block::REACH;
 
 /// Texels of a row that are searched for at once. They share the walk through the pyramid, and the compiler compares them
 /// together; more of them share fewer of their nodes.
@@ -102,6 +103,8 @@ struct Rows {
     is_ahead: bool,
     /// Squared distance along `v` from the apexes to the nearest row, and to the cells before it, in longer sides of a texel.
     near2: [f32; 2],
+    /// Vertices of these rows that are fewer columns away from a texel have only cells of its block around them.
+    block: f32,
 }
 
 /// An image of the map as seen from a group.
@@ -145,7 +148,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Looks for a lane at every vertex that may itself be steeper for the lane than its
-    /// bar, or may be a corner of a cell that holds a steeper point. In the map and in its images at most so many
+    /// bar, or may be a corner of a cell that holds a steeper point, unless all cells around it are in the lane's block. In the map and in its images at most so many
     /// tiles away; images are looked at outward until their highest point is too far to matter to any lane.
     ///
     /// A cell that is steeper than all of its corners at their distance is so by little: a segment of length `a` at least the
@@ -273,7 +276,8 @@ impl<'a> Walk<'a> {
     fn rows(&self, [from, to]: [f32; 2]) -> Rows {
         let away = at_least(at_least(from, -to), 0.0) - self.half;
         let (vertex, cell) = (at_least(away, 0.0) * self.sides[1], at_least(away - 1.0, 0.0) * self.sides[1]);
-        Rows { is_ahead: from + to > 0.0, near2: [vertex * vertex, cell * cell] }
+        let block = if at_least(to, -from) < REACH as f32 { REACH as f32 } else { 0.0 };
+        Rows { is_ahead: from + to > 0.0, near2: [vertex * vertex, cell * cell], block }
     }
 
     /// For each lane a positive number if a vertex in sight may matter to it; nothing if to none.
@@ -283,6 +287,7 @@ impl<'a> Walk<'a> {
         let [square_s, square_g] = sight.rows.near2;
         let (square_s, square_g) = (simd.splat_f32s(square_s), simd.splat_f32s(square_g));
         let (from, to) = (simd.splat_f32s(sight.columns[0]), simd.splat_f32s(sight.columns[1]));
+        let block = simd.splat_f32s(sight.rows.block);
         let (highest, ax) = (simd.splat_f32s(sight.highest), simd.splat_f32s(self.sides[0]));
         let (half, reach) = (simd.splat_f32s(self.half), simd.splat_f32s(self.half + 1.0));
         let mut excess = [0.0; LANES];
@@ -297,13 +302,16 @@ impl<'a> Walk<'a> {
             let open = simd.max_f32s(simd.sub_f32s(g2, quarter), zero);
             let rise = simd.max_f32s(simd.sub_f32s(highest, S::as_simd_f32s(&group.low).0[part]), zero);
             let bar = S::as_simd_f32s(&group.bar).0[part];
-            *excess = if L::HIGHEST_CORNERS {
+            let farthest = simd.max_f32s(simd.sub_f32s(by, from), simd.sub_f32s(to, by));
+            let is_done = simd.less_than_f32s(farthest, block);
+            let over = if L::HIGHEST_CORNERS {
                 simd.sub_f32s(simd.mul_f32s(rise, rise), simd.mul_f32s(bar, g2))
             } else {
                 let rise = simd.mul_f32s(rise, simd.max_f32s(g2, quarter));
                 let bar = simd.mul_f32s(simd.mul_f32s(bar, s2), simd.mul_f32s(open, open));
                 simd.sub_f32s(simd.mul_f32s(rise, rise), bar)
             };
+            *excess = simd.select_f32s(is_done, zero, over);
             any |= simd.first_true_m32s(simd.less_than_f32s(zero, *excess)) < S::F32_LANES;
         }
         any.then_some(excess)
