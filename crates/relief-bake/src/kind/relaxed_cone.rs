@@ -98,7 +98,7 @@ pub const KIND: Kind = Kind {
 ///   `-Dxy` at a corner of the two boxes, and the distance is at least that of the boxes.
 ///
 /// For the four patches around the centre, which hold the apexes, the last bound is refined: see the module `own`. So no
-/// relaxed cone is narrower than that of `cone`, and none is wider than the supremum allows; between the two the bounds leave it
+/// relaxed cone is narrower than that of `cone` from the same apexes, and none is wider than the supremum allows; between the two the bounds leave it
 /// where a patch falls in part only. Maps that are so much longer than wide that thousands of images are near get the cones of `cone`.
 ///
 /// # Errors
