@@ -348,3 +348,28 @@ fn correlation(a: &[f64], b: &[f64]) -> f64 {
         |f: fn(f64, f64) -> f64| a.iter().zip(b).map(|(a, b)| f(a - mean_a, b - mean_b)).sum::<f64>();
     product(|a, b| a * b) / (product(|a, _| a * a) * product(|_, b| b * b)).sqrt()
 }
+
+#[test]
+fn a_picture_is_true_to_the_metres_of_the_file() {
+    let folder = with_map("cobbles.png");
+    let normals = bake(&folder, "exr", "--scale 3 --tile-size 50,20");
+    folder.relief(&format!("height from-normals {normals} -o heights.exr")).fine();
+    let (_, span_m) = map(&folder.path("heights.exr")).stated_lengths_m().expect("the file says it");
+    let of = |flags: &str| {
+        let line = format!("render --height heights.exr --size 40x30 --backend cpu -o out.png {flags}");
+        let said = json_of(&folder.relief(&format!("{line} --json")).fine());
+        let [scale_m, bias_m] = ["scale_m", "bias_m"].map(|key| said[key].as_f64().expect("a number"));
+        assert_eq!(bias_m, -scale_m, "{flags}");
+        (scale_m, folder.relief(&line).fine().stdout.contains("--scale"))
+    };
+    // A tile of 50 m by 20 m on one of 1 m by 1 m.
+    let (once, is_said) = of("");
+    assert!(is_said && (once * 1000f64.sqrt() / span_m - 1.0).abs() < 1e-12, "{once} for {span_m}");
+    let (twice, _) = of("--tile 2,2");
+    assert!((twice / once - 0.5).abs() < 1e-6, "{twice} and {once}");
+    assert_eq!(of("--scale 0.07"), (0.07, false));
+    // A file that states nothing.
+    let folder_map =
+        folder.relief("render --height map.png --size 40x30 --backend cpu -o out.png --json").fine();
+    assert_eq!(json_of(&folder_map)["scale_m"], 0.05);
+}

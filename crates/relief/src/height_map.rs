@@ -230,6 +230,15 @@ impl HeightMap {
         self.wrap
     }
 
+    /// The world lengths that the source states: of the tile along `u` and `v`, and from height 0 to height 1, in metres. `None`
+    /// where it does not state both, or the relief is level.
+    pub fn stated_lengths_m(&self) -> Option<([f64; 2], f64)> {
+        let ([u, v], [zero, one]) = (self.texel_size_m?, self.physical_range?);
+        let tile_m = [u * f64::from(self.width), v * f64::from(self.height)];
+        let span_m = (one - zero).abs();
+        (span_m > 0.0).then_some((tile_m, span_m))
+    }
+
     /// Displacement, in metres, of texel 1 above texel 0.
     #[inline]
     pub fn scale_m(&self) -> f64 {
@@ -326,5 +335,16 @@ mod tests {
         assert!(matches!(HeightMap::check_size(100_000, 100_000), Err(HeightMapError::TooLarge { .. })));
         assert!(ramp(Wrap::Clamp).with_displacement(f64::NAN, 0.0).is_err());
         assert!(ramp(Wrap::Clamp).with_texel_size_m([1.0, 0.0]).is_err());
+    }
+
+    #[test]
+    fn world_lengths_are_known_where_both_are_stated() {
+        let map = ramp(Wrap::Clamp);
+        assert_eq!(map.stated_lengths_m(), None);
+        let map = map.with_texel_size_m([2.0, 5.0]).expect("positive");
+        assert_eq!(map.stated_lengths_m(), None);
+        let depth = map.clone().with_physical_range([40.0, 10.0]).expect("finite");
+        assert_eq!(depth.stated_lengths_m(), Some(([8.0, 10.0], 30.0)));
+        assert_eq!(map.with_physical_range([7.0, 7.0]).expect("finite").stated_lengths_m(), None);
     }
 }

@@ -61,7 +61,8 @@ pub struct Arguments {
     /// Base mesh: plane, cube, cylinder, sphere or torus [default: plane]
     #[arg(long, value_name = "MESH", help_heading = "Maps and mesh")]
     mesh: Option<Builtin>,
-    /// Metres of displacement between heights 0 and 1 [default: 0.05]
+    /// Metres of displacement between heights 0 and 1 [default: true to the tile where the height map's file states metres,
+    /// else 0.05]
     #[arg(long, value_name = "M", allow_hyphen_values = true, help_heading = "Maps and mesh")]
     scale: Option<f64>,
     /// Displacement of height 0 in metres [default: -scale, carved into the surface]
@@ -144,7 +145,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             .map_err(|error| arguments.of_render(error))?
     };
     write(arguments, &scene, &rendered)?;
-    report(arguments, &rendered, provided.as_ref())
+    report(arguments, &spec, &scene, &rendered, provided.as_ref())
 }
 
 impl Arguments {
@@ -249,7 +250,13 @@ fn write(arguments: &Arguments, scene: &Scene, rendered: &Rendered) -> Result<()
         .map_err(Failure::work)
 }
 
-fn report(arguments: &Arguments, rendered: &Rendered, provided: Option<&Provided>) -> Result<(), Failure> {
+fn report(
+    arguments: &Arguments,
+    spec: &SceneSpec,
+    scene: &Scene,
+    rendered: &Rendered,
+    provided: Option<&Provided>,
+) -> Result<(), Failure> {
     let Rendered { rendering, backend, device, reason, selection, elapsed } = rendered;
     let covered = rendering.pixels.iter().filter(|pixel| pixel.hit == 1);
     let exhausted = covered.clone().filter(|pixel| pixel.exhausted == 1).count();
@@ -257,6 +264,7 @@ fn report(arguments: &Arguments, rendered: &Rendered, provided: Option<&Provided
     let covered = covered.count();
     let mean = if covered == 0 { 0.0 } else { reads as f64 / covered as f64 };
     let seconds = elapsed.as_secs_f64();
+    let map = scene.height_map();
     let mut out = io::stdout().lock();
     if arguments.json {
         // Names that are no Unicode have no exact form in JSON.
@@ -266,6 +274,7 @@ fn report(arguments: &Arguments, rendered: &Rendered, provided: Option<&Provided
             "backend": backend, "device": device, "reason": reason, "seconds": seconds,
             "search": selection.search.name, "refine": selection.refine.name,
             "covered": covered, "exhausted": exhausted, "mean_reads": mean,
+            "scale_m": map.scale_m(), "bias_m": map.bias_m(),
             "search_map": provided.map(Provided::json),
         });
         writeln!(out, "{about:#}")?;
@@ -278,6 +287,13 @@ fn report(arguments: &Arguments, rendered: &Rendered, provided: Option<&Provided
         "{}: {width}x{height}, {search} + {refine}, on the {backend} ({device}) in {seconds:.2} s, {mean:.1} reads a pixel",
         arguments.output.display()
     )?;
+    if spec.scale.is_none() && map.stated_lengths_m().is_some() {
+        let scale_m = values::six_digits(map.scale_m());
+        writeln!(
+            out,
+            "scale {scale_m} m: true to the metres that the height map's file states; --scale exaggerates"
+        )?;
+    }
     if let Some(provided) = provided {
         writeln!(out, "{}", provided.line())?;
     }

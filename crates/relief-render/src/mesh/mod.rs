@@ -133,6 +133,22 @@ impl Mesh {
         }
     }
 
+    /// Metres for each tile along `u` and `v`, on the mean over the mesh's area; 0 for a mesh without any.
+    pub fn tile_m(&self) -> [f64; 2] {
+        let (mut lengths, mut areas) = ([0.0; 2], 0.0);
+        for triangle in 0..self.triangles.len() as u32 {
+            let corners = self.corners(triangle);
+            let [a, b, c] = corners.map(|corner| corner.position);
+            let area = 0.5 * f64::from((b - a).cross(c - a).length());
+            for corner in corners {
+                lengths[0] += area / 3.0 * f64::from(corner.tangent.length());
+                lengths[1] += area / 3.0 * f64::from(corner.bitangent.length());
+            }
+            areas += area;
+        }
+        lengths.map(|length| if areas > 0.0 { length / areas } else { 0.0 })
+    }
+
     /// The same mesh with `tile` times as many tiles along `u` and `v`: texture coordinates are multiplied, tangents
     /// and bitangents divided.
     ///

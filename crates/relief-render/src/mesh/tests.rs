@@ -170,3 +170,19 @@ proptest! {
         prop_assert!((most - Vec2::new(u, v)).abs().max_element() < 1e-4);
     }
 }
+
+#[test]
+fn the_length_of_a_tile_is_that_of_the_tangents() {
+    let is_near = |[u, v]: [f64; 2], [x, y]: [f64; 2]| (u - x).abs() < 1e-6 && (v - y).abs() < 1e-6;
+    assert!(is_near(build(Builtin::Plane, 3).tile_m(), [1.0, 1.0]));
+    let tiled = build(Builtin::Plane, 3).tiled(Vec2::new(4.0, 0.5)).expect("positive factors");
+    assert!(is_near(tiled.tile_m(), [0.25, 2.0]));
+    for kind in [Builtin::Cube, Builtin::Cylinder, Builtin::Sphere, Builtin::Torus] {
+        let mesh = build(kind, 24);
+        let lengths = mesh.vertices().iter().map(|vertex| f64::from(vertex.tangent.length()));
+        let (least, most) = lengths.fold((f64::MAX, 0.0f64), |(least, most), x| (least.min(x), most.max(x)));
+        let [u, v] = mesh.tile_m();
+        assert!(u >= least - 1e-6 && u <= most + 1e-6 && v > 0.0, "{kind:?}: {u} {v}, {least} to {most}");
+    }
+    assert_eq!(Mesh::new(Vec::new(), Vec::new()).expect("an empty mesh").tile_m(), [0.0; 2]);
+}

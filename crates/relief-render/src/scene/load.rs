@@ -31,7 +31,7 @@ const BYTES_PER_BAKED: u64 = 16 + 5 * 4 + 6;
 /// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the first part.
 const NORMAL_BYTES: [u64; 2] = [12, 16];
 
-/// The displacement between heights 0 and 1 when nothing else is said, in metres.
+/// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything, in metres.
 const DEFAULT_SCALE_M: f64 = 0.05;
 
 /// The largest length and coordinate in metres, a million kilometres. The shaders multiply four of them in `f32`: much
@@ -49,8 +49,10 @@ struct Parts {
     lights: Option<Vec<Light>>,
     material: Material,
     method: MethodChoice,
-    scale_m: f64,
-    bias_m: f64,
+    /// Unless the height map's file is to say it.
+    scale_m: Option<f64>,
+    /// Minus the scale if none.
+    bias_m: Option<f64>,
 }
 
 impl SceneSpec {
@@ -135,12 +137,8 @@ impl SceneSpec {
     }
 
     fn parts(&self) -> Result<Parts, ValueError> {
-        let scale_m = self.scale.unwrap_or(DEFAULT_SCALE_M);
-        if !(0.0..=MAX_METRES).contains(&scale_m) {
-            return Err(ValueProblem::Number { value: scale_m, must: "from 0 to 1e9 metres" }.of("scale"));
-        }
-        let bias_m = self.bias.unwrap_or(-scale_m);
-        check_metres("bias", &[bias_m])?;
+        self.scale.map_or(Ok(()), check_scale)?;
+        check_metres("bias", self.bias.as_slice())?;
         check_metres("eye", self.eye.as_ref().map_or(&[], |eye| eye))?;
         check_metres("target", self.target.as_ref().map_or(&[], |target| target))?;
         for position in self.lights.iter().flatten().filter_map(|light| light.position.as_ref()) {
@@ -177,14 +175,17 @@ impl SceneSpec {
             lights: self.lights()?,
             material: self.material()?,
             method: self.method_choice()?,
-            scale_m,
-            bias_m,
+            scale_m: self.scale,
+            bias_m: self.bias,
         })
     }
 
     fn builder(&self, parts: Parts, height_map: HeightMap) -> Result<SceneBuilder, ValueError> {
+        let scale_m = parts.scale_m.or_else(|| stated_scale_m(&height_map, &parts.mesh));
+        let scale_m = scale_m.unwrap_or(DEFAULT_SCALE_M);
+        check_scale(scale_m)?;
         let height_map = height_map
-            .with_displacement(parts.scale_m, parts.bias_m)
+            .with_displacement(scale_m, parts.bias_m.unwrap_or(-scale_m))
             .map_err(|error| ValueProblem::from(error).of("scale"))?;
         let mut builder = Scene::builder(height_map)
             .mesh(parts.mesh)
@@ -278,6 +279,21 @@ fn key_of(error: &MethodError) -> &'static str {
         MethodError::Impossible { stage, .. } => stage,
     };
     if stage == "refinement" { "refine" } else { stage }
+}
+
+fn check_scale(scale_m: f64) -> Result<(), ValueError> {
+    if (0.0..=MAX_METRES).contains(&scale_m) {
+        return Ok(());
+    }
+    Err(ValueProblem::Number { value: scale_m, must: "from 0 to 1e9 metres" }.of("scale"))
+}
+
+/// The displacement between heights 0 and 1 that gives the relief the proportions that the height map's file states: as deep to
+/// a tile of the mesh as to one of its own.
+fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
+    let (tile_m, span_m) = map.stated_lengths_m()?;
+    let [u, v] = mesh.tile_m();
+    Some(span_m * (u / tile_m[0] * (v / tile_m[1])).sqrt())
 }
 
 /// Refuses lengths and coordinates that `f32` cannot reckon with.

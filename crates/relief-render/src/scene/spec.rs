@@ -34,7 +34,8 @@ pub struct SceneSpec {
     /// How the maps go on beyond their edges: `repeat` (default), `clamp` or `mirror`.
     #[serde(deserialize_with = "parsed")]
     pub wrap: Option<Wrap>,
-    /// Metres of displacement between heights 0 and 1. By default 0.05.
+    /// Metres of displacement between heights 0 and 1. By default in proportion to the mesh's tile where the height map's file
+    /// states metres, else 0.05.
     pub scale: Option<f64>,
     /// Displacement of height 0 in metres. By default minus the scale: the relief is carved into the surface.
     pub bias: Option<f64>,
