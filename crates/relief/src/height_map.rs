@@ -233,10 +233,15 @@ impl HeightMap {
     /// The world lengths that the source states: of the tile along `u` and `v`, and from height 0 to height 1, in metres. `None`
     /// where it does not state both, or the relief is level.
     pub fn stated_lengths_m(&self) -> Option<([f64; 2], f64)> {
-        let ([u, v], [zero, one]) = (self.texel_size_m?, self.physical_range?);
-        let tile_m = [u * f64::from(self.width), v * f64::from(self.height)];
+        let (tile_m, [zero, one]) = (self.stated_tile_m()?, self.physical_range?);
         let span_m = (one - zero).abs();
         (span_m > 0.0).then_some((tile_m, span_m))
+    }
+
+    /// Length of the tile along `u` and `v` in metres, where the source states it.
+    pub fn stated_tile_m(&self) -> Option<[f64; 2]> {
+        let [u, v] = self.texel_size_m?;
+        Some([u * f64::from(self.width), v * f64::from(self.height)])
     }
 
     /// Displacement, in metres, of texel 1 above texel 0.
@@ -342,7 +347,7 @@ mod tests {
         let map = ramp(Wrap::Clamp);
         assert_eq!(map.stated_lengths_m(), None);
         let map = map.with_texel_size_m([2.0, 5.0]).expect("positive");
-        assert_eq!(map.stated_lengths_m(), None);
+        assert_eq!((map.stated_lengths_m(), map.stated_tile_m()), (None, Some([8.0, 10.0])));
         let depth = map.clone().with_physical_range([40.0, 10.0]).expect("finite");
         assert_eq!(depth.stated_lengths_m(), Some(([8.0, 10.0], 30.0)));
         assert_eq!(map.with_physical_range([7.0, 7.0]).expect("finite").stated_lengths_m(), None);

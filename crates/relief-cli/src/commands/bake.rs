@@ -356,10 +356,7 @@ fn cancelled() -> Failure {
 
 /// The metric asked for, or that of a georeferenced file, or a tile of 1 m with a shallow relief.
 fn metric(arguments: &Arguments, map: &HeightMap) -> Result<Metric, Failure> {
-    let stated = map.stated_lengths_m();
-    let texel_m = map.texel_size_m();
-    let tile = texel_m.map(|[u, v]| [u * f64::from(map.width()), v * f64::from(map.height())]);
-    let tile = arguments.tile_size.or(tile).unwrap_or([1.0, 1.0]);
-    let span = stated.map(|(_, span)| span);
+    let tile = arguments.tile_size.or(map.stated_tile_m()).unwrap_or([1.0, 1.0]);
+    let span = map.stated_lengths_m().map(|(_, span)| span);
     Metric::new(tile, arguments.scale.or(span).unwrap_or(DEFAULT_SCALE_M)).map_err(Failure::usage)
 }

@@ -223,8 +223,8 @@ impl<'a> Walk<'a> {
                     let columns = self.span(&image, 0, column, level);
                     let sight = Sight { columns, rows, highest: nodes.highest([column, row]) };
                     let [[left, right], [top, bottom]] = [
-                        self.around_columns(columns, image.is_mirrored[0]),
-                        self.around_rows(span, image.is_mirrored[1]),
+                        self.around(columns, LANES - 1, image.is_mirrored[0]),
+                        self.around(span, 0, image.is_mirrored[1]),
                     ];
                     if look.may_matter(level, [column, row], [left, top], [right, bottom])
                         && self.worth::<S, L>(simd, group, &sight).is_some()
@@ -258,17 +258,11 @@ impl<'a> Walk<'a> {
         [(image.begin[axis] + ends[0]) as f32, (image.begin[axis] + ends[1]) as f32]
     }
 
-    /// The least and the most columns, along the map, from the apexes of all lanes to the cells around those columns.
+    /// The least and the most columns or rows, along the map, from all apexes to the cells around those given, which are counted from
+    /// the first texel; the last texel is `lanes` behind it.
     #[inline(always)]
-    fn around_columns(&self, [from, to]: [f32; 2], is_mirrored: bool) -> [f32; 2] {
-        let around = [from - (LANES - 1) as f32 - 1.0 - self.half, to + 1.0 + self.half];
-        if is_mirrored { [-around[1], -around[0]] } else { around }
-    }
-
-    /// The same of rows.
-    #[inline(always)]
-    fn around_rows(&self, [from, to]: [f32; 2], is_mirrored: bool) -> [f32; 2] {
-        let around = [from - 1.0 - self.half, to + 1.0 + self.half];
+    fn around(&self, [from, to]: [f32; 2], lanes: usize, is_mirrored: bool) -> [f32; 2] {
+        let around = [from - lanes as f32 - 1.0 - self.half, to + 1.0 + self.half];
         if is_mirrored { [-around[1], -around[0]] } else { around }
     }
 
