@@ -30,6 +30,7 @@ use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings,
 pub const KIND: Kind = Kind {
     name: "bent-normal",
     summary: "the mean direction in which a texel sees the sky",
+    revision: 1,
     source: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
     params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, about the base normal",

@@ -70,6 +70,7 @@ const APEX: Param = Param {
 pub const KIND: Kind = Kind {
     name: "cone",
     summary: "the widest cone that stands on a texel and holds no surface",
+    revision: 1,
     source: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU",
         section: "4.3.5",

@@ -30,6 +30,7 @@ use crate::{BakeError, Cancelled, Channel, Progress, Rounding, Settings, Sink, S
 pub const KIND: Kind = Kind {
     name: "dilation-erosion",
     summary: "least and greatest height within a radius of every dual cell",
+    revision: 1,
     source: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU; Kolb and Rezk-Salama 2005, Efficient empty space skipping",
         section: "4.3.2",

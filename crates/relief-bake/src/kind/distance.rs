@@ -62,6 +62,7 @@ use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings,
 pub const KIND: Kind = Kind {
     name: "distance",
     summary: "distance to the relief from every point above it, a volume, for sphere tracing",
+    revision: 1,
     source: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "4.3.4" },
     params: &[SLICES, BITS],
     guarantee: "a trilinear fetch is at most the distance to the bilinear surface, in the metres of the bake's metric",

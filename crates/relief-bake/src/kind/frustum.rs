@@ -86,6 +86,7 @@ pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
 pub const KIND: Kind = Kind {
     name: "frustum",
     summary: "for every dual cell its top, and in each quadrant the least slope of an empty frustum on it",
+    revision: 1,
     source: Publication { paper: "Relief", section: "kind `frustum`" },
     params: PARAMS,
     guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \

@@ -93,6 +93,7 @@ pub(super) const TILES: Param = Param {
 pub const KIND: Kind = Kind {
     name: "horizon",
     summary: "sine of the horizon's elevation in some azimuths, for shadows of any light",
+    revision: 1,
     source: Publication {
         paper: "Max 1988; Timonen and Westerholm 2010; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.1",

@@ -33,6 +33,8 @@ pub struct Kind {
     pub name: &'static str,
     /// One line on what it holds.
     pub summary: &'static str,
+    /// Raised with every change of the values that are baked, so that maps kept from before are told apart.
+    pub revision: u32,
     /// Where it was published.
     pub source: Publication,
     /// Its parameters; one named `bits` quantises: 0 for floats, 8 or 16.

@@ -55,6 +55,7 @@ use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings,
 pub const KIND: Kind = Kind {
     name: "normal",
     summary: "unit normals, and in mip levels the moments of the slope that filtering needs",
+    revision: 1,
     source: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "2.1, 2.2" },
     params: &[PATCHES, WORLD, GREEN_DOWN, MIPS, BITS_TO_NEAREST],
     guarantee: "within (texel² / 6) max|third derivative| of the angle of a smooth surface's normal",

@@ -28,6 +28,7 @@ use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings,
 pub const KIND: Kind = Kind {
     name: "occlusion",
     summary: "the part of the sky's light that reaches a texel, about the base normal",
+    revision: 1,
     source: Publication { paper: "Zhukov, Iones and Kronin 1998; Timonen and Westerholm 2010", section: "" },
     params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, off by at most their mean error in radians and what is between azimuths",

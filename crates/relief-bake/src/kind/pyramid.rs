@@ -30,6 +30,7 @@ use crate::{BakeError, Cancelled, Channel, Progress, Rounding, Settings, Sink, S
 pub const KIND: Kind = Kind {
     name: "pyramid",
     summary: "least and greatest height over squares of 1, 2, 4 ... dual cells, as a mip chain",
+    revision: 1,
     source: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU; Tevs, Ihrke and Seidel 2008, Maximum mipmaps",
         section: "4.3.3",

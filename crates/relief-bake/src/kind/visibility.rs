@@ -62,6 +62,7 @@ const BAND: usize = 32;
 pub const KIND: Kind = Kind {
     name: "visibility",
     summary: "the point that is seen in each of some fixed directions, for shadows and light that bounces",
+    revision: 1,
     source: Publication { paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008", section: "6.2" },
     params: &[horizon::AZIMUTHS, ELEVATIONS, TILES, BITS_TO_NEAREST],
     guarantee: "the exact first hit with the bilinear surface, to rounding of f32",

@@ -1,0 +1,48 @@
+//! Every texel of every kind, with its defaults, of two maps in the three wraps.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use relief::{HeightMap, Wrap};
+use relief_bake::{Collected, KINDS, Kind, Metric, Progress, bake};
+use relief_io::{HeightOptions, read_height};
+
+use crate::hash::Bits;
+
+/// Elevations that do not tile and whose sides are no powers of two, and stones that do and are.
+const MAPS: [(&str, &str); 2] = [("elevation", "jacksboro.png"), ("cobbles", "cobbles.png")];
+
+/// The metric that the maps are baked in: unequal sides, so that none is taken for another.
+const METRIC: Metric = Metric { tile_m: [1.5, 1.25], scale_m: 0.1 };
+
+/// The hash of every map, by its kind, the kind's revision, the height map and the wrap.
+pub fn all() -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    for (name, file) in MAPS {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(file);
+        let map = read_height(&path, &HeightOptions::default()).expect("a shipped map");
+        for wrap in Wrap::ALL {
+            let map = map.clone().with_wrap(wrap);
+            for kind in KINDS {
+                found.insert(format!("{} {} {name} {wrap}", kind.name, kind.revision), hash(kind, &map));
+            }
+        }
+    }
+    found
+}
+
+fn hash(kind: &Kind, map: &HeightMap) -> String {
+    let mut sink = Collected::default();
+    bake(kind, map, METRIC, &kind.defaults(), &Progress::none(), &mut sink).expect("a bake");
+    let mut bits = Bits::default();
+    for baked in &sink.textures {
+        bits.text(baked.texture.name);
+        for (level, channels) in baked.levels.iter().enumerate() {
+            bits.text(&format!("{:?}", baked.texture.level_size(level)));
+            for (channel, texels) in baked.texture.channels.iter().zip(channels) {
+                bits.text(channel.name).floats(texels.iter().copied());
+            }
+        }
+    }
+    bits.short()
+}

@@ -1,0 +1,47 @@
+//! The shipped scenes by every method, on the CPU: colours, and every channel of numbers that a picture can be written as.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use relief_render::picture::aov;
+use relief_render::scene::{BackendChoice, SceneSpec, read_scene};
+use relief_render::{render, select};
+use relief_shaders::METHODS;
+use relief_tests::baked::search_map;
+
+use crate::hash::Bits;
+
+const SCENES: [&str; 5] = ["bricks", "cobbles", "jacksboro", "logo", "spikes"];
+
+const SIZE: [u32; 2] = [200, 150];
+
+/// The hash of every channel, by scene and method: the colours' first.
+pub fn all() -> BTreeMap<String, String> {
+    let scenes = SCENES.iter().flat_map(|scene| METHODS.iter().map(move |method| (*scene, method.name)));
+    scenes.map(|(scene, method)| (format!("{scene} {method}"), hashes(scene, method))).collect()
+}
+
+fn hashes(scene: &str, method: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(format!("{scene}.toml"));
+    let over = SceneSpec {
+        method: Some(method.to_owned()),
+        backend: Some(BackendChoice::Cpu),
+        size: Some(SIZE),
+        ..SceneSpec::default()
+    };
+    let scene =
+        read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
+    let selection = select(scene.method()).expect("a method");
+    let scene = match search_map(scene.height_map(), &selection) {
+        Some(map) => scene.with_search_map(map),
+        None => scene,
+    };
+    let rendering = render(&scene, &|_| {}).expect("a picture").rendering;
+    let pixels = rendering.pixels.iter();
+    let colors = pixels.flat_map(|pixel| [pixel.color.x, pixel.color.y, pixel.color.z, pixel.color.w]);
+    let mut said = vec![format!("color {}", Bits::default().floats(colors).short())];
+    for (name, values) in aov(&rendering) {
+        said.push(format!("{name} {}", Bits::default().floats(values).short()));
+    }
+    said.join(", ")
+}
