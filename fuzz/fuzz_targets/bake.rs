@@ -3,7 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 use relief_bake::{Collected, KINDS, Metric, Progress, bake};
 
 /// The longest side, in texels: every wrap and padding shows on small maps, and large ones only cost time.

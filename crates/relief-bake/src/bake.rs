@@ -1,9 +1,9 @@
 //! A kind's bake, with what is the same for all of them.
 
-use relief::{HeightMap, HeightMapError};
+use relief_core::{HeightMap, HeightMapError};
 
 use crate::kind::BITS;
-use crate::{Cancelled, Kind, Metric, Progress, Settings, Sink, SinkError, Source, quantise};
+use crate::{BakeInput, Cancelled, Kind, Metric, Progress, Settings, Sink, SinkError, quantise};
 
 /// Why there is no baked map.
 #[derive(Debug, thiserror::Error)]
@@ -43,7 +43,7 @@ pub fn bake(
 ) -> Result<(), BakeError> {
     let bits = bits_of_heights(kind, settings);
     let decoded = if bits == 0 { None } else { Some(quantise::heights(map, bits)?) };
-    let source = Source { map: decoded.as_ref().unwrap_or(map), metric };
+    let source = BakeInput { map: decoded.as_ref().unwrap_or(map), metric };
     (kind.bake)(&source, settings, progress, sink)
 }
 
@@ -63,7 +63,7 @@ pub fn bake_last(
 ) -> Result<(), BakeError> {
     let bits = bits_of_heights(kind, settings);
     let map = if bits == 0 { map } else { quantise::heights_in_place(map, bits)? };
-    (kind.bake)(&Source { map: &map, metric }, settings, progress, sink)
+    (kind.bake)(&BakeInput { map: &map, metric }, settings, progress, sink)
 }
 
 /// To how many bits heights are rounded before they are baked; 0 for none.

@@ -46,7 +46,7 @@ mod slopes;
 mod spectrum;
 
 use rayon::prelude::*;
-use relief::{HeightMap, HeightMapError, Wrap};
+use relief_core::{HeightMap, HeightMapError, Wrap};
 
 pub use self::green::{GreenFit, heights_from_either_green};
 pub use self::slopes::{NormalFaults, NormalSlopes, SHORTEST, UNIT_TOLERANCE};

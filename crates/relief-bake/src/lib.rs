@@ -1,6 +1,6 @@
 //! From a height map to every map that displacement mapping methods read.
 //!
-//! [`mod@kind`] lists the map kinds, one file each. A bake takes a [`Source`], which is a height map and the [`Metric`] that it
+//! [`mod@kind`] lists the map kinds, one file each. A bake takes a [`BakeInput`], which is a height map and the [`Metric`] that it
 //! is laid out in, and the kind's [`Settings`], and hands its [`Texture`]s to a [`Sink`] slice by slice, so that a volume
 //! need not fit in memory. [`Collected`] is the sink that keeps them; [`texels()`] is one of them as shaders take it.
 //!
@@ -30,9 +30,9 @@ pub use texels::texels;
 
 /// What a bake is made from.
 #[derive(Clone, Copy, Debug)]
-pub struct Source<'a> {
+pub struct BakeInput<'a> {
     /// The height map. When values are quantised its texels are the decoded ones.
-    pub map: &'a relief::HeightMap,
+    pub map: &'a relief_core::HeightMap,
     /// World lengths of the tile and the relief.
     pub metric: Metric,
 }

@@ -16,7 +16,7 @@
 mod colour;
 
 use rayon::prelude::*;
-use relief::{HeightMap, HeightMapError};
+use relief_core::{HeightMap, HeightMapError};
 
 pub use self::colour::ColourAlbedo;
 use crate::kind::normal::{Axes, Planes};

@@ -1,7 +1,7 @@
 //! Fewer bits, on the safe side.
 
 use rayon::prelude::*;
-use relief::{HeightMap, HeightMapError};
+use relief_core::{HeightMap, HeightMapError};
 
 use crate::Rounding;
 

@@ -1,6 +1,6 @@
 //! The numbers that a kind may be given.
 
-use relief::registry::Param;
+use relief_core::registry::Param;
 
 /// The values of a kind's parameters.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! One texture of a bake in memory, as shaders take it.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::{BakeError, Kind, Metric, Progress, Settings, Sink, SinkError, Texture, bake};
 
@@ -63,7 +63,7 @@ impl Sink for Kept<'_> {
 
 #[cfg(test)]
 mod tests {
-    use relief::Wrap;
+    use relief_core::Wrap;
 
     use super::*;
     use crate::{Collected, kind};

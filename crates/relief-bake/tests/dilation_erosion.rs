@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use relief::{HeightMap, MaxPyramid, Wrap};
 use relief_bake::kind::Reach;
 use relief_bake::kind::dilation_erosion::{KIND, window_bounds};
 use relief_bake::{Metric, Progress, quantise};
+use relief_core::{HeightMap, MaxPyramid, Wrap};
 use relief_tests::probes::place::Place;
 use relief_tests::probes::pyramid::holds;
 use relief_tests::probes::{dilation_erosion as probes, run, stored};
@@ -45,7 +45,7 @@ fn a_radius_beyond_the_map_sees_all_of_it() {
     let map = maps::ALL[3].build(Wrap::Mirror);
     let heights = map.texels().iter();
     let all = heights.fold([1.0f32, 0.0], |[low, high], &h| [h.min(low), h.max(high)]);
-    assert!(baked(&map, relief::MAX_SIDE, 0).iter().all(|bounds| *bounds == all));
+    assert!(baked(&map, relief_core::MAX_SIDE, 0).iter().all(|bounds| *bounds == all));
 }
 
 #[test]

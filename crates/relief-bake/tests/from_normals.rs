@@ -1,12 +1,12 @@
 //! Heights from normals: round trips, and a dense least-squares solution for comparison.
 
-use relief::{HeightMap, Wrap};
 use relief_bake::from_normals::{
     FromNormalsError, GreenFit, Integration, NormalFaults, NormalSlopes, heights_from_either_green,
     heights_from_normals, heights_from_slopes,
 };
 use relief_bake::kind::normal::{Axes, Derivative, normals};
 use relief_bake::{Metric, Progress, quantise};
+use relief_core::{HeightMap, Wrap};
 use relief_tests::maps;
 use relief_tests::maps::fractal;
 

@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use relief::{HeightMap, Wrap};
 use relief_bake::kind::horizon::{KIND, NEAR_STEPS, horizons};
 use relief_bake::{BakeError, Collected, Metric, Progress, bake};
+use relief_core::{HeightMap, Wrap};
 use relief_tests::brute::horizon as brute;
 use relief_tests::maps;
 
@@ -42,7 +42,7 @@ struct Bounds {
 fn each_horizon(map: &HeightMap, metric: Metric, mut judge: impl FnMut(u32, f64, f64, Bounds)) {
     let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
     horizons(map, metric, AZIMUTHS, 1, &Progress::none(), &mut |azimuth, sines| {
-        let ray = brute::Ray::new(TAU * f64::from(azimuth) / f64::from(AZIMUTHS), metric.texel_m(map));
+        let ray = brute::HorizonRay::new(TAU * f64::from(azimuth) / f64::from(AZIMUTHS), metric.texel_m(map));
         let [x, y] = ray.step.map(f64::abs);
         let (side, across) = if y > x { (map.height(), x) } else { (map.width(), y) };
         let reach = f64::from(side).max(64.0);

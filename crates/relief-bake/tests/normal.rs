@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use relief::{HeightMap, Wrap};
 use relief_bake::kind::normal::{Axes, Derivative, KIND, normals};
 use relief_bake::{BakeError, Collected, CollectedTexture, Metric, Progress, bake};
+use relief_core::{HeightMap, Wrap};
 use relief_tests::brute::normal as brute;
 use relief_tests::maps;
 
@@ -82,7 +82,7 @@ fn axes_follow_the_conventions() {
     assert!(tangent[2].iter().all(|&z| z > 0.0));
     let down = texture(&[("green_down", 1.0)]);
     let world = texture(&[("world", 1.0)]);
-    let frame = relief::TangentFrame {
+    let frame = relief_core::TangentFrame {
         tangent: [metric.tile_m[0], 0.0, 0.0].into(),
         bitangent: [0.0, 0.0, metric.tile_m[1]].into(),
         normal: [0.0, 1.0, 0.0].into(),

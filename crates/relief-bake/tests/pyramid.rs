@@ -2,10 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use relief::exact::cell_walk;
-use relief::{HeightMap, MaxPyramid, Wrap};
 use relief_bake::kind::pyramid::{KIND, pyramids};
 use relief_bake::{BakeError, Collected, CollectedTexture, Metric, Progress, bake};
+use relief_core::exact::cell_walk;
+use relief_core::{HeightMap, MaxPyramid, Wrap};
 use relief_tests::judge::judge;
 use relief_tests::probes::place::Place;
 use relief_tests::probes::stored::{self, pair as node};

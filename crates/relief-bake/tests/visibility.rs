@@ -1,8 +1,8 @@
 //! Precomputed visibility against the exact tracer, and light that bounces through it.
 
-use relief::{HeightMap, Wrap};
 use relief_bake::kind::visibility::{KIND, Visibility, views};
 use relief_bake::{Collected, Metric, Progress, bake};
+use relief_core::{HeightMap, Wrap};
 use relief_tests::brute::visibility as brute;
 use relief_tests::maps;
 
@@ -14,7 +14,7 @@ fn metrics() -> [Metric; 2] {
 }
 
 /// Calls `judge` with each judged texel's path and its baked hit in steps.
-fn each_ray(map: &HeightMap, metric: Metric, mut judge: impl FnMut(&relief::Path, Option<f64>)) {
+fn each_ray(map: &HeightMap, metric: Metric, mut judge: impl FnMut(&relief_core::Path, Option<f64>)) {
     views(map, metric, [10, 3], 4, &Progress::none(), &mut |view| {
         let [x, y, z] = view.direction;
         assert!((x * x + y * y + z * z - 1.0).abs() < 1e-12);

@@ -10,7 +10,7 @@ use common::command::{Folder, Ran};
 use common::files::exr;
 use common::maps::encoded;
 use image::{DynamicImage, ImageFormat, RgbImage};
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 use relief_io::{HeightOptions, read_height, read_metadata};
 use serde_json::{Value, json};
 

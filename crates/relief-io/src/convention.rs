@@ -1,6 +1,6 @@
 //! Height or depth, green up or down: what a height map and the normal map that belongs to it say of each other.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::{Convention, GreenSign, NormalMap};
 

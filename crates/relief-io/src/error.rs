@@ -3,8 +3,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use relief::HeightMapError;
-use relief::registry::UnknownName;
+use relief_core::HeightMapError;
+use relief_core::registry::UnknownName;
 
 use crate::RawLayout;
 
@@ -98,7 +98,7 @@ pub enum ReadProblem {
     #[error("{0}")]
     UnknownChannel(UnknownName),
     /// There are several channels and none was chosen.
-    #[error("has the channels {}: choose one with --channel", relief::registry::listed(channels))]
+    #[error("has the channels {}: choose one with --channel", relief_core::registry::listed(channels))]
     ChooseChannel {
         /// The channels.
         channels: Vec<String>,
@@ -106,7 +106,7 @@ pub enum ReadProblem {
     /// The three channels of the picture differ, so that none of them is clearly the height.
     #[error(
         "is a picture in colour (texel ({column}, {row}) is not grey); its channels are {}: choose one with --channel",
-        relief::registry::listed(channels)
+        relief_core::registry::listed(channels)
     )]
     NotGrey {
         /// The channels.
@@ -117,7 +117,7 @@ pub enum ReadProblem {
         row: u32,
     },
     /// The channels are none of a picture.
-    #[error("has the channels {}, which make no {what}", relief::registry::listed(channels))]
+    #[error("has the channels {}, which make no {what}", relief_core::registry::listed(channels))]
     NoColour {
         /// What was wanted: a picture or a normal map.
         what: &'static str,

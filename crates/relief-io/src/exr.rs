@@ -21,15 +21,16 @@ use exr::prelude::{SampleType as ExrSample, Text, Vec2, f16};
 use self::header::FileHeader;
 use self::part::{ExrChannel, Part};
 use crate::ReadProblem;
-use crate::source::{Channel, Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
+use crate::input::{Input, io_problem, zeros};
+use crate::layout::{Channel, Format, Layout, SampleType, Sink, Span};
 
-pub(crate) struct ExrSource {
+pub(crate) struct ExrFile {
     file: BufReader<File>,
     header: FileHeader,
     layout: Layout,
 }
 
-impl ExrSource {
+impl ExrFile {
     pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
         let header = FileHeader::read(&mut input.file, input.file_len)?;
         let [width, height] = header.parts[0].size;

@@ -6,7 +6,7 @@
 //! coarse to fine bilinear interpolation and Gauss-Seidel sweeps, more of them where they are cheap. One order of texels, so the same bits
 //! every time. It takes 2.7 bytes a texel besides the map.
 
-use relief::Wrap;
+use relief_core::Wrap;
 
 /// Sweeps of the finest level; each coarser one, of a quarter of the texels, has twice as many up to
 /// [`MOST_DOUBLINGS`]. Fewer leave the interpolation's grid visible in large holes, more cost time.
@@ -15,20 +15,20 @@ const SWEEPS: usize = 8;
 /// See [`SWEEPS`].
 const MOST_DOUBLINGS: usize = 6;
 
-struct Level {
+struct FillLevel {
     width: u32,
     height: u32,
     values: Vec<f32>,
 }
 
-impl Level {
+impl FillLevel {
     fn at(&self, column: i64, row: i64, wrap: Wrap) -> f32 {
         let (i, j) = (wrap.index(column, self.width), wrap.index(row, self.height));
         self.values[j as usize * self.width as usize + i as usize]
     }
 
     /// The next coarser level: means of the valid texels of each 2x2, NaN where there is none.
-    fn coarser(&self) -> Level {
+    fn coarser(&self) -> FillLevel {
         let (width, height) = (self.width.div_ceil(2), self.height.div_ceil(2));
         let mut values = Vec::with_capacity(width as usize * height as usize);
         for row in 0..height {
@@ -47,7 +47,7 @@ impl Level {
                 values.push((sum / count) as f32);
             }
         }
-        Level { width, height, values }
+        FillLevel { width, height, values }
     }
 
     fn holes(&self) -> bool {
@@ -55,7 +55,7 @@ impl Level {
     }
 
     /// Fills the holes of this level from the coarser one, which has none.
-    fn fill(&mut self, coarser: &Level, sweeps: usize, wrap: Wrap) {
+    fn fill(&mut self, coarser: &FillLevel, sweeps: usize, wrap: Wrap) {
         let is_hole: Vec<bool> = self.values.iter().map(|value| value.is_nan()).collect();
         let row_start = |row: u32, width: u32| row as usize * width as usize;
         for row in 0..self.height {
@@ -89,7 +89,7 @@ impl Level {
 }
 
 /// The coarser level, bilinear, at the centre of a texel of the finer one.
-fn interpolate(coarser: &Level, column: u32, row: u32, wrap: Wrap) -> f32 {
+fn interpolate(coarser: &FillLevel, column: u32, row: u32, wrap: Wrap) -> f32 {
     // The finer texel's centre lies a quarter of a coarse texel before or behind the centre of the coarse texel over it.
     let near = [i64::from(column / 2), i64::from(row / 2)];
     let far = [near[0] + 2 * i64::from(column % 2) - 1, near[1] + 2 * i64::from(row % 2) - 1];
@@ -101,7 +101,7 @@ fn interpolate(coarser: &Level, column: u32, row: u32, wrap: Wrap) -> f32 {
 
 /// Fills the NaN of a map that has at least one other value. Neighbours across the edges are those of the wrap.
 pub(crate) fn fill_holes(width: u32, height: u32, values: &mut Vec<f32>, wrap: Wrap) {
-    let mut levels = vec![Level { width, height, values: std::mem::take(values) }];
+    let mut levels = vec![FillLevel { width, height, values: std::mem::take(values) }];
     while let Some(last) = levels.last()
         && last.holes()
         && last.values.len() > 1

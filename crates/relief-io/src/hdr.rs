@@ -9,7 +9,8 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 
 use crate::ReadProblem;
-use crate::source::{Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
+use crate::input::{Input, io_problem, zeros};
+use crate::layout::{Format, Layout, SampleType, Sink, Span};
 
 /// The longest line of a header; longer ones are no header.
 const MAX_LINE: u64 = 4096;
@@ -20,14 +21,14 @@ const MAX_LINES: usize = 1024;
 /// Widths that can be stored component by component.
 const COMPONENT_WIDTHS: std::ops::RangeInclusive<usize> = 8..=0x7fff;
 
-pub(crate) struct HdrSource {
+pub(crate) struct HdrFile {
     file: BufReader<File>,
     layout: Layout,
     bottom_up: bool,
     right_to_left: bool,
 }
 
-impl HdrSource {
+impl HdrFile {
     pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
         let mut lines = 0;
         loop {

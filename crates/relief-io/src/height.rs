@@ -4,12 +4,13 @@ use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
 
-use relief::registry::UnknownName;
-use relief::{HeightMap, Wrap};
+use relief_core::registry::UnknownName;
+use relief_core::{HeightMap, Wrap};
 
 use crate::fill::fill_holes;
+use crate::image_file::ImageFile;
+use crate::layout::Layout;
 use crate::samples::{Samples, Selection};
-use crate::source::{Layout, Source};
 use crate::{HeightNote, RawLayout, ReadError, ReadProblem};
 
 /// What white means in a file.
@@ -122,11 +123,11 @@ fn read(path: &Path, options: &HeightOptions) -> Result<HeightMap, ReadProblem> 
     {
         return Err(ReadProblem::BadRange { range });
     }
-    let source = Source::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
-    let selection = select(source.layout(), options.channel.as_deref())?;
-    let Layout { format, width, height, full_scale, texel_size_m, .. } = *source.layout();
+    let file = ImageFile::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
+    let selection = select(file.layout(), options.channel.as_deref())?;
+    let Layout { format, width, height, full_scale, texel_size_m, .. } = *file.layout();
     let note = HeightNote::of_file(path, format);
-    let samples = Samples::read(source, &selection)?;
+    let samples = Samples::read(file, &selection)?;
     let mut map = height_map(samples, full_scale, options)?;
     if let (Some(note), Some(range)) = (note, map.physical_range()) {
         map = map.with_physical_range(range.map(|raw| note.metres(raw / full_scale.unwrap_or(1.0))))?;

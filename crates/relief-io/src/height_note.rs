@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::source::Format;
+use crate::layout::Format;
 use crate::{Metadata, WriteProblem, read_metadata};
 
 /// The kind that such a file names.

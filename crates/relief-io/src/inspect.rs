@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use crate::height::{BYTES_PER_TEXEL, HeightOptions, select};
+use crate::image_file::ImageFile;
+use crate::layout::{Channel, Format};
 use crate::samples::{Samples, Selection};
-use crate::source::{Channel, Format, Source};
 use crate::{HeightNote, ReadError, ReadProblem};
 
 /// Bins of [`Values::histogram`].
@@ -82,8 +83,8 @@ pub fn inspect(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadE
 }
 
 fn read(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadProblem> {
-    let source = Source::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
-    let layout = source.layout().clone();
+    let file = ImageFile::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
+    let layout = file.layout().clone();
     let note = HeightNote::of_file(path, layout.format);
     let values = match select(&layout, options.channel.as_deref()) {
         Ok(selection) => {
@@ -91,7 +92,7 @@ fn read(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadProblem>
                 Selection::Channel(channel) => channel,
                 Selection::Grey([red, ..]) => red,
             };
-            match Samples::read(source, &selection) {
+            match Samples::read(file, &selection) {
                 Ok(samples) => Some(values(samples, &layout.channels[first].name, layout.full_scale)),
                 Err(ReadProblem::NotGrey { .. }) => None,
                 Err(problem) => return Err(problem),

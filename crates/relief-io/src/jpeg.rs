@@ -11,14 +11,15 @@ use image::codecs::jpeg::JpegDecoder;
 use image::{ImageDecoder, ImageError};
 
 use crate::ReadProblem;
-use crate::source::{Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
+use crate::input::{Input, io_problem, zeros};
+use crate::layout::{Format, Layout, SampleType, Sink, Span};
 
-pub(crate) struct JpegSource {
+pub(crate) struct JpegFile {
     file: BufReader<File>,
     layout: Layout,
 }
 
-impl JpegSource {
+impl JpegFile {
     pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
         let frame = Frame::read(&mut input.file)?;
         let texels = u64::from(frame.width) * u64::from(frame.height);

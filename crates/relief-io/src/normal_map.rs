@@ -4,10 +4,11 @@ use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
 
-use relief::registry::UnknownName;
+use relief_core::registry::UnknownName;
 
+use crate::image_file::ImageFile;
+use crate::layout::{Layout, SampleKind};
 use crate::picture::collect;
-use crate::source::{Layout, SampleKind, Source};
 use crate::{ReadError, ReadProblem};
 
 /// Which way the green channel of a normal map points.
@@ -154,12 +155,12 @@ pub fn read_normal_vectors(path: &Path, max_bytes: u64) -> Result<NormalVectors,
 }
 
 fn read(path: &Path, max_bytes: u64) -> Result<NormalVectors, ReadProblem> {
-    let source = Source::open(path, None, NORMAL_BYTES_PER_TEXEL, max_bytes)?;
-    let layout = source.layout().clone();
+    let file = ImageFile::open(path, None, NORMAL_BYTES_PER_TEXEL, max_bytes)?;
+    let layout = file.layout().clone();
     let (channels, are_vectors) = normal_channels(&layout)?;
     let scale = layout.full_scale.unwrap_or(1.0);
     let mut vectors =
-        collect(source, &channels, [0.0f32; 3], |s| [0, 1, 2].map(|axis| (s[axis] / scale) as f32))?;
+        collect(file, &channels, [0.0f32; 3], |s| [0, 1, 2].map(|axis| (s[axis] / scale) as f32))?;
     if layout.full_scale.is_some() || !(are_vectors || is_signed(&vectors)) {
         vectors.iter_mut().for_each(|vector| *vector = unpacked(*vector));
     }

@@ -4,16 +4,17 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 
 use crate::ReadProblem;
-use crate::source::{Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
+use crate::input::{Input, io_problem, zeros};
+use crate::layout::{Format, Layout, SampleType, Sink, Span};
 
-pub(crate) struct PgmSource {
+pub(crate) struct PgmFile {
     file: BufReader<File>,
     layout: Layout,
     plain: bool,
     maxval: u16,
 }
 
-impl PgmSource {
+impl PgmFile {
     pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
         let mut magic = [0; 2];
         input.file.read_exact(&mut magic).map_err(problem)?;

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::source::{Layout, SampleKind, Source, Span};
+use crate::image_file::ImageFile;
+use crate::layout::{Layout, SampleKind, Span};
 use crate::{ReadError, ReadProblem};
 
 /// A picture in linear light (BT.709 primaries where the file is sRGB), row by row from the top.
@@ -50,13 +51,13 @@ pub fn read_picture_as(path: &Path, curve: Curve, max_bytes: u64) -> Result<Pict
 }
 
 fn read(path: &Path, curve: Curve, max_bytes: u64) -> Result<Picture, ReadProblem> {
-    let source = Source::open(path, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
-    let layout = source.layout().clone();
+    let file = ImageFile::open(path, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
+    let layout = file.layout().clone();
     let channels = colour_channels(&layout)?;
     let transfer = Transfer::of(&layout, channels[0], curve)?;
     // Colours come first, opacity last: of grey one colour, of colour three.
     let colours = if channels.len() >= 3 { 3 } else { 1 };
-    let texels = collect(source, &channels, [0.0; 4], |samples| {
+    let texels = collect(file, &channels, [0.0; 4], |samples| {
         let colour = |channel: usize| transfer.linear(samples[channel.min(colours - 1)]);
         let opacity = samples.get(colours).map_or(1.0, |&sample| transfer.fraction(sample));
         [colour(0), colour(1), colour(2), opacity]
@@ -73,17 +74,17 @@ fn read(path: &Path, curve: Curve, max_bytes: u64) -> Result<Picture, ReadProble
 
 /// Reads every texel's chosen channels and keeps what `texel` makes of them.
 pub(crate) fn collect<T: Copy>(
-    source: Source,
+    file: ImageFile,
     channels: &[usize],
     empty: T,
     texel: impl Fn(&[f64]) -> T,
 ) -> Result<Vec<T>, ReadProblem> {
-    let width = source.layout().width as usize;
-    let count = width * source.layout().height as usize;
+    let width = file.layout().width as usize;
+    let count = width * file.layout().height as usize;
     let mut texels = Vec::new();
     let needed = (count * size_of::<T>()) as u64;
     texels.try_reserve_exact(count).map_err(|_| ReadProblem::OutOfMemory { needed })?;
-    source.decode(channels, &mut |span: Span<'_>| {
+    file.decode(channels, &mut |span: Span<'_>| {
         let first = span.row as usize * width + span.column as usize;
         for (index, samples) in span.samples.chunks_exact(channels.len()).enumerate() {
             let at = first + index * span.step as usize;

@@ -8,7 +8,8 @@ use std::io::BufReader;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Reader, Transformations};
 
 use crate::ReadProblem;
-use crate::source::{Format, Input, Layout, SampleType, Sink, Span, io_problem};
+use crate::input::{Input, io_problem};
+use crate::layout::{Format, Layout, SampleType, Sink, Span};
 
 /// What the decoder may take for chunks other than image data; a row of the widest height map needs half of it.
 const DECODER_BYTES: usize = 16 << 20;
@@ -20,14 +21,14 @@ const DEFLATE_RATIO: u64 = 1032;
 const ADAM7: [[u32; 4]; 7] =
     [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]];
 
-pub(crate) struct PngSource {
+pub(crate) struct PngFile {
     reader: Reader<BufReader<File>>,
     layout: Layout,
     /// What the decoder has multiplied samples of less than 8 bit by, to fill 8 bit.
     expansion: u8,
 }
 
-impl PngSource {
+impl PngFile {
     pub(crate) fn open(input: Input) -> Result<Self, ReadProblem> {
         // The decoder owns the file, and the size has to be known before the decoder goes on: so the header is read
         // twice, first by hand. Its place is fixed: signature, then the IHDR chunk (PNG specification, 5.6).

@@ -6,7 +6,8 @@ use std::io::{BufReader, Read};
 use std::str::FromStr;
 
 use crate::ReadProblem;
-use crate::source::{Format, Input, Layout, SampleType, Sink, Span, io_problem, zeros};
+use crate::input::{Input, io_problem, zeros};
+use crate::layout::{Format, Layout, SampleType, Sink, Span};
 
 /// Which byte of a 16-bit sample comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -64,13 +65,13 @@ impl fmt::Display for RawLayout {
     }
 }
 
-pub(crate) struct RawSource {
+pub(crate) struct RawFile {
     file: BufReader<File>,
     layout: Layout,
     order: ByteOrder,
 }
 
-impl RawSource {
+impl RawFile {
     pub(crate) fn open(input: Input, raw: RawLayout) -> Result<Self, ReadProblem> {
         let size = [raw.width, raw.height];
         let expected = u64::from(raw.width) * u64::from(raw.height) * 2;

@@ -1,7 +1,8 @@
 //! One channel's raw values, collected from a decoder at 4 bytes a texel, with what has to be known of them.
 
 use crate::ReadProblem;
-use crate::source::{Layout, Source, Span};
+use crate::image_file::ImageFile;
+use crate::layout::{Layout, Span};
 
 /// Raw values as `f32`, NaN where a texel has none.
 ///
@@ -33,15 +34,15 @@ pub(crate) enum Selection {
 }
 
 impl Samples {
-    pub(crate) fn read(source: Source, selection: &Selection) -> Result<Self, ReadProblem> {
-        let layout = source.layout();
+    pub(crate) fn read(file: ImageFile, selection: &Selection) -> Result<Self, ReadProblem> {
+        let layout = file.layout();
         let names = layout.channel_names();
         let (channels, sample) = match selection {
             Selection::Channel(channel) => (vec![*channel], layout.channels[*channel].sample),
             Selection::Grey(channels) => (channels.to_vec(), layout.channels[channels[0]].sample),
         };
         let mut collector = Collector::new(layout, sample.fits_f32())?;
-        source.decode(&channels, &mut |span| {
+        file.decode(&channels, &mut |span| {
             let mut texels = span.samples.chunks_exact(channels.len());
             if let Some(texel) = texels.position(|texel| texel[1..].iter().any(|s| differ(*s, texel[0]))) {
                 let column = span.column + texel as u32 * span.step;

@@ -6,10 +6,11 @@
 
 mod geo;
 
-use tiff_reader::{Ifd, OpenOptions, ParseBudgets, TiffError, TiffFile};
+use tiff_reader::{Ifd, OpenOptions, ParseBudgets, TiffError};
 
 use crate::ReadProblem;
-use crate::source::{Channel, Format, Input, Layout, SampleKind, SampleType, Sink, Span};
+use crate::input::Input;
+use crate::layout::{Channel, Format, Layout, SampleKind, SampleType, Sink, Span};
 
 /// What the file's tags may take; the tables of the largest height map, a strip a row, need 16 MiB.
 const MAX_TAG_BYTES: usize = 20 << 20;
@@ -25,8 +26,8 @@ const WHITE_IS_ZERO: u16 = 0;
 const BLACK_IS_ZERO: u16 = 1;
 const RGB: u16 = 2;
 
-pub(crate) struct TiffSource {
-    file: TiffFile,
+pub(crate) struct TiffFile {
+    file: tiff_reader::TiffFile,
     ifd: usize,
     layout: Layout,
     /// Samples are stored with 0 as white.
@@ -44,7 +45,7 @@ struct Blocks {
     planar: bool,
 }
 
-impl TiffSource {
+impl TiffFile {
     pub(crate) fn open(input: Input) -> Result<Self, ReadProblem> {
         // The cache is sized by the blocks, which are known only once the file is open: it is opened twice.
         let probe = open(&input, 0)?;
@@ -153,7 +154,7 @@ impl TiffSource {
     }
 }
 
-fn open(input: &Input, cache_bytes: usize) -> Result<TiffFile, ReadProblem> {
+fn open(input: &Input, cache_bytes: usize) -> Result<tiff_reader::TiffFile, ReadProblem> {
     let parse_budgets = ParseBudgets {
         max_ifds: 256,
         max_ifd_entries: 1024,
@@ -166,11 +167,11 @@ fn open(input: &Input, cache_bytes: usize) -> Result<TiffFile, ReadProblem> {
         parse_budgets,
         decode_output_bytes: cache_bytes.max(16 * WINDOW_TEXELS as usize),
     };
-    TiffFile::open_with_options(&input.path, options).map_err(problem)
+    tiff_reader::TiffFile::open_with_options(&input.path, options).map_err(problem)
 }
 
 /// The first picture that is neither a reduced copy nor a mask (TIFF 6.0, NewSubfileType).
-fn full_resolution(file: &TiffFile) -> Result<usize, ReadProblem> {
+fn full_resolution(file: &tiff_reader::TiffFile) -> Result<usize, ReadProblem> {
     let reduced_or_mask = |ifd: &Ifd| {
         let kind = ifd.tag(TAG_NEW_SUBFILE_TYPE).and_then(|tag| tag.value.as_u32()).unwrap_or(0);
         kind & 0b101 != 0
@@ -263,7 +264,7 @@ fn compression_name(code: u16) -> String {
 
 fn problem(error: TiffError) -> ReadProblem {
     match error {
-        TiffError::Io(error, _) => crate::source::io_problem(Format::Tiff, error),
+        TiffError::Io(error, _) => crate::input::io_problem(Format::Tiff, error),
         TiffError::UnsupportedCompression(code) => unsupported(compression_name(code)),
         error @ (TiffError::UnsupportedPredictor(_)
         | TiffError::UnsupportedPlanarConfiguration(_)

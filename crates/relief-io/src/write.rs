@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use png::{BitDepth, ColorType, Encoder, EncodingError};
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::{Metadata, WriteError, WriteProblem, write_exr_rows};
 

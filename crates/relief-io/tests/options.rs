@@ -7,7 +7,7 @@ use common::tiff_file::Tiff;
 use common::{Folder, channel, exr_file, samples};
 use exr::prelude::{Compression, SampleType as ExrSample};
 use png::{BitDepth, ColorType};
-use relief::Wrap;
+use relief_core::Wrap;
 use relief_io::{Convention, HeightOptions, ReadProblem, inspect, read_height};
 
 fn float_file(folder: &Folder, width: u32, values: &[f64]) -> std::path::PathBuf {

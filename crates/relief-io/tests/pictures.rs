@@ -7,7 +7,7 @@ use common::files::{Scan, big_endian, hdr, jpeg, png, png_with};
 use common::tiff_file::Tiff;
 use common::{Folder, exr_file, landscape};
 use png::{BitDepth, ColorType};
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, GreenSign, NormalMap, Picture, ReadProblem, detect, read_normal_map,
     read_normal_vectors, read_picture, write_exr,

@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 
 use common::{channel, real_data};
-use relief::HeightMap;
+use relief_core::HeightMap;
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, Format, GreenSign, HeightOptions, ReadProblem, detect, inspect,
     read_height, read_normal_map,

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
-use relief::exact::FastTracer;
+use relief_core::exact::FastTracer;
 use relief_shaders::cpu::{Entered, Hit, PixelIn, PixelOut, Resources, Triangle};
 
 use crate::camera::Ray;
@@ -72,6 +72,6 @@ fn shade(
 
 fn trace_exactly(resources: &Resources, tracer: &FastTracer, pixel: PixelIn) -> PixelOut {
     let at: Entered = resources.surface_stage(pixel);
-    let hit = if at.valid == 1 { tracer.trace(&(&at.path).into()).hit } else { relief::Hit::miss(0) };
+    let hit = if at.valid == 1 { tracer.trace(&(&at.path).into()).hit } else { relief_core::Hit::miss(0) };
     resources.shade_hit(pixel, at, Hit::from(&hit))
 }

@@ -1,6 +1,6 @@
 //! A scene made ready for a backend: what the shaders bind, and nothing else.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 use relief_shaders::cpu::{ColorTexture, HeightTexture, PixelOut, Resources, Settings, Triangle};
 
 /// A map of four numbers a texel, row by row from the top: linear colour, normals in tangent space, or a baked map.

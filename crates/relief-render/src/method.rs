@@ -1,6 +1,6 @@
 //! From the names of a method to what is run.
 
-use relief::registry::Guarantee;
+use relief_core::registry::Guarantee;
 use relief_shaders::{Selection, SelectionError};
 
 use crate::scene::{MethodChoice, MethodNames};

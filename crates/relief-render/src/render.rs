@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use relief::exact::FastTracer;
+use relief_core::exact::FastTracer;
 use relief_shaders::{SearchMapError, Selection};
 
 use crate::cpu;

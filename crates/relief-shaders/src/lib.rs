@@ -32,7 +32,7 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    use relief::registry::{Entry, MAX_PARAMS};
+    use relief_core::registry::{Entry, MAX_PARAMS};
 
     use super::*;
 

@@ -1,6 +1,6 @@
 //! Methods by name: a search, a refinement and the settings under which they were published.
 
-use relief::registry::{Source, UnknownName};
+use relief_core::registry::{Publication, UnknownName};
 
 use crate::SURVEY;
 
@@ -18,7 +18,7 @@ pub struct Method {
     /// Settings that differ from the entries' defaults, such as `("search.grazing", 4.0)`.
     pub settings: &'static [(&'static str, f32)],
     /// Where it was published.
-    pub source: Source,
+    pub publication: Publication,
 }
 
 /// The settings of a method that has none of its own.
@@ -32,7 +32,7 @@ const fn survey(
     section: &'static str,
     summary: &'static str,
 ) -> Method {
-    Method { name, summary, search, refine, settings, source: Source { paper: SURVEY, section } }
+    Method { name, summary, search, refine, settings, publication: Publication { paper: SURVEY, section } }
 }
 
 /// All methods.
@@ -90,7 +90,7 @@ pub const METHODS: &[Method] = &[
         search: "frustum",
         refine: "patch",
         settings: DEFAULTS,
-        source: Source { paper: "Relief", section: "" },
+        publication: Publication { paper: "Relief", section: "" },
     },
 ];
 

@@ -1,7 +1,7 @@
 //! The baked map that a search reads besides the heights.
 
-use relief::HeightMap;
-use relief::registry::MapInput;
+use relief_core::HeightMap;
+use relief_core::registry::MapInput;
 
 use crate::Selection;
 
@@ -96,7 +96,7 @@ impl Selection {
 
 #[cfg(test)]
 mod tests {
-    use relief::Wrap;
+    use relief_core::Wrap;
 
     use super::*;
 

@@ -1,6 +1,6 @@
 //! A chosen surface, search, refinement and shading with their settings.
 
-use relief::registry::{self, Entry, MAX_PARAMS, Param, UnknownName};
+use relief_core::registry::{self, Entry, MAX_PARAMS, Param, UnknownName};
 
 use crate::{Method, refine, search, shade, surface};
 

@@ -7,7 +7,7 @@ use clap::Args;
 use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use indicatif::{ProgressBar, ProgressStyle};
-use relief::registry::UnknownName;
+use relief_core::registry::UnknownName;
 use relief_tests::probes::run::{self, Case, KINDS, MAPS};
 
 /// What `probe` is given.

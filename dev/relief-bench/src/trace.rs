@@ -20,8 +20,8 @@ use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use cpu_time::ProcessTime;
 use rayon::ThreadPool;
-use relief::HeightMap;
-use relief::exact::FastTracer;
+use relief_core::HeightMap;
+use relief_core::exact::FastTracer;
 
 use maps::{SUBJECTS, Subject};
 use measure::{Cursor, Samples, Setup};

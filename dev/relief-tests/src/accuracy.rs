@@ -3,9 +3,9 @@
 use std::path::{Path as FilePath, PathBuf};
 
 use rayon::prelude::*;
-use relief::exact::{ExactHit, cell_walk};
-use relief::metrics::{ErrorReport, compare};
-use relief::{HeightMap, Hit, Path, PathMetric, Wrap};
+use relief_core::exact::{ExactHit, cell_walk};
+use relief_core::metrics::{ErrorReport, compare};
+use relief_core::{HeightMap, Hit, Path, PathMetric, Wrap};
 use relief_io::{HeightOptions, read_height};
 use relief_shaders::cpu::Resources;
 use relief_shaders::{SearchMap, Selection};

@@ -1,7 +1,7 @@
 //! The baked maps that searches read, where tests and benchmarks need them.
 
-use relief::HeightMap;
 use relief_bake::{Metric, Progress, kind, texels};
+use relief_core::HeightMap;
 use relief_shaders::{SearchMap, Selection};
 
 /// The map that a selection's search reads over that height map; none where it reads none.

@@ -1,6 +1,6 @@
 //! What the survey's section 4 says about the order of the methods, pair by pair, and whether it holds.
 
-use relief::metrics::ErrorReport;
+use relief_core::metrics::ErrorReport;
 use relief_shaders::Selection;
 
 use crate::accuracy::{ANGLES, Case, Named};

@@ -6,8 +6,8 @@
 
 use std::fmt;
 
-use relief::exact::{ExactHit, least_gap};
-use relief::{HeightMap, Path};
+use relief_core::exact::{ExactHit, least_gap};
+use relief_core::{HeightMap, Path};
 
 /// What is wrong with an answer, with all that is needed to look into it.
 #[derive(Clone, Debug)]

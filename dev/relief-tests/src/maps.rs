@@ -1,6 +1,6 @@
 //! Height maps that break what is only nearly right.
 
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 
 use crate::rng::Rng;
 

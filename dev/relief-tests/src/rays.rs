@@ -1,6 +1,6 @@
 //! Paths that break what is only nearly right. All tests and benchmarks take theirs from here.
 
-use relief::{HeightMap, Path, Wrap};
+use relief_core::{HeightMap, Path, Wrap};
 
 use crate::rng::Rng;
 

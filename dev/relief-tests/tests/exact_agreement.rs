@@ -1,8 +1,8 @@
 //! The exact tracers against one another, over every adversarial map, wrap and kind of ray.
 
 use rayon::prelude::*;
-use relief::exact::{ExactHit, FastTracer, PyramidTracer, cell_walk, least_gap};
-use relief::{HeightMap, Path, Wrap};
+use relief_core::exact::{ExactHit, FastTracer, PyramidTracer, cell_walk, least_gap};
+use relief_core::{HeightMap, Path, Wrap};
 use relief_tests::judge::{Tally, Verdict, judge};
 use relief_tests::rays::{RayKind, Rays};
 use relief_tests::{RAYS_PER_MAP, maps};

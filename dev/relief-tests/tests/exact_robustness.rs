@@ -1,8 +1,8 @@
 //! The exact tracers on paths that no renderer should make: endless, far away, huge, tiny, not a number.
 
 use rayon::prelude::*;
-use relief::exact::{ExactHit, FastTracer, MAX_START, MAX_TRAVEL, PyramidTracer, cell_walk, least_gap};
-use relief::{HeightMap, Path, PathMetric, Wrap};
+use relief_core::exact::{ExactHit, FastTracer, MAX_START, MAX_TRAVEL, PyramidTracer, cell_walk, least_gap};
+use relief_core::{HeightMap, Path, PathMetric, Wrap};
 use relief_tests::judge::judge;
 use relief_tests::maps;
 use relief_tests::rng::Rng;

@@ -2,8 +2,8 @@
 //! adversarial rays through adversarial maps in all wraps. `cells` with the same refinement is held to the same bound.
 
 use rayon::prelude::*;
-use relief::exact::{ExactHit, cell_walk};
-use relief::{HeightMap, Path, Wrap};
+use relief_core::exact::{ExactHit, cell_walk};
+use relief_core::{HeightMap, Path, Wrap};
 use relief_shaders::cpu::Resources;
 use relief_shaders::{SearchMap, Selection};
 use relief_tests::baked::search_map;

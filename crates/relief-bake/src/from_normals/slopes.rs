@@ -1,7 +1,7 @@
 //! From normals to slopes, and what was wrong with the normals.
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::FromNormalsError;
 use crate::fill;

@@ -19,19 +19,19 @@
 //! are spread evenly, an open plain has exactly the base normal.
 
 use rayon::prelude::*;
-use relief::HeightMap;
-use relief::registry::Source as Publication;
+use relief_core::HeightMap;
+use relief_core::registry::Publication;
 
 use super::horizon::{self, Sweep, unit_vector};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Source};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
     name: "bent-normal",
     summary: "the mean direction in which a texel sees the sky",
     revision: 1,
-    source: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
+    publication: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
     params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, about the base normal",
     reach: |_| Reach::Everything,
@@ -78,7 +78,7 @@ fn unit([x, y, z]: [f32; 3]) -> [f32; 3] {
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

@@ -20,8 +20,8 @@ mod walk;
 
 use pulp::Simd;
 use rayon::prelude::*;
-use relief::HeightMap;
-use relief::registry::{Param, Source as Publication};
+use relief_core::HeightMap;
+use relief_core::registry::{Param, Publication};
 
 pub(super) use self::apexes::{Apexes, Region};
 pub(super) use self::block::{Block, Lanes, cells_of_block, is_in_block, offset_of};
@@ -32,7 +32,7 @@ pub(super) use self::search::{Search, Sort, State, bits_of};
 pub(super) use self::slope::{Patch, inside_segment, steepest_in_quarter, to_point};
 pub(super) use self::walk::{Group, LANES, Look};
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
+use crate::{BakeError, BakeInput, Cancelled, Metric, Progress, Settings, Sink};
 
 /// From where the cones of a map are safe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +71,7 @@ pub const KIND: Kind = Kind {
     name: "cone",
     summary: "the widest cone that stands on a texel and holds no surface",
     revision: 1,
-    source: Publication {
+    publication: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU",
         section: "4.3.5",
     },
@@ -171,7 +171,7 @@ fn least_around(map: &HeightMap, values: &[f32]) -> Vec<f32> {
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

@@ -20,18 +20,18 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
-use relief::registry::{Param, Source as Publication};
-use relief::{HeightMap, MAX_SIDE, Wrap};
+use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, MAX_SIDE, Wrap};
 
 use super::{BITS, Kind, Reach, to_nearest};
-use crate::{BakeError, Cancelled, Channel, Progress, Rounding, Settings, Sink, Source, Texture};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Rounding, Settings, Sink, Texture};
 
 /// The kind `dilation-erosion`.
 pub const KIND: Kind = Kind {
     name: "dilation-erosion",
     summary: "least and greatest height within a radius of every dual cell",
     revision: 1,
-    source: Publication {
+    publication: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU; Kolb and Rezk-Salama 2005, Efficient empty space skipping",
         section: "4.3.2",
     },
@@ -91,7 +91,7 @@ pub fn window_bounds(map: &HeightMap, radius: u32, progress: &Progress) -> Resul
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

@@ -50,20 +50,20 @@ mod monotone;
 mod window;
 
 use rayon::prelude::*;
-use relief::registry::{Param, Source as Publication};
-use relief::{HeightMap, Wrap};
+use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, Wrap};
 
 use self::line::Line;
 use super::{BITS, Kind, Reach};
 use crate::quantise::unorm;
-use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Texture};
 
 /// The kind.
 pub const KIND: Kind = Kind {
     name: "distance",
     summary: "distance to the relief from every point above it, a volume, for sphere tracing",
     revision: 1,
-    source: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "4.3.4" },
+    publication: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "4.3.4" },
     params: &[SLICES, BITS],
     guarantee: "a trilinear fetch is at most the distance to the bilinear surface, in the metres of the bake's metric",
     reach: |_| Reach::Everything,
@@ -282,7 +282,7 @@ fn dilated_columns(map: &HeightMap) -> Vec<f32> {
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

@@ -73,12 +73,14 @@ mod least_slopes;
 mod map;
 
 use rayon::prelude::*;
-use relief::registry::{Param, Source as Publication};
-use relief::{HeightMap, MaxPyramid};
+use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, MaxPyramid};
 
-use super::levels::Levels;
+use super::texel_pyramid::TexelPyramid;
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, Cancelled, Channel, Progress, Rounding, Settings, Sink, Source, Texture, quantise};
+use crate::{
+    BakeError, BakeInput, Cancelled, Channel, Progress, Rounding, Settings, Sink, Texture, quantise,
+};
 
 pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
 
@@ -87,7 +89,7 @@ pub const KIND: Kind = Kind {
     name: "frustum",
     summary: "for every dual cell its top, and in each quadrant the least slope of an empty frustum on it",
     revision: 1,
-    source: Publication { paper: "Relief", section: "kind `frustum`" },
+    publication: Publication { paper: "Relief", section: "kind `frustum`" },
     params: PARAMS,
     guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \
         texels; the stored slope is the least such, rounded up.",
@@ -111,7 +113,7 @@ const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [
 pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, Cancelled> {
     let begin = progress.piece(0.0, 0.02);
     let top = MaxPyramid::try_new(map, |part| begin.at(part))?.nodes(0).to_vec();
-    let levels = Levels::new(map);
+    let levels = TexelPyramid::new(map);
     let slopes = |place: usize| {
         let progress = progress.piece(0.02 + 0.245 * place as f32, 0.02 + 0.245 * (place + 1) as f32);
         least_slopes::least_slopes(map, &top, &levels, QUADRANTS[place], &progress)
@@ -121,7 +123,7 @@ pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, C
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

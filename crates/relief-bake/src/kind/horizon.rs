@@ -54,15 +54,15 @@ mod near;
 mod sheared;
 mod sweep;
 
-use relief::HeightMap;
-use relief::registry::{Param, Source as Publication};
+use relief_core::HeightMap;
+use relief_core::registry::{Param, Publication};
 
 pub(super) use lines::{Direction, Lines, Rows, Stretch, unit_vector};
 pub(super) use sheared::{Band, Plane};
 pub(super) use sweep::Sweep;
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+use crate::{BakeError, BakeInput, Channel, Metric, Progress, Rounding, Settings, Sink, Texture};
 
 /// Steps that are read from the texel's own ray. More are nearer to the truth, as one over their number, and slower.
 pub const NEAR_STEPS: usize = 8;
@@ -94,7 +94,7 @@ pub const KIND: Kind = Kind {
     name: "horizon",
     summary: "sine of the horizon's elevation in some azimuths, for shadows of any light",
     revision: 1,
-    source: Publication {
+    publication: Publication {
         paper: "Max 1988; Timonen and Westerholm 2010; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.1",
     },
@@ -137,7 +137,7 @@ pub fn horizons(
 }
 
 /// A texture of so many slices of the size of the map, with notes that say how the azimuths lie.
-pub(super) fn texture(source: &Source, azimuths: u32, slices: u32, channels: Vec<Channel>) -> Texture {
+pub(super) fn texture(source: &BakeInput, azimuths: u32, slices: u32, channels: Vec<Channel>) -> Texture {
     let [u, v] = source.metric.tile_m;
     let notes = vec![
         ("azimuths", format!("{azimuths}: 2 pi k / {azimuths}, in metres from +u towards +v")),
@@ -150,7 +150,7 @@ pub(super) fn texture(source: &Source, azimuths: u32, slices: u32, channels: Vec
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

@@ -6,16 +6,16 @@ pub mod dilation_erosion;
 pub mod distance;
 pub mod frustum;
 pub mod horizon;
-mod levels;
 pub mod normal;
 pub mod occlusion;
 pub mod pyramid;
 pub mod relaxed_cone;
+mod texel_pyramid;
 pub mod visibility;
 
-use relief::registry::{Param, Source as Publication, UnknownName};
+use relief_core::registry::{Param, Publication, UnknownName};
 
-use crate::{BakeError, Channel, Progress, Settings, Sink, SinkError, Source, quantise};
+use crate::{BakeError, BakeInput, Channel, Progress, Settings, Sink, SinkError, quantise};
 
 /// Which texels a baked texel depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ pub struct Kind {
     /// Raised with every change of the values that are baked, so that maps kept from before are told apart.
     pub revision: u32,
     /// Where it was published.
-    pub source: Publication,
+    pub publication: Publication,
     /// Its parameters; one named `bits` quantises: 0 for floats, 8 or 16.
     pub params: &'static [Param],
     /// What is promised of the stored values, and for which surface.
@@ -44,7 +44,7 @@ pub struct Kind {
     /// How far a texel's value looks.
     pub reach: fn(&Settings) -> Reach,
     /// Bakes it.
-    pub bake: fn(&Source, &Settings, &Progress, &mut dyn Sink) -> Result<(), BakeError>,
+    pub bake: fn(&BakeInput, &Settings, &Progress, &mut dyn Sink) -> Result<(), BakeError>,
 }
 
 impl Kind {

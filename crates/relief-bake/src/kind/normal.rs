@@ -42,21 +42,21 @@ mod moments;
 mod slopes;
 
 use rayon::prelude::*;
-use relief::HeightMap;
-use relief::registry::{Param, Source as Publication};
+use relief_core::HeightMap;
+use relief_core::registry::{Param, Publication};
 
 pub use self::moments::Moments;
 use self::moments::next_size;
 pub use self::slopes::{Derivative, Slopes};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Source, Texture};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Texture};
 
 /// The kind.
 pub const KIND: Kind = Kind {
     name: "normal",
     summary: "unit normals, and in mip levels the moments of the slope that filtering needs",
     revision: 1,
-    source: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "2.1, 2.2" },
+    publication: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "2.1, 2.2" },
     params: &[PATCHES, WORLD, GREEN_DOWN, MIPS, BITS_TO_NEAREST],
     guarantee: "within (texel² / 6) max|third derivative| of the angle of a smooth surface's normal",
     reach: |settings| if settings.count(3) == 0 { Reach::Texels(1) } else { Reach::Everything },
@@ -186,7 +186,7 @@ fn channels(extremes: [[f32; 2]; 2], mips: bool) -> Vec<Channel> {
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

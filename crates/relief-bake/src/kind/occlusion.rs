@@ -17,19 +17,22 @@
 //! 16 azimuths leaves about a hundredth on rough ground; an error `ε` of a horizon, in radians, moves the visibility
 //! by at most `ε`, since `|d sin² H / dH| = |sin 2H| <= 1`.
 
-use relief::HeightMap;
-use relief::registry::Source as Publication;
+use relief_core::HeightMap;
+use relief_core::registry::Publication;
 
 use super::horizon::{self, Sweep};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Source};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
     name: "occlusion",
     summary: "the part of the sky's light that reaches a texel, about the base normal",
     revision: 1,
-    source: Publication { paper: "Zhukov, Iones and Kronin 1998; Timonen and Westerholm 2010", section: "" },
+    publication: Publication {
+        paper: "Zhukov, Iones and Kronin 1998; Timonen and Westerholm 2010",
+        section: "",
+    },
     params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, off by at most their mean error in radians and what is between azimuths",
     reach: |_| Reach::Everything,
@@ -63,7 +66,7 @@ pub fn visibility(
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

@@ -6,7 +6,7 @@
 //! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art", section 4.3.3.
 //!
 //! Those take the extremes of *texels*, which does not bound the surface between texel centres: level 0 here is taken over
-//! dual cells. The pyramids themselves are [`relief::MinPyramid`] and [`relief::MaxPyramid`]; see there for which cells a
+//! dual cells. The pyramids themselves are [`relief_core::MinPyramid`] and [`relief_core::MaxPyramid`]; see there for which cells a
 //! node covers where a side is no power of two, and for cells outside of the map.
 //!
 //! # Guarantee
@@ -20,18 +20,18 @@
 //! a texel. With `bits`, heights are decoded from so many bits first, and each node is one of them: stored in as many
 //! bits it is still exact.
 
-use relief::registry::{Param, Source as Publication};
-use relief::{HeightMap, MaxPyramid, MinPyramid};
+use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, MaxPyramid, MinPyramid};
 
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, Cancelled, Channel, Progress, Rounding, Settings, Sink, Source, Texture};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Rounding, Settings, Sink, Texture};
 
 /// The kind `pyramid`.
 pub const KIND: Kind = Kind {
     name: "pyramid",
     summary: "least and greatest height over squares of 1, 2, 4 ... dual cells, as a mip chain",
     revision: 1,
-    source: Publication {
+    publication: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU; Tevs, Ihrke and Seidel 2008, Maximum mipmaps",
         section: "4.3.3",
     },
@@ -56,7 +56,7 @@ pub fn pyramids(map: &HeightMap, progress: &Progress) -> Result<(MinPyramid, Max
     Ok((min, max))
 }
 
-fn bake(source: &Source, _: &Settings, progress: &Progress, sink: &mut dyn Sink) -> Result<(), BakeError> {
+fn bake(source: &BakeInput, _: &Settings, progress: &Progress, sink: &mut dyn Sink) -> Result<(), BakeError> {
     let (min, max) = pyramids(source.map, progress)?;
     let sizes: Vec<[u32; 3]> = (0..max.levels())
         .filter_map(|level| max.size(level))

@@ -11,13 +11,13 @@ mod falling;
 mod own;
 mod search;
 
-use relief::HeightMap;
-use relief::registry::{Param, Source as Publication};
+use relief_core::HeightMap;
+use relief_core::registry::{Param, Publication};
 
 use self::search::Relaxed;
 use super::cone::{Empty, Region, Search, texture};
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, Cancelled, Metric, Progress, Settings, Sink, Source};
+use crate::{BakeError, BakeInput, Cancelled, Metric, Progress, Settings, Sink};
 
 /// From where the relaxed cones of a map hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ pub const KIND: Kind = Kind {
     name: "relaxed-cone",
     summary: "a wide cone that a view ray leaves after at most one entry into the surface",
     revision: 1,
-    source: Publication {
+    publication: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU",
         section: "4.4.3",
     },
@@ -125,7 +125,7 @@ pub fn relaxed_cone_ratios(
 }
 
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,

@@ -34,14 +34,14 @@ mod gather;
 mod rays;
 
 use rayon::prelude::*;
-use relief::HeightMap;
-use relief::registry::{Param, Source as Publication};
+use relief_core::HeightMap;
+use relief_core::registry::{Param, Publication};
 
 pub use gather::Visibility;
 
 use super::horizon::{self, Band, Direction, Plane, Rows, unit_vector};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, Channel, Metric, Progress, Rounding, Settings, Sink, Source};
+use crate::{BakeError, BakeInput, Channel, Metric, Progress, Rounding, Settings, Sink};
 
 const ELEVATIONS: Param = Param {
     name: "elevations",
@@ -63,7 +63,10 @@ pub const KIND: Kind = Kind {
     name: "visibility",
     summary: "the point that is seen in each of some fixed directions, for shadows and light that bounces",
     revision: 1,
-    source: Publication { paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008", section: "6.2" },
+    publication: Publication {
+        paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
+        section: "6.2",
+    },
     params: &[horizon::AZIMUTHS, ELEVATIONS, TILES, BITS_TO_NEAREST],
     guarantee: "the exact first hit with the bilinear surface, to rounding of f32",
     reach: |_| Reach::Everything,
@@ -130,13 +133,13 @@ pub fn views(
         let limit = rows.reach(&direction, tiles.max(1));
         let squares: Vec<f64> =
             (0..elevations).map(|e| (f64::from(e) + 0.5) / f64::from(elevations)).collect();
-        let rays: Vec<rays::Ray> = squares
+        let rays: Vec<rays::SlopedRay> = squares
             .iter()
             .map(|square| {
                 let slope = (square / (1.0 - square)).sqrt() * direction.step_m / metric.scale_m;
                 let out = f64::from(high - low) / slope;
                 // Two more: the column beyond which the ray is out, and what rounding takes from the division.
-                rays::Ray { slope, reach: (out + 2.0).min(limit as f64) as usize }
+                rays::SlopedRay { slope, reach: (out + 2.0).min(limit as f64) as usize }
             })
             .collect();
         let reach = rays.iter().map(|ray| ray.reach).max().unwrap_or(0);
@@ -177,7 +180,7 @@ pub fn views(
 
 /// The working set is that of [`views`] and three maps, which the sink is handed.
 fn bake(
-    source: &Source,
+    source: &BakeInput,
     settings: &Settings,
     progress: &Progress,
     sink: &mut dyn Sink,
@@ -208,8 +211,8 @@ fn bake(
 /// A texture coordinate inside of the map that stands for `at`.
 fn wrapped(map: &HeightMap, at: f64) -> f64 {
     match map.wrap() {
-        relief::Wrap::Repeat => at.rem_euclid(1.0),
-        relief::Wrap::Clamp => at.clamp(0.0, 1.0),
-        relief::Wrap::Mirror => 1.0 - (at.rem_euclid(2.0) - 1.0).abs(),
+        relief_core::Wrap::Repeat => at.rem_euclid(1.0),
+        relief_core::Wrap::Clamp => at.clamp(0.0, 1.0),
+        relief_core::Wrap::Mirror => 1.0 - (at.rem_euclid(2.0) - 1.0).abs(),
     }
 }

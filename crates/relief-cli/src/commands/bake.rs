@@ -17,9 +17,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use relief::registry::UnknownName;
-use relief::{HeightMap, Wrap};
 use relief_bake::{BakeError, KINDS, Kind, Metric, Progress as BakeProgress, Settings, Texture};
+use relief_core::registry::UnknownName;
+use relief_core::{HeightMap, Wrap};
 use relief_io::read_height;
 use relief_render::scene::ByteSize;
 use serde_json::{Value, json};

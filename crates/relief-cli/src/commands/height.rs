@@ -8,9 +8,9 @@ mod output;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, Subcommand};
-use relief::Wrap;
 use relief_bake::from_normals::{FromNormalsError, IntegratedHeights, Integration};
 use relief_bake::photometric::PhotometricError;
+use relief_core::Wrap;
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
 use relief_render::scene::ByteSize;
 use serde_json::{Value, json};
@@ -24,11 +24,11 @@ use crate::values;
 #[command(after_help = AFTER_HELP)]
 pub struct Arguments {
     #[command(subcommand)]
-    source: Source,
+    origin: Origin,
 }
 
 #[derive(Subcommand)]
-enum Source {
+enum Origin {
     /// Integrate a tangent-space normal map to a height map
     FromNormals(Box<from_normals::Arguments>),
     /// Make a height map from photographs of one view under at least three known lights
@@ -123,18 +123,18 @@ impl Common {
 impl Arguments {
     /// Whether the answer is for machines.
     pub fn json(&self) -> bool {
-        match &self.source {
-            Source::FromNormals(arguments) => arguments.common.json,
-            Source::FromPhotos(arguments) => arguments.common.json,
+        match &self.origin {
+            Origin::FromNormals(arguments) => arguments.common.json,
+            Origin::FromPhotos(arguments) => arguments.common.json,
         }
     }
 }
 
 /// Reads, integrates and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    match &arguments.source {
-        Source::FromNormals(arguments) => from_normals::run(arguments),
-        Source::FromPhotos(arguments) => from_photos::run(arguments),
+    match &arguments.origin {
+        Origin::FromNormals(arguments) => from_normals::run(arguments),
+        Origin::FromPhotos(arguments) => from_photos::run(arguments),
     }
 }
 

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use clap::Args;
 use comfy_table::presets::ASCII_MARKDOWN;
 use comfy_table::{ContentArrangement, Table};
-use relief::registry::{Entry, Param, Source};
+use relief_core::registry::{Entry, Param, Publication};
 use relief_shaders::{METHODS, refine, search, shade, surface};
 use serde_json::{Value, json};
 
@@ -38,7 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         writeln!(out, "{}", heading(stage))?;
         writeln!(out, "{}\n", entries_table(entries))?;
     }
-    writeln!(out, "Section: of {}", METHODS[0].source.paper)?;
+    writeln!(out, "Section: of {}", METHODS[0].publication.paper)?;
     writeln!(out, "Guarantees: for view rays / bent rays / shadow rays")?;
     Ok(())
 }
@@ -61,7 +61,13 @@ fn table(header: &[&str]) -> Table {
 fn methods_table() -> Table {
     let mut table = table(&["method", "search", "refinement", "section", "what it is"]);
     for method in METHODS {
-        table.add_row([method.name, method.search, method.refine, section(&method.source), method.summary]);
+        table.add_row([
+            method.name,
+            method.search,
+            method.refine,
+            section(&method.publication),
+            method.summary,
+        ]);
     }
     table
 }
@@ -72,7 +78,7 @@ fn entries_table(entries: &[Entry]) -> Table {
         let params: Vec<String> = entry.params.iter().map(param_text).collect();
         table.add_row([
             entry.name.to_owned(),
-            section(&entry.source).to_owned(),
+            section(&entry.publication).to_owned(),
             summary(entry),
             params.join("\n"),
             guarantees(entry).join(" / "),
@@ -82,7 +88,7 @@ fn entries_table(entries: &[Entry]) -> Table {
 }
 
 /// The survey's section; for what was published elsewhere, where.
-fn section(source: &Source) -> &'static str {
+fn section(source: &Publication) -> &'static str {
     if source.section.is_empty() { source.paper } else { source.section }
 }
 
@@ -104,7 +110,7 @@ fn guarantees(entry: &Entry) -> [&'static str; 3] {
 }
 
 fn as_json() -> Value {
-    let source = |source: &Source| json!({ "paper": source.paper, "section": source.section });
+    let source = |source: &Publication| json!({ "paper": source.paper, "section": source.section });
     let methods: Vec<Value> = METHODS
         .iter()
         .map(|method| {
@@ -112,7 +118,7 @@ fn as_json() -> Value {
                 method.settings.iter().map(|&(key, value)| (key.to_owned(), json!(value))).collect();
             json!({
                 "name": method.name, "search": method.search, "refine": method.refine,
-                "settings": settings, "summary": method.summary, "source": source(&method.source),
+                "settings": settings, "summary": method.summary, "source": source(&method.publication),
             })
         })
         .collect();
@@ -138,7 +144,7 @@ fn as_json() -> Value {
                     })
                     .collect();
                 json!({
-                    "id": entry.id, "name": entry.name, "summary": entry.summary, "source": source(&entry.source),
+                    "id": entry.id, "name": entry.name, "summary": entry.summary, "source": source(&entry.publication),
                     "maps": maps, "params": params, "argument": entry.argument,
                     "guarantee": { "view": view, "bent": bent, "shadow": shadow },
                 })

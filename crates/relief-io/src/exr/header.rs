@@ -8,11 +8,12 @@ use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
 
 use exr::prelude::{Compression, SampleType as ExrSample};
-use relief::{HeightMap, MAX_SIDE};
+use relief_core::{HeightMap, MAX_SIDE};
 
 use super::part::{ExrChannel, Part};
 use crate::ReadProblem;
-use crate::source::{Format, io_problem, zeros};
+use crate::input::{io_problem, zeros};
+use crate::layout::Format;
 
 /// Names are at most that long in files with the flag for long names.
 const MAX_NAME: usize = 255;

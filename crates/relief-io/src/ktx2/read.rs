@@ -5,11 +5,11 @@ use std::io::{BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use ktx2::{Header, KeyValueDataIterator, LevelIndex, MAGIC, SupercompressionScheme};
-use relief::MAX_SIDE;
+use relief_core::MAX_SIDE;
 use ruzstd::decoding::StreamingDecoder;
 
 use super::{TexelFormat, blocks, full_chain, level_size};
-use crate::source::zeros;
+use crate::input::zeros;
 use crate::texture::Metadata;
 use crate::{ReadError, ReadProblem};
 

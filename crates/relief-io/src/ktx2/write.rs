@@ -6,7 +6,7 @@ use std::path::Path;
 
 use ktx2::dfd::{Basic, Block};
 use ktx2::{Header, Index, LevelIndex, SupercompressionScheme};
-use relief::MAX_SIDE;
+use relief_core::MAX_SIDE;
 use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
 use super::{TexelFormat, blocks, full_chain, level_size};

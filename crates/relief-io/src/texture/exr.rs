@@ -10,7 +10,7 @@ use exr::meta::attribute::AttributeValue;
 use exr::meta::header::{Header, LayerAttributes};
 use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::{ChannelDescription, Compression, LineOrder, SampleType, SmallVec, Text};
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::metadata::EXR_ATTRIBUTE;
 use super::{Metadata, Row, RowSource};

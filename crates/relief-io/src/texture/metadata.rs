@@ -4,7 +4,8 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
-use crate::source::{Format, io_problem, zeros};
+use crate::input::{io_problem, zeros};
+use crate::layout::Format;
 use crate::{ReadError, ReadProblem, WriteProblem};
 
 /// The attribute of EXR files that holds the metadata, a line each.

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use png::{BitDepth, ColorType};
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::{Metadata, Row, RowSource, unorm_code};
 use crate::write::{write_file, write_png};

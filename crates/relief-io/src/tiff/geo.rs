@@ -2,7 +2,7 @@
 
 use tiff_reader::Ifd;
 
-use crate::source::{SampleKind, SampleType};
+use crate::layout::{SampleKind, SampleType};
 
 const TAG_PIXEL_SCALE: u16 = 33550;
 const TAG_TIEPOINTS: u16 = 33922;

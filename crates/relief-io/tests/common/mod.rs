@@ -10,7 +10,7 @@ pub mod tiff_file;
 
 use std::path::{Path, PathBuf};
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 use relief_io::{HeightOptions, read_height};
 
 /// A folder of its own for one test, removed at the end.

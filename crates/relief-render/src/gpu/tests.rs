@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, PixelIn, Settings, Triangle};
 use wgpu::BufferUsages;

@@ -1,7 +1,7 @@
 //! The list of built-in meshes.
 
 use super::{Mesh, MeshError, cube, cylinder, plane, sphere, torus};
-use relief::registry::UnknownName;
+use relief_core::registry::UnknownName;
 use std::fmt;
 use std::str::FromStr;
 

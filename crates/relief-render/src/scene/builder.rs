@@ -6,7 +6,7 @@ use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
 use crate::material::Material;
 use crate::mesh::{Builtin, Mesh};
 use glam::{DVec3, Vec3};
-use relief::HeightMap;
+use relief_core::HeightMap;
 use relief_io::{NormalMap, Picture};
 
 /// The longest side of a picture in pixels.

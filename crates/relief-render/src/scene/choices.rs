@@ -1,6 +1,6 @@
 //! Choices that are names.
 
-use relief::registry::UnknownName;
+use relief_core::registry::UnknownName;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;

@@ -6,7 +6,7 @@ use crate::light::LightError;
 use crate::material::MaterialError;
 use crate::mesh::MeshError;
 use crate::method::MethodError;
-use relief::HeightMapError;
+use relief_core::HeightMapError;
 use relief_io::ReadError;
 use std::path::PathBuf;
 

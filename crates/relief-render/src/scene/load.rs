@@ -9,7 +9,7 @@ use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::method::{MethodError, select};
 use glam::{DVec3, Vec2, Vec3};
-use relief::HeightMap;
+use relief_core::HeightMap;
 use relief_io::{Convention, HeightOptions};
 use relief_shaders::SelectionError;
 use std::path::Path;
@@ -64,7 +64,7 @@ impl SceneSpec {
     pub fn check(&self) -> Result<(), ValueError> {
         let parts = self.parts()?;
         // A map of one texel stands in for the file, so that the builder's own checks are made as well.
-        let problem = |problem: relief::HeightMapError| ValueProblem::from(problem).of("height");
+        let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");
         let flat = HeightMap::new(1, 1, vec![0.0], self.wrap.unwrap_or_default()).map_err(problem)?;
         self.builder(parts, flat)?.build().map(drop)
     }

@@ -25,7 +25,7 @@ use crate::light::Light;
 use crate::material::Material;
 use crate::mesh::Mesh;
 use glam::Vec3;
-use relief::HeightMap;
+use relief_core::HeightMap;
 use relief_io::Picture;
 use relief_shaders::SearchMap;
 

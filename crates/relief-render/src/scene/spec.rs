@@ -2,7 +2,7 @@
 
 use super::{BackendChoice, ByteSize, Sampling};
 use crate::mesh::Builtin;
-use relief::Wrap;
+use relief_core::Wrap;
 use relief_io::{GreenSign, RawLayout};
 use serde::{Deserialize, Deserializer, de};
 use std::collections::BTreeMap;

@@ -1,12 +1,12 @@
 //! Between the shaders' structs and the core's.
 
-use relief::{FoundState, HeightMap, PathMetric};
+use relief_core::{FoundState, HeightMap, PathMetric};
 
 use super::runtime::Vec4;
 use super::{ColorTexture, Found, HeightTexture, Hit, Light, Path, Resources, Settings};
 use crate::{MAX_LIGHTS, SearchMap, SearchMapError, Selection};
 
-impl From<&Path> for relief::Path {
+impl From<&Path> for relief_core::Path {
     /// The same path, in `f64`.
     fn from(path: &Path) -> Self {
         let [uu, uv, vv, scale_m] =
@@ -22,9 +22,9 @@ impl From<&Path> for relief::Path {
     }
 }
 
-impl From<&relief::Path> for Path {
+impl From<&relief_core::Path> for Path {
     /// The path rounded to `f32`.
-    fn from(path: &relief::Path) -> Self {
+    fn from(path: &relief_core::Path) -> Self {
         let metric = &path.metric;
         Self::new(
             path.uv.map(|x| x as f32),
@@ -37,7 +37,7 @@ impl From<&relief::Path> for Path {
     }
 }
 
-impl From<&Hit> for relief::Hit {
+impl From<&Hit> for relief_core::Hit {
     fn from(hit: &Hit) -> Self {
         Self {
             found: hit.found == 1,
@@ -50,8 +50,8 @@ impl From<&Hit> for relief::Hit {
     }
 }
 
-impl From<&relief::Hit> for Hit {
-    fn from(hit: &relief::Hit) -> Self {
+impl From<&relief_core::Hit> for Hit {
+    fn from(hit: &relief_core::Hit) -> Self {
         Self::new(
             u32::from(hit.found),
             u32::from(hit.exhausted),
@@ -63,7 +63,7 @@ impl From<&relief::Hit> for Hit {
     }
 }
 
-impl From<&Found> for relief::Found {
+impl From<&Found> for relief_core::Found {
     /// An unknown state, which no search returns, reads as [`FoundState::Miss`].
     fn from(found: &Found) -> Self {
         let states = [
@@ -148,7 +148,7 @@ impl<'a> Resources<'a> {
     }
 
     /// Search and refinement of one path.
-    pub fn first_hit(&self, path: &relief::Path) -> relief::Hit {
-        relief::Hit::from(&self.trace(Path::from(path)))
+    pub fn first_hit(&self, path: &relief_core::Path) -> relief_core::Hit {
+        relief_core::Hit::from(&self.trace(Path::from(path)))
     }
 }

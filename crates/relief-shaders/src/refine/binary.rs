@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `binary`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// The interval is halved.
 pub const ENTRY: Entry = Entry {
     id: 5,
     name: "binary",
     summary: "the interval is halved",
-    source: Source { paper: super::SURVEY, section: "4.2.2" },
+    publication: Publication { paper: super::SURVEY, section: "4.2.2" },
     maps: &[],
     params: &[Param {
         name: "steps",

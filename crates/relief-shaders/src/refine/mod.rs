@@ -1,6 +1,6 @@
 //! Refinements: what converges inside a search's bracket. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
 
-use relief::registry::Entry;
+use relief_core::registry::Entry;
 
 use crate::SURVEY;
 

@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `none`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// What the search found: the processed point, or the first sample below.
 pub const ENTRY: Entry = Entry {
     id: 0,
     name: "none",
     summary: "what the search found: the processed point, or the first sample below",
-    source: Source { paper: super::SURVEY, section: "4.1.1" },
+    publication: Publication { paper: super::SURVEY, section: "4.1.1" },
     maps: &[],
     params: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),

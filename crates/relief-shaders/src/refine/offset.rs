@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `offset`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Parallax mapping: a level surface at the starting point's height.
 pub const ENTRY: Entry = Entry {
     id: 1,
     name: "offset",
     summary: "parallax mapping: a level surface at the starting point's height",
-    source: Source { paper: super::SURVEY, section: "4.1.2" },
+    publication: Publication { paper: super::SURVEY, section: "4.1.2" },
     maps: &[],
     params: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),

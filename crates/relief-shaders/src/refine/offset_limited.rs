@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `offset-limited`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Parallax mapping with offset limiting: never farther than the height.
 pub const ENTRY: Entry = Entry {
     id: 2,
     name: "offset-limited",
     summary: "parallax mapping with offset limiting: never farther than the height",
-    source: Source { paper: super::SURVEY, section: "4.1.3" },
+    publication: Publication { paper: super::SURVEY, section: "4.1.3" },
     maps: &[],
     params: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),

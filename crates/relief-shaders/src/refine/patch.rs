@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `patch`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Ray against bilinear patch in closed form, cell by cell.
 pub const ENTRY: Entry = Entry {
     id: 8,
     name: "patch",
     summary: "ray against bilinear patch in closed form, cell by cell",
-    source: Source { paper: super::SURVEY, section: "4.3.1" },
+    publication: Publication { paper: super::SURVEY, section: "4.3.1" },
     maps: &[],
     params: &[Param {
         name: "limit",

@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `secant`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// False position: the surface between the two ends is a plane.
 pub const ENTRY: Entry = Entry {
     id: 6,
     name: "secant",
     summary: "false position: the surface between the two ends is a plane",
-    source: Source { paper: super::SURVEY, section: "4.2.3" },
+    publication: Publication { paper: super::SURVEY, section: "4.2.3" },
     maps: &[],
     params: &[Param {
         name: "steps",

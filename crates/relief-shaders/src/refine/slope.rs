@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `slope`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// The tangent plane at the starting point.
 pub const ENTRY: Entry = Entry {
     id: 3,
     name: "slope",
     summary: "the tangent plane at the starting point",
-    source: Source { paper: super::SURVEY, section: "4.1.4" },
+    publication: Publication { paper: super::SURVEY, section: "4.1.4" },
     maps: &[],
     params: &[Param {
         name: "divide",

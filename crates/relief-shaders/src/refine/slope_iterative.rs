@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `slope-iterative`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Iterative parallax mapping: the slope correction, repeated.
 pub const ENTRY: Entry = Entry {
     id: 4,
     name: "slope-iterative",
     summary: "iterative parallax mapping: the slope correction, repeated",
-    source: Source { paper: super::SURVEY, section: "4.2.1" },
+    publication: Publication { paper: super::SURVEY, section: "4.2.1" },
     maps: &[],
     params: &[
         Param {

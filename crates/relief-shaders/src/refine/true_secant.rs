@@ -1,13 +1,13 @@
 //! Registry entry of the refinement `true-secant`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// The secant method proper: the last two guesses.
 pub const ENTRY: Entry = Entry {
     id: 7,
     name: "true-secant",
     summary: "the secant method proper: the last two guesses",
-    source: Source { paper: super::SURVEY, section: "4.2.3" },
+    publication: Publication { paper: super::SURVEY, section: "4.2.3" },
     maps: &[],
     params: &[Param {
         name: "steps",

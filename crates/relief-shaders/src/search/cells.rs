@@ -1,13 +1,13 @@
 //! Registry entry of the search `cells`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Every dual cell along the path, in order.
 pub const ENTRY: Entry = Entry {
     id: 2,
     name: "cells",
     summary: "every dual cell along the path, in order",
-    source: Source { paper: super::SURVEY, section: "4.3.1" },
+    publication: Publication { paper: super::SURVEY, section: "4.3.1" },
     maps: &[],
     params: &[Param {
         name: "limit",

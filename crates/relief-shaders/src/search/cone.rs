@@ -1,13 +1,13 @@
 //! Registry entry of the search `cone`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Publication};
 
 /// Over the empty cone on the texel nearest to the path.
 pub const ENTRY: Entry = Entry {
     id: 4,
     name: "cone",
     summary: "over the empty cone on each texel that the path comes to",
-    source: Source { paper: super::SURVEY, section: "4.3.5" },
+    publication: Publication { paper: super::SURVEY, section: "4.3.5" },
     maps: &[MapInput { kind: "cone", texture: "" }],
     params: &[Param {
         name: "limit",

@@ -1,13 +1,13 @@
 //! Registry entry of the search `frustum`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Publication};
 
 /// Over the empty frustum of each cell that the path comes to.
 pub const ENTRY: Entry = Entry {
     id: 3,
     name: "frustum",
     summary: "over the empty frustum on each cell that the path comes to",
-    source: Source { paper: "Relief", section: "" },
+    publication: Publication { paper: "Relief", section: "" },
     maps: &[MapInput { kind: "frustum", texture: "slopes" }],
     params: &[Param {
         name: "limit",

@@ -1,13 +1,13 @@
 //! Registry entry of the search `linear`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Param, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Equal steps until one is below the surface.
 pub const ENTRY: Entry = Entry {
     id: 1,
     name: "linear",
     summary: "equal steps until one is below the surface",
-    source: Source { paper: super::SURVEY, section: "4.3.1" },
+    publication: Publication { paper: super::SURVEY, section: "4.3.1" },
     maps: &[],
     params: &[
         Param {

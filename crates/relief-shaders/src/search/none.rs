@@ -1,13 +1,13 @@
 //! Registry entry of the search `none`.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Nothing is searched: entry and exit.
 pub const ENTRY: Entry = Entry {
     id: 0,
     name: "none",
     summary: "nothing is searched: entry and exit",
-    source: Source { paper: super::SURVEY, section: "4.1" },
+    publication: Publication { paper: super::SURVEY, section: "4.1" },
     maps: &[],
     params: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),

@@ -1,6 +1,6 @@
 //! Shadings: what light makes of a hit. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
 
-use relief::registry::Entry;
+use relief_core::registry::Entry;
 
 use crate::SURVEY;
 

@@ -1,13 +1,13 @@
 //! Registry entry of the flat base surface.
 
-use relief::registry::{Entry, Guarantee, Guarantees, Source};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// The flat base surface.
 pub const ENTRY: Entry = Entry {
     id: 0,
     name: "plane",
     summary: "the polygon itself, with its frame interpolated: one straight segment a ray",
-    source: Source { paper: super::SURVEY, section: "4" },
+    publication: Publication { paper: super::SURVEY, section: "4" },
     maps: &[],
     params: &[],
     guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Impossible, shadow: Guarantee::Exact },

@@ -5,8 +5,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use rayon::prelude::*;
-use relief::HeightMap;
 use relief_bake::{Metric, Settings};
+use relief_core::HeightMap;
 use relief_tests::brute;
 use relief_tests::rng::Rng;
 
@@ -131,8 +131,9 @@ fn number(settings: &Settings, name: &str) -> f64 {
 fn directions(map: &HeightMap, metric: Metric, settings: &Settings) -> Vec<([f64; 2], f64, f64)> {
     let (azimuths, elevations) = (number(settings, "azimuths"), number(settings, "elevations"));
     let size = [f64::from(map.width()), f64::from(map.height())];
-    let azimuths = (0..azimuths as u32)
-        .map(|azimuth| brute::horizon::Ray::new(TAU * f64::from(azimuth) / azimuths, metric.texel_m(map)));
+    let azimuths = (0..azimuths as u32).map(|azimuth| {
+        brute::horizon::HorizonRay::new(TAU * f64::from(azimuth) / azimuths, metric.texel_m(map))
+    });
     azimuths
         .flat_map(|ray| {
             (0..elevations as u32).map(move |elevation| {

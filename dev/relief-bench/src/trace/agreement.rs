@@ -1,8 +1,8 @@
 //! Whether the tracers that are timed give the same answers.
 
 use rayon::prelude::*;
-use relief::HeightMap;
-use relief::exact::{FastTracer, cell_walk};
+use relief_core::HeightMap;
+use relief_core::exact::{FastTracer, cell_walk};
 use relief_tests::judge::judge;
 
 use super::tracers::{Contest, Rays, Tracer};
@@ -86,7 +86,7 @@ fn differences(map: &HeightMap, truth: &[Option<f64>], given: &[Option<f64>]) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use relief::Wrap;
+    use relief_core::Wrap;
 
     #[test]
     fn differences_see_what_is_changed() {

@@ -1,6 +1,6 @@
 //! The maps that are traced.
 
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 use relief_io::{HeightOptions, read_height};
 use relief_tests::accuracy::sample_maps;
 use relief_tests::maps::fractal;
@@ -11,10 +11,10 @@ use super::view::SCALE_M;
 pub struct Subject {
     /// The name.
     pub name: &'static str,
-    source: Source,
+    origin: Origin,
 }
 
-enum Source {
+enum Origin {
     /// Fractal ground of that many texels a side.
     Ground(u32),
     /// A sample map of the project.
@@ -23,10 +23,10 @@ enum Source {
 
 /// All of them.
 pub const SUBJECTS: &[Subject] = &[
-    Subject { name: "ground512", source: Source::Ground(512) },
-    Subject { name: "ground4096", source: Source::Ground(4096) },
-    Subject { name: "cobbles", source: Source::Sample("cobbles.png") },
-    Subject { name: "jacksboro", source: Source::Sample("jacksboro.png") },
+    Subject { name: "ground512", origin: Origin::Ground(512) },
+    Subject { name: "ground4096", origin: Origin::Ground(4096) },
+    Subject { name: "cobbles", origin: Origin::Sample("cobbles.png") },
+    Subject { name: "jacksboro", origin: Origin::Sample("jacksboro.png") },
 ];
 
 /// Height of an octave over that of the one before, which is twice as coarse: above a half, so that slopes grow with
@@ -36,12 +36,12 @@ const ROUGHNESS: f32 = 0.55;
 impl Subject {
     /// The map, with heights that are multiples of 1/65535: what a 16-bit picture holds, and so what every program sees.
     pub fn map(&self) -> Result<HeightMap, String> {
-        let map = match self.source {
-            Source::Ground(side) => {
+        let map = match self.origin {
+            Origin::Ground(side) => {
                 HeightMap::new(side, side, fractal(11, side, side, ROUGHNESS), Wrap::Clamp)
                     .map_err(|error| error.to_string())?
             }
-            Source::Sample(file) => {
+            Origin::Sample(file) => {
                 let options = HeightOptions { wrap: Wrap::Clamp, ..HeightOptions::default() };
                 read_height(&sample_maps().join(file), &options).map_err(|error| error.to_string())?
             }

@@ -5,8 +5,8 @@ use std::path::Path as FilePath;
 use glam::{DVec2, DVec3};
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use relief::HeightMap;
-use relief::exact::FastTracer;
+use relief_core::HeightMap;
+use relief_core::exact::FastTracer;
 use relief_io::{PngColour, write_png8};
 use relief_render::camera::Camera;
 
@@ -139,7 +139,7 @@ pub fn difference(one: &[f32], other: &[f32]) -> (f64, [i64; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use relief::Wrap;
+    use relief_core::Wrap;
 
     #[test]
     fn the_normal_of_a_ramp_is_the_ramps() {

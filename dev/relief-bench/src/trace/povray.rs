@@ -6,7 +6,7 @@ use std::path::Path as FilePath;
 use std::process::{Command, Output};
 
 use glam::DVec3;
-use relief::HeightMap;
+use relief_core::HeightMap;
 use relief_io::{read_picture, write_png16};
 use tempfile::TempDir;
 

@@ -4,7 +4,7 @@
 //! first and the last texel, so everything here ends at the centres of the outermost texels, half a texel inside of the plane.
 
 use glam::DVec3;
-use relief::{HeightMap, Path, PathMetric};
+use relief_core::{HeightMap, Path, PathMetric};
 use relief_render::camera::{Camera, CameraError};
 
 /// Depth of the relief, in tiles.
@@ -95,7 +95,7 @@ impl Ground {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use relief::Wrap;
+    use relief_core::Wrap;
 
     #[test]
     fn paths_lie_on_their_rays_and_inside_the_cells_between_texels() {

@@ -1,6 +1,6 @@
 //! Cone maps the slow and obvious way: every cell in growing rings, every supremum by numerical search.
 
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 
 /// Steps of a golden-section search: the bracket shrinks to 1e-6 of its length.
 const STEPS: usize = 30;

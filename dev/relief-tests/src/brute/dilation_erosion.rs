@@ -1,7 +1,7 @@
 //! Extremes over windows, each from all of its heights.
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 /// Least and greatest height around every dual cell grown by `radius` texels, row by row.
 pub fn window_bounds(map: &HeightMap, radius: u32) -> Vec<[f32; 2]> {

@@ -1,7 +1,7 @@
 //! Distances to a relief and to the boxes over its dual cells, by search.
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 /// The distance from every texel centre at height `level` (1 is `scale_m` high) to the nearest box, in metres, row by row; all
 /// in parallel.

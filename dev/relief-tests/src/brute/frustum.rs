@@ -1,7 +1,7 @@
 //! Least slopes of frusta, ring of texels by ring of texels.
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::probes::place::Place;
 

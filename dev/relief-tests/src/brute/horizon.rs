@@ -1,17 +1,17 @@
 //! The horizon of one texel, from every cell on its ray.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 /// A ray along the base plane from a texel's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
+pub struct HorizonRay {
     /// Change of the place a step, in texels; the faster axis moves by one.
     pub step: [f64; 2],
     /// Length of a step in metres.
     pub step_m: f64,
 }
 
-impl Ray {
+impl HorizonRay {
     /// The ray at an angle from `+u` towards `+v` that is measured in metres, for texels of that size in metres.
     pub fn new(angle: f64, texel_m: [f64; 2]) -> Self {
         let exact = |x: f64| if x.abs() < 1e-12 { 0.0 } else { x };
@@ -25,7 +25,7 @@ impl Ray {
 /// The greatest slope, in heights a step, under which the centre of a texel sees a point of the bilinear surface that
 /// is at most `reach` steps away along the ray; `highest` is the map's highest texel. Exact, in `f64`; ends early
 /// where even the highest texel could not raise it.
-pub fn slope(map: &HeightMap, texel: [u32; 2], ray: &Ray, reach: f64, highest: f64) -> f64 {
+pub fn slope(map: &HeightMap, texel: [u32; 2], ray: &HorizonRay, reach: f64, highest: f64) -> f64 {
     let start = texel.map(i64::from);
     let own = f64::from(map.texel(start[0], start[1]));
     let [dx, dy] = ray.step;

@@ -1,7 +1,7 @@
 //! Slopes and normals in `f64`, texel by texel.
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 /// A slope along `u` and along `v`, metres up for a metre along.
 pub type Slope = [f64; 2];

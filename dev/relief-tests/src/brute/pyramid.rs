@@ -1,7 +1,7 @@
 //! Extremes over squares of dual cells, from the heights each time.
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 /// Least and greatest height over the dual cells of every node of a level, row by row.
 pub fn level(map: &HeightMap, level: u32) -> Vec<[f32; 2]> {

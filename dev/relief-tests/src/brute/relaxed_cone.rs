@@ -1,6 +1,6 @@
 //! Relaxed cones of single texels, from samples of every patch that falls.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 /// The steepest slope, in heights a metre of `texel_m`, from an apex to a sampled point of the surface over which it falls along
 /// the ray from there: no cone of a smaller slope is left after one entry at most, and the least that is lies above by what is

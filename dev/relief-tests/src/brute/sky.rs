@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
-use super::horizon::{Ray, slope};
+use super::horizon::{HorizonRay, slope};
 
 /// How the sky is looked at from the texels of a map.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +26,7 @@ impl Sky {
     pub fn horizons(&self, map: &HeightMap, texel: [u32; 2]) -> impl Iterator<Item = [f64; 2]> {
         (0..self.azimuths).map(move |azimuth| {
             let angle = TAU * f64::from(azimuth) / f64::from(self.azimuths);
-            let ray = Ray::new(angle, self.texel_m);
+            let ray = HorizonRay::new(angle, self.texel_m);
             let slope = slope(map, texel, &ray, self.reach, self.highest) * self.scale_m / ray.step_m;
             [angle, slope.max(0.0).atan()]
         })

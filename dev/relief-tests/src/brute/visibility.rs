@@ -1,7 +1,7 @@
 //! Judges the first hit of a ray from a texel's centre by the exact tracer's arithmetic.
 
-use relief::exact::{cell_walk, least_gap};
-use relief::{HeightMap, Path};
+use relief_core::exact::{cell_walk, least_gap};
+use relief_core::{HeightMap, Path};
 
 /// The ray from a texel's centre, in texture space, with `t` in steps from 0 to `reach`; `step_uv` and `slope` are
 /// the changes of texture coordinates and of height a step.

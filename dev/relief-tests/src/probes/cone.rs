@@ -1,6 +1,6 @@
 //! Pairs of surface points that a cone map must keep apart.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::rng::Rng;
 

@@ -1,6 +1,6 @@
 //! Places within the radius of a cell against what the cell says of them.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::Found;
 use super::place::{Place, ROUNDING};

@@ -1,6 +1,6 @@
 //! Attacks on distance fields: points from which a point of the surface is nearer than the fetched value says.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::Found;
 use crate::rng::Rng;

@@ -1,6 +1,6 @@
 //! Places ahead of a cell against its frustum.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::Found;
 use super::place::{Place, ROUNDING};

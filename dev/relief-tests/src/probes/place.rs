@@ -1,6 +1,6 @@
 //! Places on the surface, drawn where a bound may have forgotten them.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::rng::Rng;
 

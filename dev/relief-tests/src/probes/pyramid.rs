@@ -1,6 +1,6 @@
 //! Places against the nodes over them.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::Found;
 use super::place::{Place, ROUNDING};

@@ -1,6 +1,6 @@
 //! Falling rays that must not come out of the surface inside a relaxed cone.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::rng::Rng;
 

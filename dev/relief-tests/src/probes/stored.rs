@@ -1,9 +1,9 @@
 //! Baked maps as a reader decodes them.
 
-use relief::HeightMap;
 use relief_bake::kind::cone;
 use relief_bake::kind::frustum::FrustumMap;
 use relief_bake::{BakeError, Collected, CollectedTexture, Kind, Metric, Progress, bake, quantise};
+use relief_core::HeightMap;
 
 use super::frustum::Frustum;
 

@@ -1,13 +1,13 @@
 //! The search through a quadrant frustum map.
 
-use relief::{HeightMap, Path};
+use relief_core::{HeightMap, Path};
 
-use super::{Ray, Searched, first_root};
+use super::{CellRay, Searched, first_root};
 use crate::probes::frustum::Frustum;
 
 /// The first hit of a path with a finite exit; `read` is the frustum for a ray over a cell, not wrapped, in a quadrant.
 pub fn search(map: &HeightMap, path: &Path, read: impl Fn([i64; 2], [bool; 2]) -> Frustum) -> Searched {
-    let ray = Ray::new(map, path);
+    let ray = CellRay::new(map, path);
     let (forward, end) = (ray.forward(), path.exit);
     let (mut t, mut cell) = (0.0, ray.cell_at(0.0));
     let mut steps = 0;
@@ -43,7 +43,7 @@ pub fn search(map: &HeightMap, path: &Path, read: impl Fn([i64; 2], [bool; 2]) -
             near = cell;
         }
         if next >= end {
-            return Ray::miss(steps);
+            return CellRay::miss(steps);
         }
         // Rounding may see the ray on the near side of a line that it has just crossed: it has left the cell all the same.
         let own = ray.leaves(cell.map(|at| at as f64), cell.map(|at| at as f64 + 1.0));

@@ -4,8 +4,8 @@
 pub mod frustum;
 pub mod pyramid;
 
-use relief::exact::ExactHit;
-use relief::{HeightMap, Hit, Path};
+use relief_core::exact::ExactHit;
+use relief_core::{HeightMap, Hit, Path};
 
 /// A search's answer, and how many steps it took: nodes or frusta passed over, and patches solved.
 #[derive(Clone, Copy, Debug)]
@@ -18,14 +18,14 @@ pub struct Searched {
 
 /// A path in cells.
 #[derive(Clone, Copy, Debug)]
-struct Ray<'a> {
+struct CellRay<'a> {
     map: &'a HeightMap,
     path: &'a Path,
     start: [f64; 2],
     speed: [f64; 2],
 }
 
-impl<'a> Ray<'a> {
+impl<'a> CellRay<'a> {
     fn new(map: &'a HeightMap, path: &'a Path) -> Self {
         let size = [f64::from(map.width()), f64::from(map.height())];
         let start = [0, 1].map(|axis| path.uv[axis] * size[axis] - 0.5);

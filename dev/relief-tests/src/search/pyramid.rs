@@ -2,13 +2,13 @@
 //! dips into, and up again where it leaves the parent (Tevs, Ihrke and Seidel 2008; Szirmay-Kalos and Umenhoffer 2008,
 //! section 4.3.3).
 
-use relief::{HeightMap, MaxPyramid, Path, Wrap};
+use relief_core::{HeightMap, MaxPyramid, Path, Wrap};
 
-use super::{Ray, Searched};
+use super::{CellRay, Searched};
 
 /// The first hit of a path with a finite exit.
 pub fn search(map: &HeightMap, pyramid: &MaxPyramid, path: &Path) -> Searched {
-    let ray = Ray::new(map, path);
+    let ray = CellRay::new(map, path);
     let (forward, end) = (ray.forward(), path.exit);
     let top = pyramid.levels() - 1;
     let (mut t, mut cell, mut level) = (0.0, ray.cell_at(0.0), top);
@@ -35,7 +35,7 @@ pub fn search(map: &HeightMap, pyramid: &MaxPyramid, path: &Path) -> Searched {
             }
         }
         if leave >= end {
-            return Ray::miss(steps);
+            return CellRay::miss(steps);
         }
         let near = ray.cell_at(leave);
         let parent = extent(map, cell, (level + 1).min(top));

@@ -1,7 +1,7 @@
 //! Maps, settings and stages to send rays through.
 
-use relief::registry::Entry;
-use relief::{HeightMap, Wrap};
+use relief_core::registry::Entry;
+use relief_core::{HeightMap, Wrap};
 use relief_render::job::{Job, TexelMap};
 use relief_shaders::cpu::{PixelIn, Probe, Resources, Settings, Shared};
 use relief_shaders::{SearchMap, Selection};

@@ -1,6 +1,6 @@
 //! Whether two backends gave the same answers.
 
-use relief::Path;
+use relief_core::Path;
 use relief_shaders::cpu::{PixelIn, Probe, Resources, Shared};
 
 use crate::cases::{Case, probe};

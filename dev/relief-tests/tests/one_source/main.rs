@@ -9,7 +9,7 @@ mod compare;
 mod picture;
 mod rays;
 
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 use relief_render::gpu::{GpuError, Sampling};
 use relief_shaders::cpu::{PixelIn, PixelOut, Probe, Shared, write_all};
 use relief_shaders::{Selection, refine, search};

@@ -1,7 +1,7 @@
 //! A small scene, built by hand, and its picture by the translated shaders.
 
 use glam::{DVec3, Vec3};
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 use relief_render::camera::Camera;
 use relief_render::job::{Job, Rendering, TexelMap};
 use relief_shaders::cpu::{Corner, Light, PixelOut, Resources, Settings, Triangle};

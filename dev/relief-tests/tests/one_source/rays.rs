@@ -1,7 +1,7 @@
 //! Adversarial rays, in the world and each with a base triangle of its own, as the shaders take them.
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
-use relief::{HeightMap, Path};
+use relief_core::{HeightMap, Path};
 use relief_shaders::cpu::{Corner, PixelIn};
 use relief_tests::rays::{RayKind, Rays};
 use relief_tests::rng::Rng;

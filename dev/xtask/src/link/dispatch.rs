@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-use relief::registry::Entry;
+use relief_core::registry::Entry;
 use relief_shaders::{refine, search, shade, surface};
 
 struct Stage {

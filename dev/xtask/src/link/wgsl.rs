@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use relief::registry::Entry;
+use relief_core::registry::Entry;
 use relief_shaders::{refine, search, shade, surface};
 use wgsl_parse::syntax::{GlobalDeclaration, TranslationUnit};
 
@@ -78,8 +78,8 @@ pub fn header(program: &str, sampling: &str) -> String {
     ];
     for (constant, entries) in stages {
         for entry in entries {
-            let section = match entry.source.section {
-                "" => entry.source.paper.to_owned(),
+            let section = match entry.publication.section {
+                "" => entry.publication.paper.to_owned(),
                 section => format!("section {section}"),
             };
             let _ = writeln!(

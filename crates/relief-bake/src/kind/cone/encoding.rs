@@ -1,6 +1,6 @@
 //! How cone ratios are stored.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::{BakeError, Channel, Metric, Rounding, Sink, Texture, quantise};
 

@@ -1,6 +1,6 @@
 //! The surface, cell by cell.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 /// A map, quick to read around a texel.
 pub(in crate::kind) struct Field<'a> {

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 
 use super::apexes::{APEXES, Apexes, PerApex, Places, Region};
 use super::block::{Block, Lanes, is_in_block};

@@ -1,9 +1,9 @@
 //! Every vertex that may matter to a few texels side by side, and few others: a shared descent of a maximum pyramid.
 
 use pulp::Simd;
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 
-use super::super::levels::Levels;
+use super::super::texel_pyramid::TexelPyramid;
 use super::block::REACH;
 
 /// Texels of a row that are searched for at once. They share the walk through the pyramid, and the compiler compares them
@@ -16,7 +16,7 @@ const CAUTION: f64 = 1.0 - 1.0 / (1u64 << 19) as f64;
 
 /// The map's pyramid and the shape of its texels.
 pub(in crate::kind) struct Walk<'a> {
-    levels: Levels<'a>,
+    levels: TexelPyramid<'a>,
     size: [i64; 2],
     wrap: Wrap,
     /// Sides of a texel over the longer one.
@@ -120,7 +120,7 @@ impl<'a> Walk<'a> {
     pub fn new(map: &'a HeightMap, texel_m: [f64; 2], half: f64) -> Self {
         let side_m = texel_m[0].max(texel_m[1]);
         Self {
-            levels: Levels::new(map),
+            levels: TexelPyramid::new(map),
             size: [i64::from(map.width()), i64::from(map.height())],
             wrap: map.wrap(),
             sides: texel_m.map(|side| (side / side_m) as f32),

@@ -1,6 +1,6 @@
 //! The texels ahead of a dual cell along one axis.
 
-use relief::Wrap;
+use relief_core::Wrap;
 
 /// The texels `first..=last` of the map, as one run of those ahead of a cell.
 #[derive(Clone, Copy, Debug)]

@@ -7,9 +7,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
-use super::super::levels::Levels;
+use super::super::texel_pyramid::TexelPyramid;
 use super::ahead::{self, Run};
 use super::diagonal;
 use crate::{Cancelled, Progress};
@@ -37,7 +37,7 @@ const STEEPEST: f32 = 2.0;
 pub fn least_slopes(
     map: &HeightMap,
     tops: &[f32],
-    levels: &Levels,
+    levels: &TexelPyramid,
     forward: [bool; 2],
     progress: &Progress,
 ) -> Result<Vec<f32>, Cancelled> {
@@ -87,7 +87,7 @@ struct Sight {
 struct Search<'a> {
     map: &'a HeightMap,
     tops: &'a [f32],
-    levels: &'a Levels<'a>,
+    levels: &'a TexelPyramid<'a>,
     forward: [bool; 2],
     columns: [u32; 2],
     row: u32,
@@ -108,7 +108,7 @@ impl<'a> Search<'a> {
     fn new(
         map: &'a HeightMap,
         tops: &'a [f32],
-        levels: &'a Levels<'a>,
+        levels: &'a TexelPyramid<'a>,
         forward: [bool; 2],
         columns: [u32; 2],
     ) -> Self {

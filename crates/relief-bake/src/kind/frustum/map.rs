@@ -1,6 +1,6 @@
 //! The frustum map as it is read.
 
-use relief::{HeightMap, HeightMapError, Wrap};
+use relief_core::{HeightMap, HeightMapError, Wrap};
 
 /// Tops and least slopes of all dual cells: see the [module](super).
 #[derive(Clone, Debug, PartialEq)]

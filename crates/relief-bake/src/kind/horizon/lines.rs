@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 
 /// A direction along the base plane.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::lines::Direction;
 use super::sheared::Run;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::lines::{Direction, Lines, Rows};
 use super::sheared::{Band, Plane, SKEW, Slab};

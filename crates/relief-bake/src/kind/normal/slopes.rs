@@ -1,6 +1,6 @@
 //! Slopes of a height map at its texel centres.
 
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use crate::Metric;
 

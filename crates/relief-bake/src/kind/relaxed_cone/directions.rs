@@ -4,7 +4,7 @@
 //! its gradient is a box, and its product with a direction is least at corners of that box and on one of the rays.
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::super::cone::{Field, Seen};
 
@@ -14,10 +14,10 @@ const ROUNDING: f64 = 1e-12;
 /// For each vertex the octants, a bit each, in which one of the cells around it falls of which it is the highest corner; and
 /// what these are for the vertices of squares together.
 pub(super) struct Directions {
-    levels: Vec<Level>,
+    levels: Vec<OctantLevel>,
 }
 
-struct Level {
+struct OctantLevel {
     octants: Vec<u8>,
     width: usize,
 }
@@ -32,8 +32,8 @@ impl Directions {
                 *octants = of_vertex(&field.around([column as i64, row as i64]));
             }
         });
-        let mut levels = vec![Level { octants, width }];
-        while let Some(halved) = levels.last().and_then(Level::halved) {
+        let mut levels = vec![OctantLevel { octants, width }];
+        while let Some(halved) = levels.last().and_then(OctantLevel::halved) {
             levels.push(halved);
         }
         Self { levels }
@@ -47,7 +47,7 @@ impl Directions {
     }
 }
 
-impl Level {
+impl OctantLevel {
     /// The level of half the size, rounded up; `None` above a single node.
     fn halved(&self) -> Option<Self> {
         if self.octants.len() == 1 {

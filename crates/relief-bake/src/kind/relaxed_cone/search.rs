@@ -1,7 +1,7 @@
 //! The search for the steepest falling points.
 
 use pulp::Simd;
-use relief::{HeightMap, Wrap};
+use relief_core::{HeightMap, Wrap};
 
 use super::super::cone::{
     Apexes, Block, Group, LANES, Lanes, Look, Region, Search, Seen, Sort, State, bits_of, cells_of_block,

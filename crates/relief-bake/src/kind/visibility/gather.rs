@@ -1,7 +1,7 @@
 //! Light gathered through precomputed visibility.
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 use super::views;
 use crate::{BakeError, Metric, Progress};

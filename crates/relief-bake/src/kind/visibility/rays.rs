@@ -56,7 +56,7 @@ struct Scratch {
 /// position`.
 pub(super) fn first_hits(
     lines: &Lines,
-    rays: &[Ray],
+    rays: &[SlopedRay],
     hits: &mut [f32],
     progress: &Progress,
 ) -> Result<(), Cancelled> {
@@ -80,7 +80,7 @@ pub(super) fn first_hits(
 
 /// A ray's rise and how far it is followed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ray {
+pub(super) struct SlopedRay {
     /// Heights a step; positive.
     pub slope: f64,
     /// Steps.
@@ -88,7 +88,7 @@ pub(super) struct Ray {
 }
 
 /// `highest[k]` is the highest point near the line at position `stretch.from + k`.
-fn sweep(lines: &Lines, stretch: &Stretch, ray: &Ray, scratch: &mut Scratch, hits: &mut [f32]) {
+fn sweep(lines: &Lines, stretch: &Stretch, ray: &SlopedRay, scratch: &mut Scratch, hits: &mut [f32]) {
     let Scratch { records, highest, higher } = scratch;
     records.stack.clear();
     let end = highest.len().min(stretch.to - stretch.from + ray.reach);
@@ -111,7 +111,7 @@ fn sweep(lines: &Lines, stretch: &Stretch, ray: &Ray, scratch: &mut Scratch, hit
 /// The ray of one texel.
 struct Walk<'a> {
     lines: &'a Lines<'a>,
-    ray: &'a Ray,
+    ray: &'a SlopedRay,
     p: usize,
     own: f64,
 }

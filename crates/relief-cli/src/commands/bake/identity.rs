@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use relief::HeightMap;
 use relief_bake::{Kind, Metric, Rounding, Settings, Texture};
+use relief_core::HeightMap;
 use relief_io::{Metadata, read_metadata};
 
 use super::storage::{FileFormat, Storage};
@@ -53,7 +53,10 @@ fn inputs(
         ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
         ("units", "lengths in metres; heights in fractions of the scale; u and v in tiles".to_owned()),
         ("guarantee", kind.guarantee.to_owned()),
-        ("published", format!("{} {}", kind.source.paper, kind.source.section).trim_end().to_owned()),
+        (
+            "published",
+            format!("{} {}", kind.publication.paper, kind.publication.section).trim_end().to_owned(),
+        ),
         ("generator", concat!("relief ", env!("CARGO_PKG_VERSION")).to_owned()),
     ]
 }

@@ -8,9 +8,9 @@ mod memory;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
-use relief::registry::{Param, Source as Publication};
 use relief_bake::kind::{BITS, Reach};
-use relief_bake::{Channel, Rounding, Sink, Source};
+use relief_bake::{BakeInput, Channel, Rounding, Sink};
+use relief_core::registry::{Param, Publication};
 use relief_io::{TexelFormat, read_ktx2, read_metadata, write_png16};
 
 use super::*;
@@ -27,10 +27,18 @@ struct Line {
 const fn kind(
     name: &'static str,
     params: &'static [Param],
-    bake: fn(&Source, &Settings, &BakeProgress, &mut dyn Sink) -> Result<(), BakeError>,
+    bake: fn(&BakeInput, &Settings, &BakeProgress, &mut dyn Sink) -> Result<(), BakeError>,
 ) -> Kind {
-    let source = Publication { paper: "Relief", section: "tests" };
-    Kind { name, summary: "for tests", source, params, guarantee: "none", reach: |_| Reach::Texels(0), bake }
+    Kind {
+        name,
+        summary: "for tests",
+        revision: 1,
+        publication: Publication { paper: "Relief", section: "tests" },
+        params,
+        guarantee: "none",
+        reach: |_| Reach::Texels(0),
+        bake,
+    }
 }
 
 const fn channel(name: &'static str, rounding: Rounding) -> Channel {

@@ -189,7 +189,7 @@ struct FromBake {
     /// Whether they are slopes of heights and nothing else.
     is_exact: bool,
     axes: Option<Axes>,
-    wrap: Option<relief::Wrap>,
+    wrap: Option<relief_core::Wrap>,
     tile_m: Option<[f64; 2]>,
 }
 

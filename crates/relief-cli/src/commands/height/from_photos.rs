@@ -76,7 +76,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let how = Integration {
         axes: Axes::Tangent,
         texel_m: common.texel_m.unwrap_or([1.0 / f64::from(size[0]); 2]),
-        wrap: common.wrap.unwrap_or(relief::Wrap::Clamp),
+        wrap: common.wrap.unwrap_or(relief_core::Wrap::Clamp),
         damping: common.damping.unwrap_or(DEFAULT_DAMPING),
         steepest: common.steepest,
     };

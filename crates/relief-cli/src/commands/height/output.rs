@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use relief::registry::UnknownName;
+use relief_core::registry::UnknownName;
 use relief_io::{Metadata, PngTexture, write_exr_rows, write_png_rows};
 use tempfile::TempDir;
 

@@ -25,18 +25,18 @@ use crate::{HeightMap, Wrap};
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaxPyramid {
     wrap: Wrap,
-    levels: Vec<Level>,
+    levels: Vec<PyramidLevel>,
 }
 
 /// Lower bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells: [`MaxPyramid`] with lowest for highest.
 /// Levels, sizes and the cells that a node covers are the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MinPyramid {
-    levels: Vec<Level>,
+    levels: Vec<PyramidLevel>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct Level {
+struct PyramidLevel {
     width: u32,
     height: u32,
     nodes: Vec<f32>,
@@ -171,8 +171,8 @@ fn levels<E: Send>(
     map: &HeightMap,
     pick: impl Fn(f32, f32) -> f32 + Copy + Sync,
     at: impl Fn(f32) -> Result<(), E> + Sync,
-) -> Result<Vec<Level>, E> {
-    let mut finest = Level::empty(map.width(), map.height());
+) -> Result<Vec<PyramidLevel>, E> {
+    let mut finest = PyramidLevel::empty(map.width(), map.height());
     let mut next = finest.empty_half();
     let (width, half) = (finest.width as usize, next.width as usize);
     let pairs = (NODES_A_CALL / (2 * width)).max(1);
@@ -232,7 +232,7 @@ fn pick_children(rows: &[f32], below: usize, nodes: &mut [f32], pick: impl Fn(f3
     }
 }
 
-impl Level {
+impl PyramidLevel {
     fn empty(width: u32, height: u32) -> Self {
         Self { width, height, nodes: vec![0.0; width as usize * height as usize] }
     }

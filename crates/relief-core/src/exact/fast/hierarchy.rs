@@ -31,14 +31,14 @@ pub(super) struct Tile {
 pub(super) struct Hierarchy {
     tiles: Vec<Tile>,
     columns: usize,
-    levels: Vec<Level>,
+    levels: Vec<MaximaLevel>,
 }
 
 /// The maxima of one level. Both sides are multiples of 4; nodes without a tile are minus infinity.
 ///
 /// They are kept twice: block by block for the way down, and row by row for windows that do not begin at a block.
 #[derive(Clone, Debug)]
-pub(super) struct Level {
+pub(super) struct MaximaLevel {
     /// Columns and rows of nodes.
     pub sides: [u32; 2],
     rows: Vec<f32>,
@@ -83,8 +83,8 @@ impl Hierarchy {
             }
         });
         let maxima = tiles.par_iter().map(|tile| tile.texels.iter().copied().fold(0.0, f32::max)).collect();
-        let mut levels = vec![Level::new(columns, rows, maxima)];
-        while let Some(above) = levels.last().and_then(Level::above) {
+        let mut levels = vec![MaximaLevel::new(columns, rows, maxima)];
+        while let Some(above) = levels.last().and_then(MaximaLevel::above) {
             levels.push(above);
         }
         Self { tiles, columns, levels }
@@ -92,7 +92,7 @@ impl Hierarchy {
 
     /// All levels, the finest first. There is at least one.
     #[inline(always)]
-    pub fn levels(&self) -> &[Level] {
+    pub fn levels(&self) -> &[MaximaLevel] {
         &self.levels
     }
 
@@ -110,7 +110,7 @@ impl Hierarchy {
     }
 }
 
-impl Level {
+impl MaximaLevel {
     /// The level of some nodes, given row by row.
     fn new(columns: usize, rows: usize, maxima: Vec<f32>) -> Self {
         let sides = [columns.next_multiple_of(BLOCK), rows.next_multiple_of(BLOCK)];

@@ -14,7 +14,7 @@ mod traverse;
 use super::{ExactHit, MAX_TRAVEL, is_traceable, patch::Gap};
 use crate::{HeightMap, Hit, Path, Wrap};
 use hierarchy::{Domain, Hierarchy};
-use ray::{Axis, Ray, greater, lesser};
+use ray::{Axis, TileRay, greater, lesser};
 use traverse::CellHit;
 
 /// An exact tracer that is fast: for view, bent and shadow rays of renderers.
@@ -179,7 +179,7 @@ impl FastTracer {
         if !is_short {
             return self.search_long(path, [place, speed], t0, t1, reads);
         }
-        let (mut ray, unit) = Ray::new(place, speed, path.h, t0, t1);
+        let (mut ray, unit) = TileRay::new(place, speed, path.h, t0, t1);
         // A renderer's rays mostly stay in one tile.
         let begin = ray.start;
         let end = ray.place_at(ray.length);
@@ -224,7 +224,7 @@ impl FastTracer {
         let travel = speed[0].abs().max(speed[1].abs());
         // A path without end that does not move has nothing beyond its start.
         let end = if travel > 0.0 { t0 + MAX_TRAVEL / travel } else { t0 };
-        let (ray, unit) = Ray::new(place, speed, path.h, t0, end);
+        let (ray, unit) = TileRay::new(place, speed, path.h, t0, end);
         match self.search_tiles(path, &ray, [t0, unit], reads) {
             Outcome::Miss if travel > 0.0 && path.at(end)[2].min(path.at(t1)[2]) <= self.highest => {
                 Outcome::GivenUp { t: end }
@@ -235,7 +235,7 @@ impl FastTracer {
 
     /// Searches the tiles of the texture that a ray goes through, one after the other. `s` is `t - origin` in that unit.
     #[inline(never)]
-    fn search_tiles(&self, path: &Path, ray: &Ray, [origin, unit]: [f64; 2], reads: &mut u32) -> Outcome {
+    fn search_tiles(&self, path: &Path, ray: &TileRay, [origin, unit]: [f64; 2], reads: &mut u32) -> Outcome {
         let mut axes = [0, 1].map(|k| Axis::at(self.wrap, self.sides[k], ray.start[k]));
         let mut from = 0.0;
         loop {
@@ -263,7 +263,7 @@ impl FastTracer {
     fn given_up(&self, path: &Path, t: f64, reads: u32) -> ExactHit {
         let [u, v, h] = path.at(t);
         let place = [u * f64::from(self.sides[0]) - 0.5, v * f64::from(self.sides[1]) - 0.5];
-        let (still, _) = Ray::new(place, [0.0; 2], [h, 0.0, 0.0], 0.0, 0.0);
+        let (still, _) = TileRay::new(place, [0.0; 2], [h, 0.0, 0.0], 0.0, 0.0);
         let axes = [0, 1].map(|k| Axis::at(self.wrap, self.sides[k], place[k]));
         let local = still.inside(&axes, 0.0, 0.0).start;
         let cell = local.map(|place| place.max(0.0) as u32);

@@ -3,26 +3,26 @@
 use std::borrow::Cow;
 
 use rayon::prelude::*;
-use relief::HeightMap;
+use relief_core::HeightMap;
 
 /// The highest texels of squares of texels, level by level; level 0 are the texels. Tighter than the maxima over dual cells, which
 /// share their texels with their neighbours.
-pub struct Levels<'a> {
-    texels: Level<'a>,
-    above: Vec<Level<'a>>,
+pub struct TexelPyramid<'a> {
+    texels: TexelLevel<'a>,
+    above: Vec<TexelLevel<'a>>,
 }
 
 /// The nodes of a level, row by row.
-pub struct Level<'a> {
+pub struct TexelLevel<'a> {
     nodes: Cow<'a, [f32]>,
     size: [u32; 2],
 }
 
-impl<'a> Levels<'a> {
+impl<'a> TexelPyramid<'a> {
     /// The levels of a map.
     pub fn new(map: &'a HeightMap) -> Self {
-        let texels = Level { nodes: Cow::Borrowed(map.texels()), size: [map.width(), map.height()] };
-        let mut above: Vec<Level> = Vec::new();
+        let texels = TexelLevel { nodes: Cow::Borrowed(map.texels()), size: [map.width(), map.height()] };
+        let mut above: Vec<TexelLevel> = Vec::new();
         while let Some(halved) = above.last().unwrap_or(&texels).halved() {
             above.push(halved);
         }
@@ -31,7 +31,7 @@ impl<'a> Levels<'a> {
 
     /// A level, up to [`Self::top`].
     #[inline]
-    pub fn level(&self, level: u32) -> &Level<'a> {
+    pub fn level(&self, level: u32) -> &TexelLevel<'a> {
         if level == 0 { &self.texels } else { &self.above[level as usize - 1] }
     }
 
@@ -41,7 +41,7 @@ impl<'a> Levels<'a> {
     }
 }
 
-impl Level<'_> {
+impl TexelLevel<'_> {
     /// Columns and rows of nodes.
     #[inline]
     pub fn size(&self) -> [u32; 2] {
@@ -55,7 +55,7 @@ impl Level<'_> {
     }
 
     /// The level of half the size, rounded up; `None` above a single node.
-    fn halved<'a>(&self) -> Option<Level<'a>> {
+    fn halved<'a>(&self) -> Option<TexelLevel<'a>> {
         let [width, height] = self.size;
         if self.nodes.len() == 1 {
             return None;
@@ -72,6 +72,6 @@ impl Level<'_> {
                 }
             }
         });
-        Some(Level { nodes: Cow::Owned(nodes), size })
+        Some(TexelLevel { nodes: Cow::Owned(nodes), size })
     }
 }

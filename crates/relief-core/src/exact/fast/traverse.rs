@@ -3,7 +3,7 @@
 use glam::Vec4;
 
 use super::hierarchy::{BLOCK, Hierarchy, Tile};
-use super::ray::{Ray, greater, lesser};
+use super::ray::{TileRay, greater, lesser};
 use crate::exact::patch::Gap;
 
 /// A hit in the domain of the hierarchy.
@@ -50,7 +50,7 @@ fn size(level: usize) -> f32 {
 
 /// Traces a ray that falls all the way, or rises, or is level.
 #[inline(always)]
-pub(super) fn trace(hierarchy: &Hierarchy, ray: &Ray, reads: &mut u32) -> Option<CellHit> {
+pub(super) fn trace(hierarchy: &Hierarchy, ray: &TileRay, reads: &mut u32) -> Option<CellHit> {
     let bent = ray.height[2] != 0.0;
     let falls = ray.height[1] + ray.length * ray.height[2] < 0.0;
     let crosswise = (ray.per_cell[0] < 0.0) != (ray.per_cell[1] < 0.0);
@@ -71,7 +71,7 @@ pub(super) fn trace(hierarchy: &Hierarchy, ray: &Ray, reads: &mut u32) -> Option
 /// `CROSSWISE` says that the ray goes left and down, or right and up.
 struct Search<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> {
     hierarchy: &'a Hierarchy,
-    ray: &'a Ray,
+    ray: &'a TileRay,
     /// The cell where the ray begins, and where in it.
     origin: [i32; 2],
     within: [f32; 2],
@@ -108,7 +108,7 @@ impl Edges {
 
 impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, BENT, FALLS, CROSSWISE> {
     #[inline(always)]
-    fn new(hierarchy: &'a Hierarchy, ray: &'a Ray) -> Self {
+    fn new(hierarchy: &'a Hierarchy, ray: &'a TileRay) -> Self {
         let travel = (ray.length * greater(ray.step[0].abs(), ray.step[1].abs())) as f32;
         let top = hierarchy.levels().len() - 1;
         // The finest level at which a window of 4 x 4 nodes holds the whole ray, wherever in its node it begins.

@@ -13,7 +13,7 @@ pub struct Entry {
     /// One line on what it does.
     pub summary: &'static str,
     /// Where it was published.
-    pub source: Source,
+    pub publication: Publication,
     /// The baked maps that it reads besides the height map.
     pub maps: &'static [MapInput],
     /// Its parameters, at most [`MAX_PARAMS`], in the order of the shader's parameter vector.
@@ -38,7 +38,7 @@ pub struct MapInput {
 
 /// Paper and section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Source {
+pub struct Publication {
     /// Authors, year and short title, or "Relief" for what was published first here.
     pub paper: &'static str,
     /// The section that defines it; empty when the whole text does, and for what was published here.

@@ -7,7 +7,7 @@ use crate::Wrap;
 /// Its parameter `s` is the path's, from the piece's start and divided by the power of two at or below its length, so
 /// that no number overflows in `f32` whatever the unit of `t` is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ray {
+pub(super) struct TileRay {
     /// Cells from the domain's corner at `s = 0`.
     pub start: [f64; 2],
     /// Cells a unit of `s`.
@@ -42,7 +42,7 @@ fn units_per_cell(speed: f64, per_unit: f64) -> f64 {
     greater(-MOST_PER_CELL, lesser(1.0 / (speed + 0.0) * per_unit, MOST_PER_CELL))
 }
 
-impl Ray {
+impl TileRay {
     /// The piece from `t0` to `t1` of a path with that place and speed, in cells, and the unit of `s` in `t`.
     #[inline(always)]
     pub fn new(place: [f64; 2], speed: [f64; 2], h: [f64; 3], t0: f64, t1: f64) -> (Self, f64) {

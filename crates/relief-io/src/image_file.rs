@@ -1,0 +1,119 @@
+//! A file that has been recognised and whose header has been checked: what it holds, and its samples row by row.
+
+use std::fs::File;
+use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use crate::exr::ExrFile;
+use crate::hdr::HdrFile;
+use crate::input::Input;
+use crate::jpeg::JpegFile;
+use crate::layout::{Format, Layout, Sink};
+use crate::pgm::PgmFile;
+use crate::png::PngFile;
+use crate::raw::RawFile;
+use crate::tiff::TiffFile;
+use crate::{RawLayout, ReadProblem};
+
+/// A recognised file. Its header is checked; no memory has been taken for samples.
+pub(crate) enum ImageFile {
+    Png(Box<PngFile>),
+    Jpeg(JpegFile),
+    Exr(ExrFile),
+    Tiff(Box<TiffFile>),
+    Hdr(HdrFile),
+    Pgm(PgmFile),
+    Raw(RawFile),
+}
+
+/// The largest of the formats' signatures.
+const SIGNATURE_LEN: u64 = 16;
+
+impl ImageFile {
+    /// Opens a file and recognises it by its content; with a raw layout it is read as raw, whatever it holds.
+    ///
+    /// `bytes_per_texel` is what the caller will hold for each texel; it and the decoder's own buffers must stay
+    /// within `max_bytes`.
+    pub(crate) fn open(
+        path: &Path,
+        raw: Option<RawLayout>,
+        bytes_per_texel: u64,
+        max_bytes: u64,
+    ) -> Result<Self, ReadProblem> {
+        let kind = std::fs::metadata(path)?;
+        if kind.is_dir() {
+            return Err(ReadProblem::Folder);
+        }
+        // A pipe would block, a device has no length: formats are told apart by what can be read twice.
+        if !kind.is_file() {
+            return Err(ReadProblem::NoFile);
+        }
+        let mut file = File::open(path)?;
+        let file_len = file.metadata()?.len();
+        if file_len == 0 {
+            return Err(ReadProblem::Empty);
+        }
+        let mut signature = Vec::with_capacity(SIGNATURE_LEN as usize);
+        file.by_ref().take(SIGNATURE_LEN).read_to_end(&mut signature)?;
+        file.seek(SeekFrom::Start(0))?;
+        let input =
+            Input { path: path.to_owned(), file: BufReader::new(file), file_len, bytes_per_texel, max_bytes };
+        if let Some(layout) = raw {
+            return Ok(Self::Raw(RawFile::open(input, layout)?));
+        }
+        match recognise(&signature) {
+            Some(Format::Png) => Ok(Self::Png(Box::new(PngFile::open(input)?))),
+            Some(Format::Jpeg) => Ok(Self::Jpeg(JpegFile::open(input)?)),
+            Some(Format::Exr) => Ok(Self::Exr(ExrFile::open(input)?)),
+            Some(Format::Tiff) => Ok(Self::Tiff(Box::new(TiffFile::open(input)?))),
+            Some(Format::Hdr) => Ok(Self::Hdr(HdrFile::open(input)?)),
+            Some(Format::Pgm) => Ok(Self::Pgm(PgmFile::open(input)?)),
+            Some(Format::Raw) | None => {
+                let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+                match extension.as_deref() {
+                    Some("raw" | "r16" | "bin") => Err(ReadProblem::NeedsRawLayout),
+                    _ => Err(ReadProblem::Unrecognised),
+                }
+            }
+        }
+    }
+
+    pub(crate) fn layout(&self) -> &Layout {
+        match self {
+            Self::Png(file) => file.layout(),
+            Self::Jpeg(file) => file.layout(),
+            Self::Exr(file) => file.layout(),
+            Self::Tiff(file) => file.layout(),
+            Self::Hdr(file) => file.layout(),
+            Self::Pgm(file) => file.layout(),
+            Self::Raw(file) => file.layout(),
+        }
+    }
+
+    /// Decodes the chosen channels and gives every texel once.
+    pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        match self {
+            Self::Png(file) => file.decode(channels, sink),
+            Self::Jpeg(file) => file.decode(channels, sink),
+            Self::Exr(file) => file.decode(channels, sink),
+            Self::Tiff(file) => file.decode(channels, sink),
+            Self::Hdr(file) => file.decode(channels, sink),
+            Self::Pgm(file) => file.decode(channels, sink),
+            Self::Raw(file) => file.decode(sink),
+        }
+    }
+}
+
+fn recognise(signature: &[u8]) -> Option<Format> {
+    match signature {
+        [0x89, b'P', b'N', b'G', ..] => Some(Format::Png),
+        [0xff, 0xd8, 0xff, ..] => Some(Format::Jpeg),
+        [0x76, 0x2f, 0x31, 0x01, ..] => Some(Format::Exr),
+        [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => Some(Format::Tiff),
+        [b'#', b'?', ..] => Some(Format::Hdr),
+        [b'P', b'2' | b'3' | b'5' | b'6', after, ..] if after.is_ascii_whitespace() || *after == b'#' => {
+            Some(Format::Pgm)
+        }
+        _ => None,
+    }
+}

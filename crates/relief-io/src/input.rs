@@ -1,0 +1,68 @@
+//! An opened file before its header is read, and what all decoders do with it.
+
+use std::fs::File;
+use std::io::{self, BufReader};
+use std::path::PathBuf;
+
+use relief_core::HeightMap;
+
+use crate::ReadProblem;
+use crate::layout::Format;
+
+/// An opened file with what is known of it before its header is read.
+pub(crate) struct Input {
+    pub path: PathBuf,
+    pub file: BufReader<File>,
+    pub file_len: u64,
+    pub bytes_per_texel: u64,
+    pub max_bytes: u64,
+}
+
+impl Input {
+    /// Refuses sizes that no height map has, that need too much memory, or that a file of this length cannot hold.
+    ///
+    /// `decoder_bytes` is what the decoder itself holds at its peak, and `least_file_bytes` the length of the
+    /// shortest file that can hold such a picture.
+    pub(crate) fn check_size(
+        &self,
+        format: Format,
+        [width, height]: [u32; 2],
+        decoder_bytes: u64,
+        least_file_bytes: u64,
+    ) -> Result<(), ReadProblem> {
+        HeightMap::check_size(width, height)?;
+        let texels = u64::from(width) * u64::from(height);
+        let needed = (texels * self.bytes_per_texel).saturating_add(decoder_bytes);
+        if needed > self.max_bytes {
+            return Err(ReadProblem::TooMuchMemory { width, height, needed, limit: self.max_bytes });
+        }
+        if least_file_bytes > self.file_len {
+            let what = format!(
+                "a header of {width}x{height} texels needs at least {least_file_bytes} bytes, the file has {}",
+                self.file_len
+            );
+            return Err(ReadProblem::damaged(format.name(), what));
+        }
+        Ok(())
+    }
+}
+
+/// A vector of `len` zeros; an error, not an abort, where the system has no memory for it.
+pub(crate) fn zeros<T: Clone + Default>(len: usize) -> Result<Vec<T>, ReadProblem> {
+    let mut values = Vec::new();
+    let needed = (len as u64).saturating_mul(size_of::<T>() as u64);
+    values.try_reserve_exact(len).map_err(|_| ReadProblem::OutOfMemory { needed })?;
+    values.resize(len, T::default());
+    Ok(values)
+}
+
+/// Reading past the end means a cut-off file; everything else is the system's.
+pub(crate) fn io_problem(format: Format, error: io::Error) -> ReadProblem {
+    match error.kind() {
+        io::ErrorKind::UnexpectedEof => ReadProblem::damaged(format.name(), "it ends too early"),
+        io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput => {
+            ReadProblem::damaged(format.name(), error)
+        }
+        _ => ReadProblem::Io(error),
+    }
+}

@@ -1,0 +1,147 @@
+//! What a file's header says: the format, the channels, how samples are stored; and how decoders hand samples over.
+
+use crate::ReadProblem;
+
+/// A file format that is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Portable Network Graphics, 1 to 16 bit.
+    Png,
+    /// JPEG, 8 bit.
+    Jpeg,
+    /// OpenEXR: 16 and 32-bit floats and 32-bit integers, flat parts.
+    Exr,
+    /// TIFF, BigTIFF and GeoTIFF.
+    Tiff,
+    /// Radiance RGBE.
+    Hdr,
+    /// Netpbm grey and colour maps: P2, P3, P5, P6.
+    Pgm,
+    /// 16-bit samples without a header.
+    Raw,
+}
+
+impl Format {
+    /// The format's name, as users know it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Format::Png => "PNG",
+            Format::Jpeg => "JPEG",
+            Format::Exr => "EXR",
+            Format::Tiff => "TIFF",
+            Format::Hdr => "Radiance HDR",
+            Format::Pgm => "PGM",
+            Format::Raw => "raw",
+        }
+    }
+}
+
+/// How a sample is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SampleKind {
+    /// Integer from 0.
+    Unsigned,
+    /// Integer in two's complement.
+    Signed,
+    /// IEEE float (or, in Radiance files, a shared exponent).
+    Float,
+}
+
+/// How a sample is stored, and in how many bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SampleType {
+    /// Integer or float.
+    pub kind: SampleKind,
+    /// Bits a sample.
+    pub bits: u8,
+}
+
+impl SampleType {
+    pub(crate) const fn unsigned(bits: u8) -> Self {
+        Self { kind: SampleKind::Unsigned, bits }
+    }
+
+    pub(crate) const fn float(bits: u8) -> Self {
+        Self { kind: SampleKind::Float, bits }
+    }
+
+    /// Whether each sample is exactly an `f32`.
+    pub(crate) const fn fits_f32(self) -> bool {
+        match self.kind {
+            SampleKind::Float => self.bits <= 32,
+            SampleKind::Unsigned | SampleKind::Signed => self.bits <= 24,
+        }
+    }
+}
+
+impl std::fmt::Display for SampleType {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let kind = match self.kind {
+            SampleKind::Unsigned => "unsigned",
+            SampleKind::Signed => "signed",
+            SampleKind::Float => "float",
+        };
+        write!(f, "{}-bit {kind}", self.bits)
+    }
+}
+
+/// One channel of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Channel {
+    /// Its name: as stored in EXR files; `y`, `r`, `g`, `b`, `a`, or `band1` and so on in others.
+    pub name: String,
+    /// How its samples are stored.
+    pub sample: SampleType,
+}
+
+/// What a file's header says of the whole picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Layout {
+    pub format: Format,
+    pub width: u32,
+    pub height: u32,
+    /// The channels, in the file's order.
+    pub channels: Vec<Channel>,
+    /// The raw value that stands for 1, for unsigned samples of at most 16 bit; none where the range of the values decides.
+    pub full_scale: Option<f64>,
+    /// The raw value that marks a texel without a value.
+    pub nodata: Option<f64>,
+    /// Size of a texel along `u` and `v`, in metres.
+    pub texel_size_m: Option<[f64; 2]>,
+}
+
+impl Layout {
+    /// A layout whose channels are all stored alike, without georeference; unsigned samples are divided by their
+    /// type's maximum.
+    pub(crate) fn new(format: Format, [width, height]: [u32; 2], names: &[&str], sample: SampleType) -> Self {
+        let channel = |name: &&str| Channel { name: (*name).to_owned(), sample };
+        let full_scale = match sample.kind {
+            SampleKind::Unsigned if sample.bits <= 16 => Some(f64::from((1u32 << sample.bits) - 1)),
+            _ => None,
+        };
+        let channels = names.iter().map(channel).collect();
+        Self { format, width, height, channels, full_scale, nodata: None, texel_size_m: None }
+    }
+
+    /// The channel of that name, whatever its case.
+    pub(crate) fn channel(&self, name: &str) -> Option<usize> {
+        self.channels.iter().position(|channel| channel.name.eq_ignore_ascii_case(name))
+    }
+
+    /// The channels' names, in the file's order.
+    pub(crate) fn channel_names(&self) -> Vec<String> {
+        self.channels.iter().map(|channel| channel.name.clone()).collect()
+    }
+}
+
+/// Samples of one row, or of a part of it: texel `k` of the span lies in column `column + k * step`.
+pub(crate) struct Span<'a> {
+    pub row: u32,
+    pub column: u32,
+    pub step: u32,
+    /// Raw values, the chosen channels side by side.
+    pub samples: &'a [f64],
+}
+
+/// Takes the spans of a picture; every texel comes exactly once, in the decoder's order.
+pub(crate) type Sink<'a> = dyn FnMut(Span<'_>) -> Result<(), ReadProblem> + 'a;
