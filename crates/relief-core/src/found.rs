@@ -22,19 +22,28 @@ pub enum FoundState {
     Unbracketed = 6,
 }
 
-/// A search's result: parameters along the path, in `[0, exit]`, and what is known of them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
-    /// How the search ended.
-    pub state: FoundState,
-    /// The last parameter known to be above the surface.
-    pub near: f32,
-    /// The first parameter known to be below the surface, or the end of what is left to look at.
-    pub far: f32,
-    /// Height of the path above the surface at `near`.
-    pub near_gap: f32,
-    /// Height of the path above the surface at `far`; negative below.
-    pub far_gap: f32,
-    /// Height reads so far.
-    pub reads: u32,
+impl FoundState {
+    /// Every state, in the order of the shaders' numbers.
+    pub const ALL: [FoundState; 7] = [
+        FoundState::Miss,
+        FoundState::Above,
+        FoundState::Below,
+        FoundState::Bracket,
+        FoundState::Exhausted,
+        FoundState::StartedBelow,
+        FoundState::Unbracketed,
+    ];
+
+    /// Its name in the shaders' constants, after `FOUND_`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            FoundState::Miss => "MISS",
+            FoundState::Above => "ABOVE",
+            FoundState::Below => "BELOW",
+            FoundState::Bracket => "BRACKET",
+            FoundState::Exhausted => "EXHAUSTED",
+            FoundState::StartedBelow => "STARTED_BELOW",
+            FoundState::Unbracketed => "UNBRACKETED",
+        }
+    }
 }

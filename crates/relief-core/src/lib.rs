@@ -16,10 +16,10 @@ pub mod registry;
 mod tangent_frame;
 mod wrap;
 
-pub use found::{Found, FoundState};
+pub use found::FoundState;
 pub use height_map::{HeightMap, HeightMapError, MAX_SIDE, MAX_TEXELS};
 pub use hit::Hit;
-pub use path::{Path, PathMetric};
+pub use path::{Path, PathMetric, RayUse};
 pub use pyramid::{MaxPyramid, MinPyramid};
 pub use tangent_frame::{TangentFrame, TangentFrameError};
 pub use wrap::Wrap;

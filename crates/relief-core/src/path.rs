@@ -27,6 +27,32 @@ pub struct Path {
     pub metric: PathMetric,
 }
 
+/// What a ray is for.
+///
+/// The discriminants are the numbers that the shaders use.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum RayUse {
+    /// To see what it hits.
+    #[default]
+    View = 0,
+    /// To see whether anything is in a light's way.
+    Shadow = 1,
+}
+
+impl RayUse {
+    /// Every use, in the order of the shaders' numbers.
+    pub const ALL: [RayUse; 2] = [RayUse::View, RayUse::Shadow];
+
+    /// Its name in the shaders' constants, after `RAY_`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            RayUse::View => "VIEW",
+            RayUse::Shadow => "SHADOW",
+        }
+    }
+}
+
 /// World lengths of texture units: a step `(du, dv, dH)` is
 /// `sqrt(uu du² + 2 uv du dv + vv dv² + (scale dH)²)` metres long.
 #[derive(Clone, Copy, Debug, PartialEq)]

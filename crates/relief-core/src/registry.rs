@@ -1,13 +1,12 @@
 //! What a registry entry says of itself.
 //!
-//! Each surface, search, refinement and map kind has one [`Entry`] beside its source. The command's help, the tables in
+//! Each surface, search, refinement and shading has one [`Entry`] beside its source. The command's help, the tables in
 //! the documentation, the tests' matrix and the benchmarks all read the lists of these.
 
-/// One stage's variant: what it is called, where it comes from, what it needs and what it promises.
+/// One stage's variant: what it is called, where it comes from, what it needs and what it promises. Its number in the
+/// shaders is its place in its list.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// The number that the shaders' dispatch uses; its place in its list.
-    pub id: u32,
     /// The name on the command line and in scenes.
     pub name: &'static str,
     /// One line on what it does.
@@ -89,21 +88,55 @@ impl Guarantee {
     }
 }
 
-/// The guarantee for each kind of ray.
+/// A class of rays, for which a stage has a guarantee of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RayClass {
+    /// Rays from above that descend.
+    View,
+    /// Rays whose height has a quadratic term (curved surfaces).
+    Bent,
+    /// Rays that start on the surface or above it and ascend.
+    Shadow,
+}
+
+impl RayClass {
+    /// Every class, in the order in which tables list them.
+    pub const ALL: [RayClass; 3] = [RayClass::View, RayClass::Bent, RayClass::Shadow];
+
+    /// The word used in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            RayClass::View => "view",
+            RayClass::Bent => "bent",
+            RayClass::Shadow => "shadow",
+        }
+    }
+}
+
+/// The guarantee for each class of rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guarantees {
-    /// Rays from above that descend.
+    /// For view rays.
     pub view: Guarantee,
-    /// Rays whose height has a quadratic term (curved surfaces).
+    /// For bent rays.
     pub bent: Guarantee,
-    /// Rays that start on the surface and ascend.
+    /// For shadow rays.
     pub shadow: Guarantee,
 }
 
 impl Guarantees {
-    /// The same guarantee for every kind of ray.
+    /// The same guarantee for every class of rays.
     pub const fn all(guarantee: Guarantee) -> Self {
         Self { view: guarantee, bent: guarantee, shadow: guarantee }
+    }
+
+    /// The guarantee for a class of rays.
+    pub const fn of(&self, rays: RayClass) -> Guarantee {
+        match rays {
+            RayClass::View => self.view,
+            RayClass::Bent => self.bent,
+            RayClass::Shadow => self.shadow,
+        }
     }
 }
 
@@ -123,14 +156,14 @@ impl Entry {
     }
 }
 
-/// The entry of that name.
+/// The place of the entry of that name.
 ///
 /// # Errors
 ///
 /// When no entry has that name; the error names the nearest.
-pub fn find<'a>(kind: &'static str, entries: &'a [Entry], name: &str) -> Result<&'a Entry, UnknownName> {
+pub fn find(kind: &'static str, entries: &[Entry], name: &str) -> Result<usize, UnknownName> {
     let known = || entries.iter().map(|entry| entry.name);
-    entries.iter().find(|entry| entry.name == name).ok_or_else(|| UnknownName::new(kind, name, known()))
+    entries.iter().position(|entry| entry.name == name).ok_or_else(|| UnknownName::new(kind, name, known()))
 }
 
 /// A name that nothing has, with the nearest name that something has.

@@ -11,12 +11,10 @@ pub mod job;
 pub mod light;
 pub mod material;
 pub mod mesh;
-mod method;
 pub mod picture;
 pub mod prepare;
 pub mod raycast;
 mod render;
 pub mod scene;
 
-pub use method::{MethodError, select};
 pub use render::{RenderError, Rendered, render};

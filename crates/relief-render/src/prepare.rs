@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec3, Vec3};
 use relief_io::Picture;
-use relief_shaders::cpu::{Corner, Light as ShaderLight, Settings, Triangle};
+use relief_shaders::cpu::{Choice, Corner, Light as ShaderLight, Settings, Triangle};
 use relief_shaders::{SearchMap, SearchMapError, Selection};
 
 use crate::camera::Camera;
@@ -90,33 +90,28 @@ fn settings(scene: &Scene, selection: &Selection) -> Settings {
         };
     }
     let size = |map: Option<&Picture>| map.map_or([1, 1], |map| [map.width, map.height]);
-    Settings::new(
-        selection.search_params,
-        selection.refine_params,
-        place(camera.eye(), 1.0),
-        place(camera.forward(), 0.0),
-        place(corner, 0.0),
-        place(right, 0.0),
-        place(down, 0.0),
-        four(scene.ambient()),
-        four(material.diffuse()),
-        four(material.specular()),
+    Settings {
+        choices: selection.choices.map(|choice| Choice::from(&choice)),
+        eye: place(camera.eye(), 1.0).into(),
+        forward: place(camera.forward(), 0.0).into(),
+        corner: place(corner, 0.0).into(),
+        right: place(right, 0.0).into(),
+        down: place(down, 0.0).into(),
+        ambient: four(scene.ambient()).into(),
+        diffuse: four(material.diffuse()).into(),
+        specular: four(material.specular()).into(),
         lights,
-        [height.width(), height.height()],
-        size(scene.color()),
-        size(scene.normal_map()),
-        height.wrap() as u32,
-        selection.surface.id,
-        selection.search.id,
-        selection.refine.id,
-        selection.shade.id,
-        scene.lights().len() as u32,
-        material.shininess(),
-        u32::from(scene.color().is_some()),
-        u32::from(scene.normal_map().is_some()),
-        height.scale_m() as f32,
-        height.bias_m() as f32,
-    )
+        height_size: [height.width(), height.height()].into(),
+        color_size: size(scene.color()).into(),
+        normal_size: size(scene.normal_map()).into(),
+        wrap: height.wrap() as u32,
+        light_count: scene.lights().len() as u32,
+        shininess: material.shininess(),
+        has_color: u32::from(scene.color().is_some()),
+        has_normal: u32::from(scene.normal_map().is_some()),
+        scale_m: height.scale_m() as f32,
+        bias_m: height.bias_m() as f32,
+    }
 }
 
 fn triangle(mesh: &Mesh, number: u32) -> Triangle {

@@ -9,7 +9,6 @@ use crate::cpu;
 #[cfg(feature = "gpu")]
 use crate::gpu::{AdapterChoice, Gpu, GpuError};
 use crate::job::Rendering;
-use crate::method::{MethodError, select};
 use crate::prepare::Prepared;
 use crate::raycast::RayCaster;
 use crate::scene::{BackendChoice, Sampling, Scene};
@@ -34,9 +33,6 @@ pub struct Rendered {
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
-    /// The method, search, refinement or a setting is not available.
-    #[error(transparent)]
-    Method(#[from] MethodError),
     /// The search reads a baked map that the scene does not have.
     #[error(transparent)]
     SearchMap(#[from] SearchMapError),
@@ -58,10 +54,9 @@ pub enum RenderError {
 ///
 /// # Errors
 ///
-/// When the method is not available or lacks the baked map that it reads, the backend is not available, or the backend
-/// fails.
+/// When the search lacks the baked map that it reads, the backend is not available, or the backend fails.
 pub fn render(scene: &Scene, progress: &(dyn Fn(f32) + Sync)) -> Result<Rendered, RenderError> {
-    let selection = select(scene.method())?;
+    let selection = *scene.selection();
     match choose(scene)? {
         #[cfg(feature = "gpu")]
         Chosen::Gpu { gpu, reason } => {

@@ -5,6 +5,20 @@ use crate::cpu::runtime::SquareRoot as _;
 
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+pub struct Choice {
+    pub number: u32,
+    pub params: rt::Vec4<f32>,
+}
+impl Choice {
+    pub fn new(
+        number: impl rt::Into<u32>,
+        params: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { number: rt::into(number), params: rt::into(params) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 pub struct Corner {
     pub position: rt::Vec3<f32>,
     pub normal: rt::Vec3<f32>,
@@ -32,6 +46,8 @@ pub struct Path {
     pub exit: f32,
     pub base: f32,
     pub metric: rt::Vec4<f32>,
+    pub ray: u32,
+    pub level: u32,
 }
 impl Path {
     pub fn new(
@@ -41,8 +57,10 @@ impl Path {
         exit: impl rt::Into<f32>,
         base: impl rt::Into<f32>,
         metric: impl rt::Into<rt::Vec4<f32>>,
+        ray: impl rt::Into<u32>,
+        level: impl rt::Into<u32>,
     ) -> Self {
-        Self { uv: rt::into(uv), duv: rt::into(duv), h: rt::into(h), exit: rt::into(exit), base: rt::into(base), metric: rt::into(metric) }
+        Self { uv: rt::into(uv), duv: rt::into(duv), h: rt::into(h), exit: rt::into(exit), base: rt::into(base), metric: rt::into(metric), ray: rt::into(ray), level: rt::into(level) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -198,8 +216,7 @@ impl PixelOut {
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
 pub struct Settings {
-    pub search_params: rt::Vec4<f32>,
-    pub refine_params: rt::Vec4<f32>,
+    pub choices: [Choice; 4],
     pub eye: rt::Vec4<f32>,
     pub forward: rt::Vec4<f32>,
     pub corner: rt::Vec4<f32>,
@@ -213,10 +230,6 @@ pub struct Settings {
     pub color_size: rt::Vec2<u32>,
     pub normal_size: rt::Vec2<u32>,
     pub wrap: u32,
-    pub surface: u32,
-    pub search: u32,
-    pub refine: u32,
-    pub shade: u32,
     pub light_count: u32,
     pub shininess: u32,
     pub has_color: u32,
@@ -226,8 +239,7 @@ pub struct Settings {
 }
 impl Settings {
     pub fn new(
-        search_params: impl rt::Into<rt::Vec4<f32>>,
-        refine_params: impl rt::Into<rt::Vec4<f32>>,
+        choices: impl rt::Into<[Choice; 4]>,
         eye: impl rt::Into<rt::Vec4<f32>>,
         forward: impl rt::Into<rt::Vec4<f32>>,
         corner: impl rt::Into<rt::Vec4<f32>>,
@@ -241,10 +253,6 @@ impl Settings {
         color_size: impl rt::Into<rt::Vec2<u32>>,
         normal_size: impl rt::Into<rt::Vec2<u32>>,
         wrap: impl rt::Into<u32>,
-        surface: impl rt::Into<u32>,
-        search: impl rt::Into<u32>,
-        refine: impl rt::Into<u32>,
-        shade: impl rt::Into<u32>,
         light_count: impl rt::Into<u32>,
         shininess: impl rt::Into<u32>,
         has_color: impl rt::Into<u32>,
@@ -252,7 +260,21 @@ impl Settings {
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
     ) -> Self {
-        Self { search_params: rt::into(search_params), refine_params: rt::into(refine_params), eye: rt::into(eye), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), diffuse: rt::into(diffuse), specular: rt::into(specular), lights: rt::into(lights), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), wrap: rt::into(wrap), surface: rt::into(surface), search: rt::into(search), refine: rt::into(refine), shade: rt::into(shade), light_count: rt::into(light_count), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
+        Self { choices: rt::into(choices), eye: rt::into(eye), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), diffuse: rt::into(diffuse), specular: rt::into(specular), lights: rt::into(lights), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), wrap: rt::into(wrap), light_count: rt::into(light_count), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Toward {
+    pub direction: rt::Vec3<f32>,
+    pub falloff: f32,
+}
+impl Toward {
+    pub fn new(
+        direction: impl rt::Into<rt::Vec3<f32>>,
+        falloff: impl rt::Into<f32>,
+    ) -> Self {
+        Self { direction: rt::into(direction), falloff: rt::into(falloff) }
     }
 }
 #[allow(non_upper_case_globals)]
@@ -271,6 +293,12 @@ pub const FOUND_STARTED_BELOW: rt::Scalar<u32> = rt::Scalar(5u32);
 pub const FOUND_UNBRACKETED: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
 pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
+#[allow(non_upper_case_globals)]
+pub const RAY_SHADOW: rt::Scalar<u32> = rt::Scalar(1u32);
+#[allow(non_upper_case_globals)]
+pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -483,32 +511,32 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chosen_refine(&self) -> rt::Scalar<u32> {
-        let _e2 = rt::Scalar(self.settings.refine);
-        return _e2;
+        let _e4 = rt::Scalar(self.settings.choices[2usize].number);
+        return _e4;
     }
     pub fn chosen_search(&self) -> u32 {
         rt::into(self.v_chosen_search())
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chosen_search(&self) -> rt::Scalar<u32> {
-        let _e2 = rt::Scalar(self.settings.search);
-        return _e2;
+        let _e4 = rt::Scalar(self.settings.choices[1usize].number);
+        return _e4;
     }
     pub fn chosen_shade(&self) -> u32 {
         rt::into(self.v_chosen_shade())
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chosen_shade(&self) -> rt::Scalar<u32> {
-        let _e2 = rt::Scalar(self.settings.shade);
-        return _e2;
+        let _e4 = rt::Scalar(self.settings.choices[3usize].number);
+        return _e4;
     }
     pub fn chosen_surface(&self) -> u32 {
         rt::into(self.v_chosen_surface())
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chosen_surface(&self) -> rt::Scalar<u32> {
-        let _e2 = rt::Scalar(self.settings.surface);
-        return _e2;
+        let _e4 = rt::Scalar(self.settings.choices[0usize].number);
+        return _e4;
     }
     pub fn color_at(&self, uv: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
         rt::into(self.v_color_at(rt::into(uv)))
@@ -1710,64 +1738,232 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_chosen_refine();
         match rt::Scalar::into_inner(_e2) {
             0u32 => {
-                let _e5 = self.settings.refine_params;
-                let _e6 = self.v_refine_none(path_19, found_11, _e5);
-                return _e6;
+                let _e7 = self.settings.choices[2usize].params;
+                let _e8 = self.v_refine_none(path_19, found_11, _e7);
+                return _e8;
             }
             1u32 => {
-                let _e9 = self.settings.refine_params;
-                let _e10 = self.v_refine_offset(path_19, found_11, _e9);
-                return _e10;
-            }
-            2u32 => {
-                let _e13 = self.settings.refine_params;
-                let _e14 = self.v_refine_offset_limited(path_19, found_11, _e13);
+                let _e13 = self.settings.choices[2usize].params;
+                let _e14 = self.v_refine_offset(path_19, found_11, _e13);
                 return _e14;
             }
+            2u32 => {
+                let _e19 = self.settings.choices[2usize].params;
+                let _e20 = self.v_refine_offset_limited(path_19, found_11, _e19);
+                return _e20;
+            }
             3u32 => {
-                let _e17 = self.settings.refine_params;
-                let _e18 = self.v_refine_slope(path_19, found_11, _e17);
-                return _e18;
-            }
-            4u32 => {
-                let _e21 = self.settings.refine_params;
-                let _e22 = self.v_refine_slope_iterative(path_19, found_11, _e21);
-                return _e22;
-            }
-            5u32 => {
-                let _e25 = self.settings.refine_params;
-                let _e26 = self.v_refine_binary(path_19, found_11, _e25);
+                let _e25 = self.settings.choices[2usize].params;
+                let _e26 = self.v_refine_slope(path_19, found_11, _e25);
                 return _e26;
             }
-            6u32 => {
-                let _e29 = self.settings.refine_params;
-                let _e30 = self.v_refine_secant(path_19, found_11, _e29);
-                return _e30;
+            4u32 => {
+                let _e31 = self.settings.choices[2usize].params;
+                let _e32 = self.v_refine_slope_iterative(path_19, found_11, _e31);
+                return _e32;
             }
-            7u32 => {
-                let _e33 = self.settings.refine_params;
-                let _e34 = self.v_refine_true_secant(path_19, found_11, _e33);
-                return _e34;
-            }
-            _ => {
-                let _e37 = self.settings.refine_params;
-                let _e38 = self.v_refine_patch(path_19, found_11, _e37);
+            5u32 => {
+                let _e37 = self.settings.choices[2usize].params;
+                let _e38 = self.v_refine_binary(path_19, found_11, _e37);
                 return _e38;
             }
+            6u32 => {
+                let _e43 = self.settings.choices[2usize].params;
+                let _e44 = self.v_refine_secant(path_19, found_11, _e43);
+                return _e44;
+            }
+            7u32 => {
+                let _e49 = self.settings.choices[2usize].params;
+                let _e50 = self.v_refine_true_secant(path_19, found_11, _e49);
+                return _e50;
+            }
+            _ => {
+                let _e55 = self.settings.choices[2usize].params;
+                let _e56 = self.v_refine_patch(path_19, found_11, _e55);
+                return _e56;
+            }
         }
+    }
+    pub fn toward_light(
+        &self,
+        light: Light,
+        position: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Toward {
+        rt::into(self.v_toward_light(light, rt::into(position)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_toward_light(
+        &self,
+        light: Light,
+        position: rt::Vec3<f32>,
+    ) -> Toward {
+        if rt::Scalar::into_branch_condition(light.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+            let toward_2 = (light.place.xyz() - position);
+            return <Toward>::new(toward_2.normalize(), (rt::Scalar(1f32) / toward_2.dot(toward_2).max(rt::Scalar(0.000001f32))));
+        }
+        return <Toward>::new(light.place.xyz().normalize(), rt::Scalar(1f32));
+    }
+    pub fn whole_power(
+        &self,
+        base: impl rt::Into<rt::Scalar<f32>>,
+        exponent: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_whole_power(rt::into(base), rt::into(exponent)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_whole_power(
+        &self,
+        base: rt::Scalar<f32>,
+        exponent: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let mut result: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut square: rt::Scalar<f32>;
+        let mut rest: rt::Scalar<u32>;
+
+        square = base;
+        rest = exponent;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e6 = rest;
+                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e9 = rest;
+                    if rt::Scalar::into_branch_condition((_e9 % rt::Scalar(2u32)).elementwise_eq(rt::Scalar(1u32))) {
+                        let _e14 = result;
+                        let _e15 = square;
+                        result = (_e14 * _e15);
+                    }
+                    let _e17 = square;
+                    let _e18 = square;
+                    square = (_e17 * _e18);
+                    let _e20 = rest;
+                    rest = (_e20 / rt::Scalar(2u32));
+                }
+            }
+        }
+        let _e23 = result;
+        return _e23;
+    }
+    pub fn shade_blinn_phong(
+        &self,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        view: impl rt::Into<rt::Vec3<f32>>,
+        toward: impl rt::Into<rt::Vec3<f32>>,
+        color: impl rt::Into<rt::Vec3<f32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color), rt::into(params_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_blinn_phong(
+        &self,
+        normal: rt::Vec3<f32>,
+        view: rt::Vec3<f32>,
+        toward: rt::Vec3<f32>,
+        color: rt::Vec3<f32>,
+        params_9: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let cosine = normal.dot(toward);
+        if rt::Scalar::into_branch_condition(cosine.elementwise_gt(rt::Scalar(0f32))) {
+            let lobe = normal.dot((toward + view).normalize()).max(rt::Scalar(0f32));
+            let _e15 = self.settings.specular;
+            let _e19 = rt::Scalar(self.settings.shininess);
+            let _e20 = self.v_whole_power(lobe, _e19);
+            let specular = (_e15.xyz() * _e20);
+            return ((color * cosine) + specular);
+        }
+        return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub fn shade_stage(
+        &self,
+        normal_1: impl rt::Into<rt::Vec3<f32>>,
+        view_1: impl rt::Into<rt::Vec3<f32>>,
+        toward_1: impl rt::Into<rt::Vec3<f32>>,
+        color_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_shade_stage(rt::into(normal_1), rt::into(view_1), rt::into(toward_1), rt::into(color_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_stage(
+        &self,
+        normal_1: rt::Vec3<f32>,
+        view_1: rt::Vec3<f32>,
+        toward_1: rt::Vec3<f32>,
+        color_1: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = self.v_chosen_shade();
+        match rt::Scalar::into_inner(_e4) {
+            _ => {
+                let _e9 = self.settings.choices[3usize].params;
+                let _e10 = self.v_shade_blinn_phong(normal_1, view_1, toward_1, color_1, _e9);
+                return _e10;
+            }
+        }
+    }
+    pub fn reflected_light(
+        &self,
+        position_1: impl rt::Into<rt::Vec3<f32>>,
+        normal_2: impl rt::Into<rt::Vec3<f32>>,
+        view_2: impl rt::Into<rt::Vec3<f32>>,
+        color_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_reflected_light(
+        &self,
+        position_1: rt::Vec3<f32>,
+        normal_2: rt::Vec3<f32>,
+        view_2: rt::Vec3<f32>,
+        color_2: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let mut light_1: rt::Vec3<f32>;
+        let mut k_4: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e6 = self.settings.diffuse;
+        let diffuse = (_e6.xyz() * color_2);
+        let _e11 = self.settings.ambient;
+        light_1 = (_e11.xyz() * diffuse);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e17 = k_4;
+                let _e20 = rt::Scalar(self.settings.light_count);
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(_e20)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e24 = k_4;
+                    let _e26 = self.settings.lights[rt::Scalar::into_array_index(_e24)];
+                    let _e27 = self.v_toward_light(_e26, position_1);
+                    let _e29 = self.v_shade_stage(normal_2, view_2, _e27.direction, diffuse);
+                    let _e30 = light_1;
+                    let _e33 = k_4;
+                    let _e36 = self.settings.lights[rt::Scalar::into_array_index(_e33)].color;
+                    light_1 = (_e30 + ((_e29 * _e36.xyz()) * rt::Scalar(_e27.falloff)));
+                    let _e42 = k_4;
+                    k_4 = (_e42 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e45 = light_1;
+        return _e45;
     }
     pub fn search_cells(
         &self,
         path_20: Path,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_20, rt::into(params_9)))
+        rt::into(self.v_search_cells(path_20, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_20: Path,
-        params_9: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -1776,7 +1972,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_20);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_9.x().cast_elem_as_u32();
+        let limit_1 = params_10.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = reads_8;
@@ -1901,15 +2097,15 @@ impl<'g> Resources<'g> {
     pub fn search_cone(
         &self,
         path_22: Path,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_22, rt::into(params_10)))
+        rt::into(self.v_search_cone(path_22, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_22: Path,
-        params_10: rt::Vec4<f32>,
+        params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -1920,7 +2116,7 @@ impl<'g> Resources<'g> {
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
-        let limit_2 = params_10.x().cast_elem_as_u32();
+        let limit_2 = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_9;
@@ -2036,15 +2232,15 @@ impl<'g> Resources<'g> {
     pub fn search_frustum(
         &self,
         path_23: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_23, rt::into(params_11)))
+        rt::into(self.v_search_frustum(path_23, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_23: Path,
-        params_11: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2057,7 +2253,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
-        let limit_3 = params_11.x().cast_elem_as_u32();
+        let limit_3 = params_12.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_10;
@@ -2166,23 +2362,23 @@ impl<'g> Resources<'g> {
     pub fn search_linear(
         &self,
         path_24: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_24, rt::into(params_12)))
+        rt::into(self.v_search_linear(path_24, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_24: Path,
-        params_12: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine = (path_24.h.y().abs() * path_24.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_12.x() * params_12.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
+        let cosine_1 = (path_24.h.y().abs() * path_24.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_13.x() * params_13.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
         let _e22 = self.v_path_gap(path_24, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
@@ -2194,13 +2390,13 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = k_4;
+                let _e38 = k_5;
                 if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e41 = k_4;
+                    let _e41 = k_5;
                     let t_19 = (rt::Scalar(path_24.exit) * (_e41 / steps));
                     let _e44 = self.v_path_gap(path_24, t_19);
                     let _e45 = reads_11;
@@ -2213,8 +2409,8 @@ impl<'g> Resources<'g> {
                     }
                     near_2 = t_19;
                     near_gap_1 = _e44;
-                    let _e55 = k_4;
-                    k_4 = (_e55 + rt::Scalar(1f32));
+                    let _e55 = k_5;
+                    k_5 = (_e55 + rt::Scalar(1f32));
                 }
             }
         }
@@ -2228,15 +2424,15 @@ impl<'g> Resources<'g> {
     pub fn search_none(
         &self,
         path_25: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_25, rt::into(params_13)))
+        rt::into(self.v_search_none(path_25, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
         path_25: Path,
-        params_13: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
@@ -2248,169 +2444,29 @@ impl<'g> Resources<'g> {
         let _e1 = self.v_chosen_search();
         match rt::Scalar::into_inner(_e1) {
             0u32 => {
-                let _e4 = self.settings.search_params;
-                let _e5 = self.v_search_none(path_26, _e4);
-                return _e5;
+                let _e6 = self.settings.choices[1usize].params;
+                let _e7 = self.v_search_none(path_26, _e6);
+                return _e7;
             }
             1u32 => {
-                let _e8 = self.settings.search_params;
-                let _e9 = self.v_search_linear(path_26, _e8);
-                return _e9;
-            }
-            2u32 => {
-                let _e12 = self.settings.search_params;
-                let _e13 = self.v_search_cells(path_26, _e12);
+                let _e12 = self.settings.choices[1usize].params;
+                let _e13 = self.v_search_linear(path_26, _e12);
                 return _e13;
             }
+            2u32 => {
+                let _e18 = self.settings.choices[1usize].params;
+                let _e19 = self.v_search_cells(path_26, _e18);
+                return _e19;
+            }
             3u32 => {
-                let _e16 = self.settings.search_params;
-                let _e17 = self.v_search_frustum(path_26, _e16);
-                return _e17;
+                let _e24 = self.settings.choices[1usize].params;
+                let _e25 = self.v_search_frustum(path_26, _e24);
+                return _e25;
             }
             _ => {
-                let _e20 = self.settings.search_params;
-                let _e21 = self.v_search_cone(path_26, _e20);
-                return _e21;
-            }
-        }
-    }
-    pub fn whole_power(
-        &self,
-        base: impl rt::Into<rt::Scalar<f32>>,
-        exponent: impl rt::Into<rt::Scalar<u32>>,
-    ) -> f32 {
-        rt::into(self.v_whole_power(rt::into(base), rt::into(exponent)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_whole_power(
-        &self,
-        base: rt::Scalar<f32>,
-        exponent: rt::Scalar<u32>,
-    ) -> rt::Scalar<f32> {
-        let mut result: rt::Scalar<f32> = rt::Scalar(1f32);
-        let mut square: rt::Scalar<f32>;
-        let mut rest: rt::Scalar<u32>;
-
-        square = base;
-        rest = exponent;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e6 = rest;
-                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0u32))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e9 = rest;
-                    if rt::Scalar::into_branch_condition((_e9 % rt::Scalar(2u32)).elementwise_eq(rt::Scalar(1u32))) {
-                        let _e14 = result;
-                        let _e15 = square;
-                        result = (_e14 * _e15);
-                    }
-                    let _e17 = square;
-                    let _e18 = square;
-                    square = (_e17 * _e18);
-                    let _e20 = rest;
-                    rest = (_e20 / rt::Scalar(2u32));
-                }
-            }
-        }
-        let _e23 = result;
-        return _e23;
-    }
-    pub fn shade_blinn_phong(
-        &self,
-        position: impl rt::Into<rt::Vec3<f32>>,
-        normal: impl rt::Into<rt::Vec3<f32>>,
-        view: impl rt::Into<rt::Vec3<f32>>,
-        color: impl rt::Into<rt::Vec3<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(position), rt::into(normal), rt::into(view), rt::into(color)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_blinn_phong(
-        &self,
-        position: rt::Vec3<f32>,
-        normal: rt::Vec3<f32>,
-        view: rt::Vec3<f32>,
-        color: rt::Vec3<f32>,
-    ) -> rt::Vec3<f32> {
-        let mut light: rt::Vec3<f32>;
-        let mut k_5: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut toward: rt::Vec3<f32>;
-        let mut falloff: rt::Scalar<f32>;
-
-        let _e6 = self.settings.diffuse;
-        let diffuse = (_e6.xyz() * color);
-        let _e11 = self.settings.ambient;
-        light = (_e11.xyz() * diffuse);
-        'naga_break: loop {
-            'naga_continue: {
-                let _e17 = k_5;
-                let _e20 = rt::Scalar(self.settings.light_count);
-                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(_e20)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e24 = k_5;
-                    let place_2 = self.settings.lights[rt::Scalar::into_array_index(_e24)].place;
-                    let _e30 = k_5;
-                    let _e33 = self.settings.lights[rt::Scalar::into_array_index(_e30)].color;
-                    let strength = _e33.xyz();
-                    toward = place_2.xyz();
-                    falloff = rt::Scalar(1f32);
-                    if rt::Scalar::into_branch_condition(place_2.w().elementwise_gt(rt::Scalar(0.5f32))) {
-                        toward = (place_2.xyz() - position);
-                        let _e44 = toward;
-                        let _e45 = toward;
-                        falloff = (rt::Scalar(1f32) / _e44.dot(_e45).max(rt::Scalar(0.000001f32)));
-                    }
-                    let _e51 = toward;
-                    toward = _e51.normalize();
-                    let _e53 = toward;
-                    let cosine_1 = normal.dot(_e53);
-                    if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e57 = toward;
-                        let lobe = normal.dot((_e57 + view).normalize()).max(rt::Scalar(0f32));
-                        let _e65 = self.settings.specular;
-                        let _e69 = rt::Scalar(self.settings.shininess);
-                        let _e70 = self.v_whole_power(lobe, _e69);
-                        let specular = (_e65.xyz() * _e70);
-                        let _e72 = light;
-                        let _e76 = falloff;
-                        light = (_e72 + ((((diffuse * cosine_1) + specular) * strength) * _e76));
-                    }
-                    let _e79 = k_5;
-                    k_5 = (_e79 + rt::Scalar(1u32));
-                }
-            }
-        }
-        let _e82 = light;
-        return _e82;
-    }
-    pub fn shade_stage(
-        &self,
-        position_1: impl rt::Into<rt::Vec3<f32>>,
-        normal_1: impl rt::Into<rt::Vec3<f32>>,
-        view_1: impl rt::Into<rt::Vec3<f32>>,
-        color_1: impl rt::Into<rt::Vec3<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(position_1), rt::into(normal_1), rt::into(view_1), rt::into(color_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_stage(
-        &self,
-        position_1: rt::Vec3<f32>,
-        normal_1: rt::Vec3<f32>,
-        view_1: rt::Vec3<f32>,
-        color_1: rt::Vec3<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e4 = self.v_chosen_shade();
-        match rt::Scalar::into_inner(_e4) {
-            _ => {
-                let _e5 = self.v_shade_blinn_phong(position_1, normal_1, view_1, color_1);
-                return _e5;
+                let _e30 = self.settings.choices[1usize].params;
+                let _e31 = self.v_search_cone(path_26, _e30);
+                return _e31;
             }
         }
     }
@@ -2437,9 +2493,9 @@ impl<'g> Resources<'g> {
         let position_2 = (((at_3.point + (at_3.tangent * aside_1.x())) + (at_3.bitangent * aside_1.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
         let _e66 = self.v_mesostructure_normal(at_3, hit_1.uv);
         let _e69 = self.settings.eye;
-        let view_2 = (_e69.xyz() - position_2).normalize();
+        let view_3 = (_e69.xyz() - position_2).normalize();
         let _e74 = self.v_color_or_white(hit_1.uv);
-        let _e75 = self.v_shade_stage(position_2, _e66, view_2, _e74);
+        let _e75 = self.v_reflected_light(position_2, _e66, view_3, _e74);
         let _e78 = self.settings.eye;
         let _e83 = self.settings.forward;
         let depth = (position_2 - _e78.xyz()).dot(_e83.xyz());
@@ -2447,11 +2503,19 @@ impl<'g> Resources<'g> {
         let _e93 = self.v_cell_of(((hit_1.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_1.exhausted), hit_1.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_1.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_1.reads));
     }
-    pub fn surface_plane(&self, pixel_2: PixelIn) -> Entered {
-        rt::into(self.v_surface_plane(pixel_2))
+    pub fn surface_plane(
+        &self,
+        pixel_2: PixelIn,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_plane(pixel_2, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_plane(&self, pixel_2: PixelIn) -> Entered {
+    fn v_surface_plane(
+        &self,
+        pixel_2: PixelIn,
+        params_15: rt::Vec4<f32>,
+    ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut local_15: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
@@ -2463,8 +2527,8 @@ impl<'g> Resources<'g> {
         let e2_ = (pixel_2.c.position - a_4);
         let n_6 = e1_.cross(e2_);
         let nn = n_6.dot(n_6);
-        let toward_1 = n_6.dot(pixel_2.direction);
-        let distance = (n_6.dot((a_4 - pixel_2.origin)) / toward_1);
+        let toward_3 = n_6.dot(pixel_2.direction);
+        let distance = (n_6.dot((a_4 - pixel_2.origin)) / toward_3);
         let point_6 = (pixel_2.origin + (pixel_2.direction * distance));
         let from_a = (point_6 - a_4);
         let wb = (from_a.cross(e2_).dot(n_6) / nn);
@@ -2473,7 +2537,7 @@ impl<'g> Resources<'g> {
         let uv_8 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
         let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
         let bitangent = (((pixel_2.a.bitangent * wa) + (pixel_2.b.bitangent * wb)) + (pixel_2.c.bitangent * wc));
-        let normal_2 = ((((pixel_2.a.normal * wa) + (pixel_2.b.normal * wb)) + (pixel_2.c.normal * wc)).normalize() * rt::Scalar(pixel_2.side));
+        let normal_3 = ((((pixel_2.a.normal * wa) + (pixel_2.b.normal * wb)) + (pixel_2.c.normal * wc)).normalize() * rt::Scalar(pixel_2.side));
         let along = pixel_2.direction.length();
         let direction = (pixel_2.direction / rt::Vec3::splat_from_scalar(along));
         let tt = tangent.dot(tangent);
@@ -2482,60 +2546,60 @@ impl<'g> Resources<'g> {
         let td = tangent.dot(direction);
         let bd = bitangent.dot(direction);
         let area_1 = ((tt * bb) - (tb * tb));
-        let descent = (rt::Scalar(0f32) - normal_2.dot(direction));
+        let descent = (rt::Scalar(0f32) - normal_3.dot(direction));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
             local_15 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
         } else {
             local_15 = rt::Scalar(true);
         }
-        let _e106 = local_15;
-        if rt::Scalar::into_branch_condition(_e106) {
+        let _e107 = local_15;
+        if rt::Scalar::into_branch_condition(_e107) {
             valid = rt::Scalar(0u32);
         }
         let duv = (<rt::Vec2<f32>>::from_scalars(((td * bb) - (bd * tb)), ((bd * tt) - (td * tb))) / rt::Vec2::splat_from_scalar(area_1));
-        let _e119 = rt::Scalar(self.settings.scale_m);
-        let scale = _e119.max(rt::Scalar(0.000000001f32));
-        let _e124 = rt::Scalar(self.settings.bias_m);
-        let base_height = ((rt::Scalar(0f32) - _e124) / scale);
+        let _e120 = rt::Scalar(self.settings.scale_m);
+        let scale = _e120.max(rt::Scalar(0.000000001f32));
+        let _e125 = rt::Scalar(self.settings.bias_m);
+        let base_height = ((rt::Scalar(0f32) - _e125) / scale);
         let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
         let eye = ((rt::Scalar(0f32) - distance) * along);
         let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
         enter = top_5.max(eye);
         leave_4 = ((base_height * scale) / descent);
-        let _e143 = leave_4;
         let _e144 = leave_4;
-        leave_4 = (_e143 + ((_e144 - top_5) * rt::Scalar(0.000001f32)));
-        let _e151 = rt::Scalar(self.settings.wrap);
-        if rt::Scalar::into_branch_condition(_e151.elementwise_eq(WRAP_CLAMP)) {
-            let _e156 = enter;
-            let _e157 = leave_4;
-            let _e159 = self.v_inside_unit(uv_8.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e156, _e157));
-            interval_1 = _e159;
-            let _e163 = interval_1;
-            let _e164 = self.v_inside_unit(uv_8.y(), duv.y(), _e163);
-            interval_1 = _e164;
-            let _e166 = interval_1.x();
-            enter = _e166;
-            let _e168 = interval_1.y();
-            leave_4 = _e168;
+        let _e145 = leave_4;
+        leave_4 = (_e144 + ((_e145 - top_5) * rt::Scalar(0.000001f32)));
+        let _e152 = rt::Scalar(self.settings.wrap);
+        if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
+            let _e157 = enter;
+            let _e158 = leave_4;
+            let _e160 = self.v_inside_unit(uv_8.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
+            interval_1 = _e160;
+            let _e164 = interval_1;
+            let _e165 = self.v_inside_unit(uv_8.y(), duv.y(), _e164);
+            interval_1 = _e165;
+            let _e167 = interval_1.x();
+            enter = _e167;
+            let _e169 = interval_1.y();
+            leave_4 = _e169;
         }
-        let _e169 = leave_4;
-        let _e170 = enter;
-        if rt::Scalar::into_branch_condition((!_e169.elementwise_gt(_e170))) {
+        let _e170 = leave_4;
+        let _e171 = enter;
+        if rt::Scalar::into_branch_condition((!_e170.elementwise_gt(_e171))) {
             valid = rt::Scalar(0u32);
         }
-        let _e174 = enter;
-        let _e177 = enter;
-        let entry_height = (base_height + (slope_4 * _e174)).select(rt::Scalar(1f32), _e177.elementwise_eq(top_5));
-        let _e181 = enter;
-        let base_1 = (rt::Scalar(0f32) - _e181).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e187 = enter;
-        let _e192 = leave_4;
-        let _e193 = enter;
-        let _e197 = rt::Scalar(self.settings.scale_m);
-        let path_28 = <Path>::new((uv_8 + (duv * _e187)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e192 - _e193), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e197));
-        let _e200 = valid;
-        return <Entered>::new(_e200, path_28, point_6, uv_8, tangent, bitangent, normal_2);
+        let _e175 = enter;
+        let _e178 = enter;
+        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
+        let _e182 = enter;
+        let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e188 = enter;
+        let _e193 = leave_4;
+        let _e194 = enter;
+        let _e198 = rt::Scalar(self.settings.scale_m);
+        let path_28 = <Path>::new((uv_8 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let _e203 = valid;
+        return <Entered>::new(_e203, path_28, point_6, uv_8, tangent, bitangent, normal_3);
     }
     pub fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
@@ -2545,8 +2609,9 @@ impl<'g> Resources<'g> {
         let _e1 = self.v_chosen_surface();
         match rt::Scalar::into_inner(_e1) {
             _ => {
-                let _e2 = self.v_surface_plane(pixel_3);
-                return _e2;
+                let _e6 = self.settings.choices[0usize].params;
+                let _e7 = self.v_surface_plane(pixel_3, _e6);
+                return _e7;
             }
         }
     }

@@ -75,6 +75,22 @@ impl Shared for Record {
     }
 }
 
+impl Shared for Choice {
+    const SIZE: usize = 32;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.number.write(&mut bytes[0..]);
+        self.params.write(&mut bytes[16..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            number: Shared::read(&bytes[0..]),
+            params: Shared::read(&bytes[16..]),
+        }
+    }
+}
+
 impl Shared for Light {
     const SIZE: usize = 32;
 
@@ -92,63 +108,53 @@ impl Shared for Light {
 }
 
 impl Shared for Settings {
-    const SIZE: usize = 496;
+    const SIZE: usize = 576;
 
     fn write(&self, bytes: &mut [u8]) {
-        self.search_params.write(&mut bytes[0..]);
-        self.refine_params.write(&mut bytes[16..]);
-        self.eye.write(&mut bytes[32..]);
-        self.forward.write(&mut bytes[48..]);
-        self.corner.write(&mut bytes[64..]);
-        self.right.write(&mut bytes[80..]);
-        self.down.write(&mut bytes[96..]);
-        self.ambient.write(&mut bytes[112..]);
-        self.diffuse.write(&mut bytes[128..]);
-        self.specular.write(&mut bytes[144..]);
-        self.lights.write(&mut bytes[160..]);
-        self.height_size.write(&mut bytes[416..]);
-        self.color_size.write(&mut bytes[424..]);
-        self.normal_size.write(&mut bytes[432..]);
-        self.wrap.write(&mut bytes[440..]);
-        self.surface.write(&mut bytes[444..]);
-        self.search.write(&mut bytes[448..]);
-        self.refine.write(&mut bytes[452..]);
-        self.shade.write(&mut bytes[456..]);
-        self.light_count.write(&mut bytes[460..]);
-        self.shininess.write(&mut bytes[464..]);
-        self.has_color.write(&mut bytes[468..]);
-        self.has_normal.write(&mut bytes[472..]);
-        self.scale_m.write(&mut bytes[476..]);
-        self.bias_m.write(&mut bytes[480..]);
+        self.choices.write(&mut bytes[0..]);
+        self.eye.write(&mut bytes[128..]);
+        self.forward.write(&mut bytes[144..]);
+        self.corner.write(&mut bytes[160..]);
+        self.right.write(&mut bytes[176..]);
+        self.down.write(&mut bytes[192..]);
+        self.ambient.write(&mut bytes[208..]);
+        self.diffuse.write(&mut bytes[224..]);
+        self.specular.write(&mut bytes[240..]);
+        self.lights.write(&mut bytes[256..]);
+        self.height_size.write(&mut bytes[512..]);
+        self.color_size.write(&mut bytes[520..]);
+        self.normal_size.write(&mut bytes[528..]);
+        self.wrap.write(&mut bytes[536..]);
+        self.light_count.write(&mut bytes[540..]);
+        self.shininess.write(&mut bytes[544..]);
+        self.has_color.write(&mut bytes[548..]);
+        self.has_normal.write(&mut bytes[552..]);
+        self.scale_m.write(&mut bytes[556..]);
+        self.bias_m.write(&mut bytes[560..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
-            search_params: Shared::read(&bytes[0..]),
-            refine_params: Shared::read(&bytes[16..]),
-            eye: Shared::read(&bytes[32..]),
-            forward: Shared::read(&bytes[48..]),
-            corner: Shared::read(&bytes[64..]),
-            right: Shared::read(&bytes[80..]),
-            down: Shared::read(&bytes[96..]),
-            ambient: Shared::read(&bytes[112..]),
-            diffuse: Shared::read(&bytes[128..]),
-            specular: Shared::read(&bytes[144..]),
-            lights: Shared::read(&bytes[160..]),
-            height_size: Shared::read(&bytes[416..]),
-            color_size: Shared::read(&bytes[424..]),
-            normal_size: Shared::read(&bytes[432..]),
-            wrap: Shared::read(&bytes[440..]),
-            surface: Shared::read(&bytes[444..]),
-            search: Shared::read(&bytes[448..]),
-            refine: Shared::read(&bytes[452..]),
-            shade: Shared::read(&bytes[456..]),
-            light_count: Shared::read(&bytes[460..]),
-            shininess: Shared::read(&bytes[464..]),
-            has_color: Shared::read(&bytes[468..]),
-            has_normal: Shared::read(&bytes[472..]),
-            scale_m: Shared::read(&bytes[476..]),
-            bias_m: Shared::read(&bytes[480..]),
+            choices: Shared::read(&bytes[0..]),
+            eye: Shared::read(&bytes[128..]),
+            forward: Shared::read(&bytes[144..]),
+            corner: Shared::read(&bytes[160..]),
+            right: Shared::read(&bytes[176..]),
+            down: Shared::read(&bytes[192..]),
+            ambient: Shared::read(&bytes[208..]),
+            diffuse: Shared::read(&bytes[224..]),
+            specular: Shared::read(&bytes[240..]),
+            lights: Shared::read(&bytes[256..]),
+            height_size: Shared::read(&bytes[512..]),
+            color_size: Shared::read(&bytes[520..]),
+            normal_size: Shared::read(&bytes[528..]),
+            wrap: Shared::read(&bytes[536..]),
+            light_count: Shared::read(&bytes[540..]),
+            shininess: Shared::read(&bytes[544..]),
+            has_color: Shared::read(&bytes[548..]),
+            has_normal: Shared::read(&bytes[552..]),
+            scale_m: Shared::read(&bytes[556..]),
+            bias_m: Shared::read(&bytes[560..]),
         }
     }
 }

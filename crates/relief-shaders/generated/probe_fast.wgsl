@@ -31,7 +31,7 @@
 //     params.x: steps, steps; the last needs no read (1 to 64, 3)
 //   REFINE = 8: patch, ray against bilinear patch in closed form, cell by cell (section 4.3.1)
 //     params.x: limit, most cells visited before the refinement gives up (1 to 16777216, 1048576)
-//   SHADE = 0: blinn-phong, ambient, diffuse and a specular lobe around the half vector (section 2.1)
+//   SHADE = 0: blinn-phong, diffuse, and a specular lobe around the half vector (section 2.1)
 
 const BELOW_FLOOR = 1.000001;
 const CELL_LIMIT = 1073741824.0;
@@ -47,15 +47,22 @@ const HALF_RATIO = 0.125;
 const LEAST_SCALE_M = 1e-9;
 const MAX_LIGHTS = 8u;
 const NEVER = 3e38;
+const RAY_SHADOW = 1u;
+const RAY_VIEW = 0u;
 override REFINE: u32 = 0u;
 const ROUNDING = 9.5367431640625e-7;
 const ROW = 65536u;
 override SEARCH: u32 = 0u;
-override SHADE: u32 = 0u;
+const STAGES = 4u;
 override SURFACE: u32 = 0u;
 const WRAP_CLAMP = 1u;
 const WRAP_MIRROR = 2u;
 const WRAP_REPEAT = 0u;
+
+struct Choice {
+    number: u32,
+    params: vec4f
+}
 
 struct Corner {
     position: vec3f,
@@ -109,7 +116,9 @@ struct Path {
     h: vec3f,
     exit: f32,
     base: f32,
-    metric: vec4f
+    metric: vec4f,
+    ray: u32,
+    level: u32
 }
 
 struct PixelIn {
@@ -154,8 +163,7 @@ struct Probe {
 }
 
 struct Settings {
-    search_params: vec4f,
-    refine_params: vec4f,
+    choices: array<Choice, STAGES>,
     eye: vec4f,
     forward: vec4f,
     corner: vec4f,
@@ -164,15 +172,11 @@ struct Settings {
     ambient: vec4f,
     diffuse: vec4f,
     specular: vec4f,
-    lights: array<Light, 8>,
+    lights: array<Light, MAX_LIGHTS>,
     height_size: vec2u,
     color_size: vec2u,
     normal_size: vec2u,
     wrap: u32,
-    surface: u32,
-    search: u32,
-    refine: u32,
-    shade: u32,
     light_count: u32,
     shininess: u32,
     has_color: u32,
@@ -247,10 +251,6 @@ fn chosen_refine() -> u32 {
 
 fn chosen_search() -> u32 {
     return SEARCH;
-}
-
-fn chosen_shade() -> u32 {
-    return SHADE;
 }
 
 fn chosen_surface() -> u32 {
@@ -668,31 +668,31 @@ fn refine_slope_iterative(path: Path, found: Found, params: vec4f) -> Hit {
 fn refine_stage(path: Path, found: Found) -> Hit {
     switch (chosen_refine()) {
         case 0u {
-            return refine_none(path, found, settings.refine_params);
+            return refine_none(path, found, settings.choices[2].params);
         }
         case 1u {
-            return refine_offset(path, found, settings.refine_params);
+            return refine_offset(path, found, settings.choices[2].params);
         }
         case 2u {
-            return refine_offset_limited(path, found, settings.refine_params);
+            return refine_offset_limited(path, found, settings.choices[2].params);
         }
         case 3u {
-            return refine_slope(path, found, settings.refine_params);
+            return refine_slope(path, found, settings.choices[2].params);
         }
         case 4u {
-            return refine_slope_iterative(path, found, settings.refine_params);
+            return refine_slope_iterative(path, found, settings.choices[2].params);
         }
         case 5u {
-            return refine_binary(path, found, settings.refine_params);
+            return refine_binary(path, found, settings.choices[2].params);
         }
         case 6u {
-            return refine_secant(path, found, settings.refine_params);
+            return refine_secant(path, found, settings.choices[2].params);
         }
         case 7u {
-            return refine_true_secant(path, found, settings.refine_params);
+            return refine_true_secant(path, found, settings.choices[2].params);
         }
         case default {
-            return refine_patch(path, found, settings.refine_params);
+            return refine_patch(path, found, settings.choices[2].params);
         }
     }
 }
@@ -893,52 +893,19 @@ fn search_none(path: Path, params: vec4f) -> Found {
 fn search_stage(path: Path) -> Found {
     switch (chosen_search()) {
         case 0u {
-            return search_none(path, settings.search_params);
+            return search_none(path, settings.choices[1].params);
         }
         case 1u {
-            return search_linear(path, settings.search_params);
+            return search_linear(path, settings.choices[1].params);
         }
         case 2u {
-            return search_cells(path, settings.search_params);
+            return search_cells(path, settings.choices[1].params);
         }
         case 3u {
-            return search_frustum(path, settings.search_params);
+            return search_frustum(path, settings.choices[1].params);
         }
         case default {
-            return search_cone(path, settings.search_params);
-        }
-    }
-}
-
-fn shade_blinn_phong(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
-    let diffuse = settings.diffuse.xyz * color;
-    var light = settings.ambient.xyz * diffuse;
-    var k = 0u;
-    while ((k < settings.light_count)) {
-        let place = settings.lights[k].place;
-        let strength = settings.lights[k].color.xyz;
-        var toward = place.xyz;
-        var falloff = 1.0;
-        if (place.w > 0.5) {
-            toward = place.xyz - position;
-            falloff = 1.0 / max(dot(toward, toward), 1e-6);
-        }
-        toward = normalize(toward);
-        let cosine = dot(normal, toward);
-        if (cosine > 0.0) {
-            let lobe = max(dot(normal, normalize(toward + view)), 0.0);
-            let specular = settings.specular.xyz * whole_power(lobe, settings.shininess);
-            light = light + (diffuse * cosine + specular) * strength * falloff;
-        }
-        k = k + 1u;
-    }
-    return light;
-}
-
-fn shade_stage(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
-    switch (chosen_shade()) {
-        case default {
-            return shade_blinn_phong(position, normal, view, color);
+            return search_cone(path, settings.choices[1].params);
         }
     }
 }
@@ -1008,7 +975,7 @@ fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t:
     return 0.0;
 }
 
-fn surface_plane(pixel: PixelIn) -> Entered {
+fn surface_plane(pixel: PixelIn, params: vec4f) -> Entered {
     let a = pixel.a.position;
     let e1 = pixel.b.position - a;
     let e2 = pixel.c.position - a;
@@ -1058,30 +1025,16 @@ fn surface_plane(pixel: PixelIn) -> Entered {
     }
     let entry_height = select(base_height + slope * enter, 1.0, enter == top);
     let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
-    let path = Path(uv + duv * enter, duv, vec3f(entry_height, slope, 0.0), leave - enter, base, vec4f(tt, tb, bb, settings.scale_m));
+    let path = Path(uv + duv * enter, duv, vec3f(entry_height, slope, 0.0), leave - enter, base, vec4f(tt, tb, bb, settings.scale_m), RAY_VIEW, 0u);
     return Entered(valid, path, point, uv, tangent, bitangent, normal);
 }
 
 fn surface_stage(pixel: PixelIn) -> Entered {
     switch (chosen_surface()) {
         case default {
-            return surface_plane(pixel);
+            return surface_plane(pixel, settings.choices[0].params);
         }
     }
-}
-
-fn whole_power(base: f32, exponent: u32) -> f32 {
-    var result = 1.0;
-    var square = base;
-    var rest = exponent;
-    while ((rest > 0u)) {
-        if (rest % 2u == 1u) {
-            result = result * square;
-        }
-        square = square * square;
-        rest = rest / 2u;
-    }
-    return result;
 }
 
 fn wrap_index(i: i32, n: i32) -> i32 {

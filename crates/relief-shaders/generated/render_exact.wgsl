@@ -31,7 +31,7 @@
 //     params.x: steps, steps; the last needs no read (1 to 64, 3)
 //   REFINE = 8: patch, ray against bilinear patch in closed form, cell by cell (section 4.3.1)
 //     params.x: limit, most cells visited before the refinement gives up (1 to 16777216, 1048576)
-//   SHADE = 0: blinn-phong, ambient, diffuse and a specular lobe around the half vector (section 2.1)
+//   SHADE = 0: blinn-phong, diffuse, and a specular lobe around the half vector (section 2.1)
 
 const BELOW_FLOOR = 1.000001;
 const CELL_LIMIT = 1073741824.0;
@@ -47,11 +47,15 @@ const FOUND_UNBRACKETED = 6u;
 const HALF_RATIO = 0.125;
 const LEAST_SCALE_M = 1e-9;
 const MAX_LIGHTS = 8u;
+const NEAREST_LIGHT = 1e-6;
 const NEVER = 3e38;
+const RAY_SHADOW = 1u;
+const RAY_VIEW = 0u;
 override REFINE: u32 = 0u;
 const ROUNDING = 9.5367431640625e-7;
 override SEARCH: u32 = 0u;
 override SHADE: u32 = 0u;
+const STAGES = 4u;
 override SURFACE: u32 = 0u;
 const WRAP_CLAMP = 1u;
 const WRAP_MIRROR = 2u;
@@ -60,6 +64,11 @@ const WRAP_REPEAT = 0u;
 struct Band {
     first_row: u32,
     rows: u32
+}
+
+struct Choice {
+    number: u32,
+    params: vec4f
 }
 
 struct Corner {
@@ -114,7 +123,9 @@ struct Path {
     h: vec3f,
     exit: f32,
     base: f32,
-    metric: vec4f
+    metric: vec4f,
+    ray: u32,
+    level: u32
 }
 
 struct PixelIn {
@@ -155,8 +166,7 @@ struct Record {
 }
 
 struct Settings {
-    search_params: vec4f,
-    refine_params: vec4f,
+    choices: array<Choice, STAGES>,
     eye: vec4f,
     forward: vec4f,
     corner: vec4f,
@@ -165,21 +175,22 @@ struct Settings {
     ambient: vec4f,
     diffuse: vec4f,
     specular: vec4f,
-    lights: array<Light, 8>,
+    lights: array<Light, MAX_LIGHTS>,
     height_size: vec2u,
     color_size: vec2u,
     normal_size: vec2u,
     wrap: u32,
-    surface: u32,
-    search: u32,
-    refine: u32,
-    shade: u32,
     light_count: u32,
     shininess: u32,
     has_color: u32,
     has_normal: u32,
     scale_m: f32,
     bias_m: f32
+}
+
+struct Toward {
+    direction: vec3f,
+    falloff: f32
 }
 
 struct Traced {
@@ -773,31 +784,31 @@ fn refine_slope_iterative(path: Path, found: Found, params: vec4f) -> Hit {
 fn refine_stage(path: Path, found: Found) -> Hit {
     switch (chosen_refine()) {
         case 0u {
-            return refine_none(path, found, settings.refine_params);
+            return refine_none(path, found, settings.choices[2].params);
         }
         case 1u {
-            return refine_offset(path, found, settings.refine_params);
+            return refine_offset(path, found, settings.choices[2].params);
         }
         case 2u {
-            return refine_offset_limited(path, found, settings.refine_params);
+            return refine_offset_limited(path, found, settings.choices[2].params);
         }
         case 3u {
-            return refine_slope(path, found, settings.refine_params);
+            return refine_slope(path, found, settings.choices[2].params);
         }
         case 4u {
-            return refine_slope_iterative(path, found, settings.refine_params);
+            return refine_slope_iterative(path, found, settings.choices[2].params);
         }
         case 5u {
-            return refine_binary(path, found, settings.refine_params);
+            return refine_binary(path, found, settings.choices[2].params);
         }
         case 6u {
-            return refine_secant(path, found, settings.refine_params);
+            return refine_secant(path, found, settings.choices[2].params);
         }
         case 7u {
-            return refine_true_secant(path, found, settings.refine_params);
+            return refine_true_secant(path, found, settings.choices[2].params);
         }
         case default {
-            return refine_patch(path, found, settings.refine_params);
+            return refine_patch(path, found, settings.choices[2].params);
         }
     }
 }
@@ -836,6 +847,19 @@ fn refine_true_secant(path: Path, found: Found, params: vec4f) -> Hit {
         k = k + 1.0;
     }
     return hit_on_path(path, last, 0u, reads);
+}
+
+fn reflected_light(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
+    let diffuse = settings.diffuse.xyz * color;
+    var light = settings.ambient.xyz * diffuse;
+    var k = 0u;
+    while ((k < settings.light_count)) {
+        let toward = toward_light(settings.lights[k], position);
+        let reflected = shade_stage(normal, view, toward.direction, diffuse);
+        light = light + reflected * settings.lights[k].color.xyz * toward.falloff;
+        k = k + 1u;
+    }
+    return light;
 }
 
 fn search_cells(path: Path, params: vec4f) -> Found {
@@ -998,46 +1022,31 @@ fn search_none(path: Path, params: vec4f) -> Found {
 fn search_stage(path: Path) -> Found {
     switch (chosen_search()) {
         case 0u {
-            return search_none(path, settings.search_params);
+            return search_none(path, settings.choices[1].params);
         }
         case 1u {
-            return search_linear(path, settings.search_params);
+            return search_linear(path, settings.choices[1].params);
         }
         case 2u {
-            return search_cells(path, settings.search_params);
+            return search_cells(path, settings.choices[1].params);
         }
         case 3u {
-            return search_frustum(path, settings.search_params);
+            return search_frustum(path, settings.choices[1].params);
         }
         case default {
-            return search_cone(path, settings.search_params);
+            return search_cone(path, settings.choices[1].params);
         }
     }
 }
 
-fn shade_blinn_phong(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
-    let diffuse = settings.diffuse.xyz * color;
-    var light = settings.ambient.xyz * diffuse;
-    var k = 0u;
-    while ((k < settings.light_count)) {
-        let place = settings.lights[k].place;
-        let strength = settings.lights[k].color.xyz;
-        var toward = place.xyz;
-        var falloff = 1.0;
-        if (place.w > 0.5) {
-            toward = place.xyz - position;
-            falloff = 1.0 / max(dot(toward, toward), 1e-6);
-        }
-        toward = normalize(toward);
-        let cosine = dot(normal, toward);
-        if (cosine > 0.0) {
-            let lobe = max(dot(normal, normalize(toward + view)), 0.0);
-            let specular = settings.specular.xyz * whole_power(lobe, settings.shininess);
-            light = light + (diffuse * cosine + specular) * strength * falloff;
-        }
-        k = k + 1u;
+fn shade_blinn_phong(normal: vec3f, view: vec3f, toward: vec3f, color: vec3f, params: vec4f) -> vec3f {
+    let cosine = dot(normal, toward);
+    if (cosine > 0.0) {
+        let lobe = max(dot(normal, normalize(toward + view)), 0.0);
+        let specular = settings.specular.xyz * whole_power(lobe, settings.shininess);
+        return color * cosine + specular;
     }
-    return light;
+    return vec3f(0.0, 0.0, 0.0);
 }
 
 fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
@@ -1049,7 +1058,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
     let position = at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * (settings.bias_m + settings.scale_m * height);
     let normal = mesostructure_normal(at, hit.uv);
     let view = normalize(settings.eye.xyz - position);
-    let color = shade_stage(position, normal, view, color_or_white(hit.uv));
+    let color = reflected_light(position, normal, view, color_or_white(hit.uv));
     let depth = dot(position - settings.eye.xyz, settings.forward.xyz);
     let cell = cell_of(hit.uv * height_size() - vec2f(0.5, 0.5));
     return PixelOut(vec4f(color, 1.0), 1u, hit.exhausted, hit.uv, height, position, normal, depth, hit.t, vec2i(cell), hit.reads);
@@ -1084,10 +1093,10 @@ fn shade_pixel(pixel: PixelIn) -> PixelOut {
     return shade_hit(pixel, at, trace(at.path));
 }
 
-fn shade_stage(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
+fn shade_stage(normal: vec3f, view: vec3f, toward: vec3f, color: vec3f) -> vec3f {
     switch (chosen_shade()) {
         case default {
-            return shade_blinn_phong(position, normal, view, color);
+            return shade_blinn_phong(normal, view, toward, color, settings.choices[3].params);
         }
     }
 }
@@ -1157,7 +1166,7 @@ fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t:
     return 0.0;
 }
 
-fn surface_plane(pixel: PixelIn) -> Entered {
+fn surface_plane(pixel: PixelIn, params: vec4f) -> Entered {
     let a = pixel.a.position;
     let e1 = pixel.b.position - a;
     let e2 = pixel.c.position - a;
@@ -1207,16 +1216,24 @@ fn surface_plane(pixel: PixelIn) -> Entered {
     }
     let entry_height = select(base_height + slope * enter, 1.0, enter == top);
     let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
-    let path = Path(uv + duv * enter, duv, vec3f(entry_height, slope, 0.0), leave - enter, base, vec4f(tt, tb, bb, settings.scale_m));
+    let path = Path(uv + duv * enter, duv, vec3f(entry_height, slope, 0.0), leave - enter, base, vec4f(tt, tb, bb, settings.scale_m), RAY_VIEW, 0u);
     return Entered(valid, path, point, uv, tangent, bitangent, normal);
 }
 
 fn surface_stage(pixel: PixelIn) -> Entered {
     switch (chosen_surface()) {
         case default {
-            return surface_plane(pixel);
+            return surface_plane(pixel, settings.choices[0].params);
         }
     }
+}
+
+fn toward_light(light: Light, position: vec3f) -> Toward {
+    if (light.place.w > 0.5) {
+        let toward = light.place.xyz - position;
+        return Toward(normalize(toward), 1.0 / max(dot(toward, toward), NEAREST_LIGHT));
+    }
+    return Toward(normalize(light.place.xyz), 1.0);
 }
 
 fn trace(path: Path) -> Hit {

@@ -1,7 +1,8 @@
-//! Per-pixel displacement mapping as shaders: four stages, each written once in WESL, linked to plain WGSL for GPUs and
+//! Per-pixel displacement mapping as shaders: stages, each variant written once in WESL, linked to plain WGSL for GPUs and
 //! translated to Rust for CPUs.
 //!
-//! * [`surface`], [`search`], [`refine`] and [`shade`] list the stages' variants, one file each beside its shader.
+//! * [`STAGES`] is the table of the stages; [`surface`], [`search`], [`refine`] and [`shade`] list their variants, one file
+//!   each beside its shader.
 //! * [`METHODS`] names pairs of search and refinement.
 //! * [`wgsl`] holds the linked shaders as text for any engine.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.
@@ -14,12 +15,14 @@ pub mod search;
 mod search_map;
 mod selection;
 pub mod shade;
+mod stages;
 pub mod surface;
 pub mod wgsl;
 
 pub use methods::{METHODS, Method, method};
 pub use search_map::{SearchMap, SearchMapError};
-pub use selection::{Selection, SelectionError};
+pub use selection::{Choice, Selection, SelectionError};
+pub use stages::{REFINE, SEARCH, STAGES, Stage, stage};
 
 /// The most lights of a picture: the length of the shaders' array of lights.
 pub const MAX_LIGHTS: usize = 8;
@@ -32,16 +35,9 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    use relief_core::registry::{Entry, MAX_PARAMS};
+    use relief_core::registry::MAX_PARAMS;
 
     use super::*;
-
-    const STAGES: [(&str, &[Entry]); 4] = [
-        ("surface", surface::ENTRIES),
-        ("search", search::ENTRIES),
-        ("refine", refine::ENTRIES),
-        ("shade", shade::ENTRIES),
-    ];
 
     fn stems(stage: &str, extension: &str) -> BTreeSet<String> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(stage);
@@ -56,30 +52,29 @@ mod tests {
 
     #[test]
     fn every_file_is_listed_and_every_entry_has_its_files() {
-        for (stage, entries) in STAGES {
+        for Stage { key, entries, .. } in &STAGES {
             let listed: BTreeSet<String> = entries.iter().map(|entry| entry.name.replace('-', "_")).collect();
-            assert_eq!(listed.len(), entries.len(), "{stage}: a name stands twice");
-            assert_eq!(stems(stage, "rs"), listed, "{stage}: Rust files and list differ");
-            assert_eq!(stems(stage, "wesl"), listed, "{stage}: shader files and list differ");
+            assert_eq!(listed.len(), entries.len(), "{key}: a name stands twice");
+            assert_eq!(stems(key, "rs"), listed, "{key}: Rust files and list differ");
+            assert_eq!(stems(key, "wesl"), listed, "{key}: shader files and list differ");
         }
     }
 
     #[test]
     fn a_search_reads_one_baked_map_at_most_and_no_other_stage_does() {
-        for (stage, entries) in STAGES {
-            let most = usize::from(stage == "search");
-            for entry in entries {
-                assert!(entry.maps.len() <= most, "{stage} {}: the shaders bind one map", entry.name);
+        for Stage { key, entries, .. } in &STAGES {
+            let most = usize::from(*key == "search");
+            for entry in *entries {
+                assert!(entry.maps.len() <= most, "{key} {}: the shaders bind one map", entry.name);
             }
         }
     }
 
     #[test]
-    fn numbers_are_places_and_defaults_are_in_range() {
-        for (stage, entries) in STAGES {
-            for (place, entry) in entries.iter().enumerate() {
-                assert_eq!(entry.id as usize, place, "{stage} {}", entry.name);
-                assert!(entry.params.len() <= MAX_PARAMS, "{stage} {}", entry.name);
+    fn defaults_are_in_range() {
+        for Stage { key, entries, .. } in &STAGES {
+            for entry in *entries {
+                assert!(entry.params.len() <= MAX_PARAMS, "{key} {}", entry.name);
                 for param in entry.params {
                     assert!(param.min <= param.default && param.default <= param.max, "{}", param.name);
                     assert!(!param.integer || param.default.fract() == 0.0, "{}", param.name);

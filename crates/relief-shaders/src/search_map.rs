@@ -67,7 +67,7 @@ impl SearchMap {
 impl Selection {
     /// The baked map that the search reads, if it reads one.
     pub fn map_input(&self) -> Option<MapInput> {
-        self.search.maps.first().copied()
+        self.search().maps.first().copied()
     }
 
     /// Of what is given, the map that the search reads over that height map; none for a search that reads none.
@@ -83,7 +83,7 @@ impl Selection {
         let Some(input) = self.map_input() else {
             return Ok(None);
         };
-        let missing = SearchMapError::Missing { search: self.search.name, kind: input.kind };
+        let missing = SearchMapError::Missing { search: self.search().name, kind: input.kind };
         let map = given.filter(|map| map.input == input).ok_or(missing)?;
         let wanted = [height_map.width(), height_map.height()];
         if map.size != wanted || map.texels.len() != height_map.texels().len() {

@@ -1,39 +1,44 @@
-//! A chosen surface, search, refinement and shading with their settings.
+//! A variant chosen for every stage, with its settings.
 
-use relief_core::registry::{self, Entry, MAX_PARAMS, Param, UnknownName};
+use relief_core::registry::{self, Entry, Guarantee, MAX_PARAMS, Param, RayClass, UnknownName};
 
-use crate::{Method, refine, search, shade, surface};
+use crate::Method;
+use crate::stages::{REFINE, SEARCH, STAGES, Stage, stage};
 
-/// What to run: one variant of every stage, and the parameters of search and refinement.
+/// A stage's variant, and its parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice {
+    /// The variant.
+    pub entry: &'static Entry,
+    /// Its number in the shaders: its place in the stage's list.
+    pub number: u32,
+    /// Its parameters, in its entry's order.
+    pub params: [f32; MAX_PARAMS],
+}
+
+/// What to run: a choice for every stage.
 #[derive(Clone, Copy, Debug)]
 pub struct Selection {
-    /// The surface.
-    pub surface: &'static Entry,
-    /// The search.
-    pub search: &'static Entry,
-    /// The refinement.
-    pub refine: &'static Entry,
-    /// The shading.
-    pub shade: &'static Entry,
-    /// The search's parameters, in its entry's order.
-    pub search_params: [f32; MAX_PARAMS],
-    /// The refinement's parameters, in its entry's order.
-    pub refine_params: [f32; MAX_PARAMS],
+    /// The choices, in the order of [`STAGES`].
+    pub choices: [Choice; STAGES.len()],
 }
 
 /// Why a selection cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SelectionError {
+    /// No stage has that key.
+    #[error("no stage has the key '{0}'; the keys are {keys}", keys = STAGES.map(|stage| stage.key).join(", "))]
+    NoStage(String),
     /// No variant has that name.
     #[error(transparent)]
     Unknown(#[from] UnknownName),
     /// A setting's key has another form.
-    #[error("the setting '{0}' must begin with 'search.' or 'refine.', as in search.steps=64")]
+    #[error("the setting '{0}' must begin with {begin}, as in search.steps=64", begin = beginnings())]
     Key(String),
     /// The variant has no such parameter.
     #[error("the {stage} '{entry}' has no parameter '{name}'{}", known(.entries))]
     NoParam {
-        /// "search" or "refinement".
+        /// The stage's title.
         stage: &'static str,
         /// The chosen variant.
         entry: &'static str,
@@ -56,29 +61,56 @@ pub enum SelectionError {
         /// Whether only whole numbers are accepted.
         integer: bool,
     },
+    /// The variant cannot be used for the rays that its stage is given.
+    #[error("the {stage} '{entry}' is impossible for {rays} rays: choose another")]
+    Impossible {
+        /// The stage's title.
+        stage: &'static str,
+        /// The stage's key.
+        key: &'static str,
+        /// The chosen variant.
+        entry: &'static str,
+        /// The rays.
+        rays: &'static str,
+    },
+}
+
+/// How settings may begin: the keys of the stages of which a variant has parameters.
+fn beginnings() -> String {
+    let settable = STAGES.iter().filter(|stage| stage.entries.iter().any(|entry| !entry.params.is_empty()));
+    settable.map(|stage| format!("'{}.'", stage.key)).collect::<Vec<_>>().join(" or ")
 }
 
 fn known(names: &[&str]) -> String {
     if names.is_empty() { "; it has none".to_owned() } else { format!("; it has {}", names.join(", ")) }
 }
 
+impl Choice {
+    /// The variant of that number, with its default parameters.
+    fn new(stage: &'static Stage, number: usize) -> Self {
+        let entry = &stage.entries[number];
+        Self { entry, number: number as u32, params: entry.defaults() }
+    }
+}
+
+impl Default for Selection {
+    /// The first variant of every stage.
+    fn default() -> Self {
+        Self { choices: std::array::from_fn(|place| Choice::new(&STAGES[place], 0)) }
+    }
+}
+
 impl Selection {
-    /// A search and a refinement by name, on a plane, with default parameters.
+    /// A search and a refinement by name, with default parameters; of all other stages the first variant.
     ///
     /// # Errors
     ///
     /// When a name is unknown.
     pub fn pair(search: &str, refine: &str) -> Result<Self, SelectionError> {
-        let search = registry::find("search", search::ENTRIES, search)?;
-        let refine = registry::find("refinement", refine::ENTRIES, refine)?;
-        Ok(Self {
-            surface: &surface::ENTRIES[0],
-            search,
-            refine,
-            shade: &shade::ENTRIES[0],
-            search_params: search.defaults(),
-            refine_params: refine.defaults(),
-        })
+        let mut selection = Self::default();
+        selection.choose("search", search)?;
+        selection.choose("refine", refine)?;
+        Ok(selection)
     }
 
     /// A method by name, with its settings.
@@ -103,29 +135,70 @@ impl Selection {
         Ok(selection)
     }
 
+    /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default parameters.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such stage or no such variant.
+    pub fn choose(&mut self, key: &str, name: &str) -> Result<(), SelectionError> {
+        let (place, stage) = stage(key).ok_or_else(|| SelectionError::NoStage(key.to_owned()))?;
+        let number = registry::find(stage.title, stage.entries, name)?;
+        self.choices[place] = Choice::new(stage, number);
+        Ok(())
+    }
+
     /// Sets a parameter, as in `set("search.steps", 64.0)`.
     ///
     /// # Errors
     ///
     /// When the key names no parameter of the chosen variants, or the value is out of range.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), SelectionError> {
-        let (stage, name) = key.split_once('.').ok_or_else(|| SelectionError::Key(key.to_owned()))?;
-        let (stage, entry, values) = match stage {
-            "search" => ("search", self.search, &mut self.search_params),
-            "refine" => ("refinement", self.refine, &mut self.refine_params),
-            _ => return Err(SelectionError::Key(key.to_owned())),
-        };
+        let parts = key.split_once('.').and_then(|(of, name)| Some((stage(of)?, name)));
+        let ((place, stage), name) = parts.ok_or_else(|| SelectionError::Key(key.to_owned()))?;
+        let Choice { entry, params, .. } = &mut self.choices[place];
         let Some((place, param)) = entry.param(name) else {
             let entries = entry.params.iter().map(|param| param.name).collect();
-            return Err(SelectionError::NoParam { stage, entry: entry.name, name: name.to_owned(), entries });
+            let (stage, entry, name) = (stage.title, entry.name, name.to_owned());
+            return Err(SelectionError::NoParam { stage, entry, name, entries });
         };
-        values[place] = checked(key, param, value)?;
+        params[place] = checked(key, param, value)?;
         Ok(())
     }
 
-    /// Whether this is the pair that has the exact answer, whatever its parameters.
+    /// Whether every chosen variant can be used for the rays that its stage is given.
+    ///
+    /// # Errors
+    ///
+    /// When one cannot.
+    pub fn check(&self) -> Result<(), SelectionError> {
+        for (stage, Choice { entry, .. }) in STAGES.iter().zip(&self.choices) {
+            let impossible = |rays: &&RayClass| entry.guarantee.of(**rays) == Guarantee::Impossible;
+            if let Some(rays) = stage.rays.iter().find(impossible) {
+                let (stage, key, entry, rays) = (stage.title, stage.key, entry.name, rays.name());
+                return Err(SelectionError::Impossible { stage, key, entry, rays });
+            }
+        }
+        Ok(())
+    }
+
+    /// The chosen search.
+    pub fn search(&self) -> &'static Entry {
+        self.choices[SEARCH].entry
+    }
+
+    /// The chosen refinement.
+    pub fn refine(&self) -> &'static Entry {
+        self.choices[REFINE].entry
+    }
+
+    /// What search and refinement together promise for a class of rays: the weaker of the two promises.
+    pub fn guarantee(&self, rays: RayClass) -> Guarantee {
+        self.search().guarantee.of(rays).min(self.refine().guarantee.of(rays))
+    }
+
+    /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
     pub fn is_exact(&self) -> bool {
-        self.search.name == "cells" && self.refine.name == "patch"
+        self.search().name == "cells" && self.refine().name == "patch"
     }
 }
 
@@ -146,21 +219,55 @@ mod tests {
     #[test]
     fn every_method_is_a_valid_selection() {
         for method in METHODS {
-            assert!(Selection::of(method).is_ok(), "{}", method.name);
+            let selection = Selection::of(method).expect("listed names");
+            assert_eq!(selection.check(), Ok(()), "{}", method.name);
         }
         assert!(Selection::method("exact").is_ok_and(|selection| selection.is_exact()));
+    }
+
+    #[test]
+    fn a_pair_promises_what_the_weaker_of_the_two_does() {
+        let exact = Selection::method("cone").expect("a method");
+        let sampled = Selection::pair("linear", "patch").expect("listed names");
+        let stepped = Selection::pair("cone", "binary").expect("listed names");
+        for rays in RayClass::ALL {
+            assert_eq!(exact.guarantee(rays), Guarantee::Exact);
+            assert_eq!(sampled.guarantee(rays), Guarantee::Approximate);
+            assert_eq!(stepped.guarantee(rays), Guarantee::Approximate);
+        }
     }
 
     #[test]
     fn settings_reach_their_place_and_nothing_else_is_accepted() {
         let mut selection = Selection::method("relief").expect("a method");
         selection.set("search.grazing", 4.0).expect("a parameter");
-        assert_eq!(selection.search_params, [32.0, 4.0, 0.0, 0.0]);
+        assert_eq!(selection.choices[SEARCH].params, [32.0, 4.0, 0.0, 0.0]);
         assert!(matches!(selection.set("steps", 4.0), Err(SelectionError::Key(_))));
+        assert!(matches!(selection.set("nothing.steps", 4.0), Err(SelectionError::Key(_))));
+        assert!(matches!(selection.set("shade.steps", 4.0), Err(SelectionError::NoParam { .. })));
         assert!(matches!(selection.set("search.stepz", 4.0), Err(SelectionError::NoParam { .. })));
         for bad in [0.0, 1.5, f64::NAN, f64::INFINITY, -3.0] {
             assert!(matches!(selection.set("search.steps", bad), Err(SelectionError::Value { .. })), "{bad}");
         }
-        assert_eq!(selection.search_params[0], 32.0);
+        assert_eq!(selection.choices[SEARCH].params[0], 32.0);
+        assert!(matches!(selection.choose("nothing", "none"), Err(SelectionError::NoStage(_))));
+        assert!(matches!(selection.choose("refine", "bianry"), Err(SelectionError::Unknown(_))));
+    }
+
+    #[test]
+    fn a_variant_that_is_impossible_for_its_stages_rays_is_refused() {
+        let mut selection = Selection::default();
+        assert_eq!(selection.check(), Ok(()));
+        let refused = Box::leak(Box::new(Entry {
+            guarantee: registry::Guarantees {
+                view: Guarantee::Impossible,
+                ..registry::Guarantees::all(Guarantee::Exact)
+            },
+            ..*selection.search()
+        }));
+        selection.choices[SEARCH].entry = refused;
+        let expected =
+            SelectionError::Impossible { stage: "search", key: "search", entry: "none", rays: "view" };
+        assert_eq!(selection.check(), Err(expected));
     }
 }

@@ -7,6 +7,7 @@ pub mod brute;
 pub mod claims;
 pub mod judge;
 pub mod maps;
+pub mod pairs;
 pub mod probes;
 pub mod rays;
 pub mod rng;

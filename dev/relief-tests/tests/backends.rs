@@ -6,8 +6,8 @@
 use std::path::Path;
 
 use relief_render::gpu::{AdapterChoice, Gpu};
-use relief_render::scene::{BackendChoice, MethodNames, Scene, SceneSpec, read_scene};
-use relief_render::{RenderError, Rendered, render, select};
+use relief_render::scene::{BackendChoice, Scene, SceneSpec, read_scene};
+use relief_render::{RenderError, Rendered, render};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::{METHODS, SearchMapError};
 use relief_tests::baked::search_map;
@@ -45,17 +45,13 @@ fn bare(file: &str, method: &str, backend: BackendChoice) -> Scene {
         size: Some(SIZE),
         ..SceneSpec::default()
     };
-    let scene =
-        read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
-    assert_eq!(scene.method().names, MethodNames::Method(method.to_owned()));
-    scene
+    read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map")
 }
 
 /// The same with the baked map.
 fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {
     let scene = bare(file, method, backend);
-    let selection = select(scene.method()).expect("a method");
-    match search_map(scene.height_map(), &selection) {
+    match search_map(scene.height_map(), scene.selection()) {
         Some(map) => scene.with_search_map(map),
         None => scene,
     }

@@ -1,13 +1,15 @@
-//! The searches that read a baked map, as the shaders have them, with the refinement `patch`, against the exact first hit:
-//! adversarial rays through adversarial maps in all wraps. `cells` with the same refinement is held to the same bound.
+//! The pairs of stages that promise the exact first hit, as the shaders have them, against it: adversarial rays of the
+//! classes for which they promise it, through adversarial maps in all wraps.
 
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, cell_walk};
+use relief_core::registry::{Guarantee, RayClass};
 use relief_core::{HeightMap, Path, Wrap};
 use relief_shaders::cpu::Resources;
 use relief_shaders::{SearchMap, Selection};
 use relief_tests::baked::search_map;
 use relief_tests::judge::{Tally, Verdict, judge};
+use relief_tests::pairs::{self, class_of};
 use relief_tests::rays::{RayKind, Rays};
 use relief_tests::{RAYS_PER_MAP, maps};
 
@@ -57,17 +59,18 @@ fn answer(map: &HeightMap, resources: &Resources, path: &Path) -> ExactHit {
     ExactHit { hit, ..ExactHit::miss(0, 0.0) }
 }
 
-/// The answers of a pair of stages, and the reads that they took.
+/// The answers of a pair of stages to the rays for which it promises to be exact, and the reads that they took.
 fn trial(map: &HeightMap, selection: &Selection, baked: Option<&SearchMap>, rays: usize) -> (Tally, f64) {
     let resources = Resources::tracing(map, selection, baked).expect("the search's map");
     let (mut tally, mut reads, steepest) = (Tally::default(), 0.0, steepest(map));
-    for (kind, path) in paths(map, 1).take(rays) {
+    let promised = |path: &Path| selection.guarantee(class_of(path)) == Guarantee::Exact;
+    for (kind, path) in paths(map, 1).filter(|(_, path)| promised(path)).take(rays) {
         let truth = cell_walk(map, &path);
         let other = answer(map, &resources, &path);
         match judge(map, &path, &truth, &other, slack(map, steepest, &path)) {
             Ok(Verdict::Agree) => {}
             Ok(Verdict::Grazing) => tally.grazing += 1,
-            Err(wrong) => panic!("{}, {} {kind:?}: {wrong}", selection.search.name, map.wrap()),
+            Err(wrong) => panic!("{}, {} {kind:?}: {wrong}", pairs::name(selection), map.wrap()),
         }
         tally.hits += usize::from(truth.hit.found);
         tally.misses += usize::from(!truth.hit.found);
@@ -78,8 +81,11 @@ fn trial(map: &HeightMap, selection: &Selection, baked: Option<&SearchMap>, rays
 
 #[test]
 fn no_first_hit_is_missed_or_passed_on_any_map_in_any_wrap() {
-    for method in ["exact", "cone", "frustum"] {
-        let selection = Selection::method(method).expect("a method");
+    let exact = pairs::all()
+        .filter(|pair| RayClass::ALL.iter().any(|rays| pair.guarantee(*rays) == Guarantee::Exact));
+    let exact: Vec<Selection> = exact.collect();
+    assert!(exact.len() >= 3, "{} pairs are exact", exact.len());
+    for selection in exact {
         let cases: Vec<_> = maps::ALL.iter().flat_map(|named| Wrap::ALL.map(|wrap| (named, wrap))).collect();
         let (tally, reads) = cases
             .par_iter()
@@ -88,7 +94,7 @@ fn no_first_hit_is_missed_or_passed_on_any_map_in_any_wrap() {
                 trial(&map, &selection, search_map(&map, &selection).as_ref(), RAYS_PER_MAP / 2)
             })
             .reduce(|| (Tally::default(), 0.0), |(a, x), (b, y)| (a.plus(b), x + y));
-        println!("{method}: {tally:?}, {:.1} reads a ray", reads / cases.len() as f64);
+        println!("{}: {tally:?}, {:.1} reads a ray", pairs::name(&selection), reads / cases.len() as f64);
         assert!(tally.hits > tally.misses / 4 && tally.misses > tally.hits / 10, "{tally:?}");
         assert!(tally.grazing < (tally.hits + tally.misses) / 10, "{tally:?}");
     }

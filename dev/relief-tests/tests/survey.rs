@@ -1,10 +1,11 @@
 //! What the survey claims about the methods' order, and that more steps come nearer the truth.
 
-use relief_shaders::Selection;
+use relief_core::registry::RayClass;
 use relief_tests::RAYS_PER_MAP;
 use relief_tests::accuracy::{Case, maps, mean_error};
 use relief_tests::baked::search_map;
 use relief_tests::claims::verdicts;
+use relief_tests::pairs;
 
 /// Rays a map and angle: every claim traces four times the five maps.
 const RAYS: usize = RAYS_PER_MAP / 10;
@@ -44,13 +45,12 @@ fn relief_and_occlusion_come_nearer_with_every_doubling_of_their_steps() {
 
 #[test]
 fn the_exact_pairs_of_stages_find_every_first_hit() {
-    for method in ["exact", "cone", "frustum"] {
-        let exact = Selection::method(method).expect("a method");
+    for exact in pairs::exact_for(RayClass::View) {
         for named in &maps() {
             let baked = search_map(&named.map, &exact);
             for degrees in [10.0, 60.0, 85.0] {
                 let report = Case::new(&named.map, degrees, RAYS).report_with(&exact, baked.as_ref());
-                let name = format!("{method}, {} at {degrees} degrees", named.name);
+                let name = format!("{}, {} at {degrees} degrees", pairs::name(&exact), named.name);
                 // Rays that graze within the rounding of f32 may be judged either way.
                 let wrong = report.missed + report.false_hits + report.late + report.early + report.exhausted;
                 assert!(wrong <= 1e-3, "{name}: {report:?}");

@@ -5,8 +5,8 @@ use std::io::{self, Write};
 use clap::Args;
 use comfy_table::presets::ASCII_MARKDOWN;
 use comfy_table::{ContentArrangement, Table};
-use relief_core::registry::{Entry, Param, Publication};
-use relief_shaders::{METHODS, refine, search, shade, surface};
+use relief_core::registry::{Entry, Param, Publication, RayClass};
+use relief_shaders::{METHODS, STAGES, Stage};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
@@ -19,13 +19,6 @@ pub struct Arguments {
     pub json: bool,
 }
 
-const STAGES: [(&str, &[Entry]); 4] = [
-    ("surface", surface::ENTRIES),
-    ("search", search::ENTRIES),
-    ("refinement", refine::ENTRIES),
-    ("shading", shade::ENTRIES),
-];
-
 /// Prints the tables.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
@@ -34,22 +27,30 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Ok(());
     }
     writeln!(out, "Methods: pairs of a search and a refinement, for --method\n{}\n", methods_table())?;
-    for (stage, entries) in STAGES {
+    for stage in &STAGES {
         writeln!(out, "{}", heading(stage))?;
-        writeln!(out, "{}\n", entries_table(entries))?;
+        writeln!(out, "{}\n", entries_table(stage.entries))?;
     }
     writeln!(out, "Section: of {}", METHODS[0].publication.paper)?;
     writeln!(out, "Guarantees: for view rays / bent rays / shadow rays")?;
     Ok(())
 }
 
-fn heading(stage: &str) -> &'static str {
-    match stage {
-        "surface" => "Surfaces",
-        "search" => "Searches, for --search and --set search.NAME=VALUE",
-        "refinement" => "Refinements, for --refine and --set refine.NAME=VALUE",
-        _ => "Shadings",
+/// What a stage's variants are called, and the flags that choose one and set its parameters.
+fn heading(stage: &Stage) -> String {
+    let Stage { key, plural, entries, .. } = stage;
+    let mut flags = Vec::new();
+    if entries.len() > 1 {
+        flags.push(format!("--{key}"));
     }
+    if entries.iter().any(|entry| !entry.params.is_empty()) {
+        flags.push(format!("--set {key}.NAME=VALUE"));
+    }
+    let mut heading = plural[..1].to_uppercase() + &plural[1..];
+    if !flags.is_empty() {
+        heading += &format!(", for {}", flags.join(" and "));
+    }
+    heading
 }
 
 fn table(header: &[&str]) -> Table {
@@ -106,7 +107,7 @@ fn param_text(param: &Param) -> String {
 }
 
 fn guarantees(entry: &Entry) -> [&'static str; 3] {
-    [entry.guarantee.view, entry.guarantee.bent, entry.guarantee.shadow].map(|guarantee| guarantee.name())
+    RayClass::ALL.map(|rays| entry.guarantee.of(rays).name())
 }
 
 fn as_json() -> Value {
@@ -123,10 +124,11 @@ fn as_json() -> Value {
         })
         .collect();
     let mut all = serde_json::Map::from_iter([("methods".to_owned(), Value::from(methods))]);
-    for (stage, entries) in STAGES {
+    for Stage { title, entries, .. } in &STAGES {
         let listed: Vec<Value> = entries
             .iter()
-            .map(|entry| {
+            .enumerate()
+            .map(|(number, entry)| {
                 let [view, bent, shadow] = guarantees(entry);
                 let maps: Vec<Value> = entry
                     .maps
@@ -144,13 +146,13 @@ fn as_json() -> Value {
                     })
                     .collect();
                 json!({
-                    "id": entry.id, "name": entry.name, "summary": entry.summary, "source": source(&entry.publication),
+                    "id": number, "name": entry.name, "summary": entry.summary, "source": source(&entry.publication),
                     "maps": maps, "params": params, "argument": entry.argument,
                     "guarantee": { "view": view, "bent": bent, "shadow": shadow },
                 })
             })
             .collect();
-        all.insert(stage.to_owned(), Value::from(listed));
+        all.insert((*title).to_owned(), Value::from(listed));
     }
     Value::Object(all)
 }

@@ -272,7 +272,7 @@ fn report(
         let about = json!({
             "output": name(&arguments.output), "aov": arguments.aov.as_deref().map(name), "width": rendering.width, "height": rendering.height,
             "backend": backend, "device": device, "reason": reason, "seconds": seconds,
-            "search": selection.search.name, "refine": selection.refine.name,
+            "search": selection.search().name, "refine": selection.refine().name,
             "covered": covered, "exhausted": exhausted, "mean_reads": mean,
             "scale_m": map.scale_m(), "bias_m": map.bias_m(),
             "search_map": provided.map(Provided::json),
@@ -281,7 +281,7 @@ fn report(
         return Ok(());
     }
     let (width, height) = (rendering.width, rendering.height);
-    let (search, refine) = (selection.search.name, selection.refine.name);
+    let (search, refine) = (selection.search().name, selection.refine().name);
     writeln!(
         out,
         "{}: {width}x{height}, {search} + {refine}, on the {backend} ({device}) in {seconds:.2} s, {mean:.1} reads a pixel",

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
+use relief_shaders::STAGES;
 use relief_shaders::cpu::{Settings, Shared, write_all};
 use wgpu::{Buffer, BufferDescriptor, BufferUsages, DeviceDescriptor, ErrorFilter, MapMode, PollType};
 
@@ -37,22 +38,22 @@ struct Troubles {
 pub(super) struct Variant {
     pub sampling: Sampling,
     pub two_sided: bool,
-    surface: u32,
-    search: u32,
-    refine: u32,
-    shade: u32,
+    /// The number of each stage's variant.
+    numbers: [u32; STAGES.len()],
 }
 
 impl Variant {
     pub fn new(settings: &Settings, sampling: Sampling, two_sided: bool) -> Self {
-        let Settings { surface, search, refine, shade, .. } = *settings;
-        Self { sampling, two_sided, surface, search, refine, shade }
+        Self { sampling, two_sided, numbers: settings.choices.map(|choice| choice.number) }
     }
 
-    /// The values of the shaders' overridable constants.
-    pub fn constants(&self) -> [(&'static str, f64); 4] {
-        [("SURFACE", self.surface), ("SEARCH", self.search), ("REFINE", self.refine), ("SHADE", self.shade)]
-            .map(|(name, value)| (name, f64::from(value)))
+    /// The values of a shader's overridable constants: of the stages that it reaches.
+    pub fn constants(&self, source: &str) -> Vec<(String, f64)> {
+        let named = STAGES.iter().zip(self.numbers);
+        named
+            .map(|(stage, number)| (stage.key.to_uppercase(), f64::from(number)))
+            .filter(|(name, _)| source.contains(&format!("override {name}:")))
+            .collect()
     }
 }
 

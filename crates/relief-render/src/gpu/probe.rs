@@ -55,15 +55,15 @@ impl ProbeProgram {
             bind_group_layouts: &[Some(&maps), Some(&rays)],
             immediate_size: 0,
         });
+        let constants = variant.constants(source);
+        let constants: Vec<(&str, f64)> =
+            constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
             label: Some("probe"),
             layout: Some(&layout),
             module: &module,
             entry_point: Some("probe_main"),
-            compilation_options: PipelineCompilationOptions {
-                constants: &variant.constants(),
-                ..Default::default()
-            },
+            compilation_options: PipelineCompilationOptions { constants: &constants, ..Default::default() },
             cache: None,
         });
         Self { maps, rays, pipeline }

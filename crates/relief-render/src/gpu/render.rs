@@ -76,7 +76,9 @@ impl RenderProgram {
                 immediate_size: 0,
             })
         };
-        let constants = variant.constants();
+        let constants = variant.constants(source);
+        let constants: Vec<(&str, f64)> =
+            constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         let options = PipelineCompilationOptions { constants: &constants, ..Default::default() };
         let target = |format: TextureFormat| Some(ColorTargetState::from(format));
         let trace = device.create_render_pipeline(&RenderPipelineDescriptor {

@@ -1,6 +1,6 @@
 //! Scenes made by programs.
 
-use super::{BackendChoice, MethodChoice, Sampling, Scene, ValueError, error::ValueProblem};
+use super::{BackendChoice, Sampling, Scene, ValueError, error::ValueProblem};
 use crate::camera::Camera;
 use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
 use crate::material::Material;
@@ -8,6 +8,7 @@ use crate::mesh::{Builtin, Mesh};
 use glam::{DVec3, Vec3};
 use relief_core::HeightMap;
 use relief_io::{NormalMap, Picture};
+use relief_shaders::{STAGES, Selection, SelectionError};
 
 /// The longest side of a picture in pixels.
 pub const MAX_IMAGE_SIDE: u32 = 32_768;
@@ -20,6 +21,8 @@ pub(super) const DEFAULT_FOV: f64 = 40.0;
 const DEFAULT_LIGHT: DVec3 = DVec3::new(0.5, 0.8, 0.3);
 const DEFAULT_AMBIENT: Vec3 = Vec3::splat(0.15);
 const DEFAULT_BACKGROUND: Vec3 = Vec3::splat(0.05);
+/// The default method.
+pub(super) const DEFAULT_METHOD: &str = "exact";
 /// The default width and height, in pixels.
 pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 
@@ -37,7 +40,7 @@ pub struct SceneBuilder {
     material: Material,
     background: Vec3,
     size: [u32; 2],
-    method: MethodChoice,
+    selection: Option<Selection>,
     backend: BackendChoice,
     sampling: Sampling,
     two_sided: bool,
@@ -56,7 +59,7 @@ impl SceneBuilder {
             material: Material::default(),
             background: DEFAULT_BACKGROUND,
             size: DEFAULT_SIZE,
-            method: MethodChoice::default(),
+            selection: None,
             backend: BackendChoice::default(),
             sampling: Sampling::default(),
             two_sided: false,
@@ -120,9 +123,9 @@ impl SceneBuilder {
         self
     }
 
-    /// How the first hit is found. By default `exact`.
-    pub fn method(mut self, method: MethodChoice) -> Self {
-        self.method = method;
+    /// What is run: how the first hit is found, and how it is shaded. By default the method `exact`.
+    pub fn selection(mut self, selection: Selection) -> Self {
+        self.selection = Some(selection);
         self
     }
 
@@ -148,8 +151,8 @@ impl SceneBuilder {
     ///
     /// # Errors
     ///
-    /// When the size is out of range, there are too many lights, a colour is negative or not finite, or a setting of
-    /// the method is not finite.
+    /// When the size is out of range, there are too many lights, a colour is negative or not finite, or what is selected
+    /// cannot trace view rays.
     pub fn build(self) -> Result<Scene, ValueError> {
         let [width, height] = self.size;
         if !(self.size.iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))) {
@@ -161,9 +164,9 @@ impl SceneBuilder {
         };
         let (ambient, background) =
             (colour("ambient", self.ambient)?, colour("background", self.background)?);
-        if let Some(&value) = self.method.settings.values().find(|value| !value.is_finite()) {
-            return Err(ValueProblem::Number { value, must: "finite" }.of("set"));
-        }
+        let selection = self.selection.map_or_else(|| Selection::method(DEFAULT_METHOD), Ok);
+        let selection = selection.and_then(|selection| selection.check().map(|()| selection));
+        let selection = selection.map_err(of_selection)?;
         let mesh = match self.mesh {
             Some(mesh) => mesh,
             None => Builtin::Plane.build().map_err(ValueProblem::from).map_err(problem("mesh"))?,
@@ -197,10 +200,23 @@ impl SceneBuilder {
             material: self.material,
             background,
             size: self.size,
-            method: self.method,
+            selection,
             backend: self.backend,
             sampling: self.sampling,
             two_sided: self.two_sided,
         })
     }
+}
+
+/// The error of a selection, with the key of the scene that it comes from.
+pub(super) fn of_selection(error: SelectionError) -> ValueError {
+    let key = match &error {
+        // A name is unknown of a method, or of a stage by its title.
+        SelectionError::Unknown(unknown) => {
+            STAGES.iter().find(|stage| stage.title == unknown.kind).map_or("method", |stage| stage.key)
+        }
+        SelectionError::Impossible { key, .. } => key,
+        _ => "set",
+    };
+    ValueProblem::from(Box::new(error)).of(key)
 }

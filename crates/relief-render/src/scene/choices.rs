@@ -1,39 +1,8 @@
 //! Choices that are names.
 
 use relief_core::registry::UnknownName;
-use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
-
-/// Which method finds the first hit, as names: the registry of the shaders says which names and settings there are.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MethodChoice {
-    /// The method, or the pair of its stages.
-    pub names: MethodNames,
-    /// Parameters that differ from their default, by names such as `search.steps`.
-    pub settings: BTreeMap<String, f64>,
-}
-
-/// The name of a method, or of the two stages of one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum MethodNames {
-    /// A method by its name.
-    Method(String),
-    /// A search and a refinement.
-    Pair {
-        /// Name of the search.
-        search: String,
-        /// Name of the refinement.
-        refine: String,
-    },
-}
-
-impl Default for MethodChoice {
-    /// The method `exact`.
-    fn default() -> Self {
-        Self { names: MethodNames::Method("exact".to_owned()), settings: BTreeMap::new() }
-    }
-}
 
 /// What computes the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -5,9 +5,9 @@ use crate::camera::CameraError;
 use crate::light::LightError;
 use crate::material::MaterialError;
 use crate::mesh::MeshError;
-use crate::method::MethodError;
 use relief_core::HeightMapError;
 use relief_io::ReadError;
+use relief_shaders::SelectionError;
 use std::path::PathBuf;
 
 /// Why a scene cannot be read, completed or loaded.
@@ -146,7 +146,7 @@ pub enum ValueProblem {
     HeightMap(#[from] HeightMapError),
     /// The method, search, refinement or a setting is not available.
     #[error(transparent)]
-    Method(#[from] Box<MethodError>),
+    Selection(#[from] Box<SelectionError>),
 }
 
 impl ValueProblem {

@@ -1,17 +1,16 @@
 //! From a description to a scene: defaults, checks, files.
 
-use super::builder::{DEFAULT_EYE, DEFAULT_FOV};
+use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_METHOD, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
-use super::{ByteSize, LightSpec, MAX_IMAGE_SIDE, MethodChoice, MethodNames, Scene, SceneBuilder, SceneSpec};
+use super::{ByteSize, LightSpec, MAX_IMAGE_SIDE, Scene, SceneBuilder, SceneSpec};
 use crate::camera::{Camera, CameraError};
 use crate::light::{Light, LightError};
 use crate::material::Material;
 use crate::mesh::Mesh;
-use crate::method::{MethodError, select};
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::HeightMap;
 use relief_io::{Convention, HeightOptions};
-use relief_shaders::SelectionError;
+use relief_shaders::Selection;
 use std::path::Path;
 
 /// The memory that maps and picture may take when nothing else is said.
@@ -48,7 +47,7 @@ struct Parts {
     camera: Camera,
     lights: Option<Vec<Light>>,
     material: Material,
-    method: MethodChoice,
+    selection: Selection,
     /// Unless the height map's file is to say it.
     scale_m: Option<f64>,
     /// Minus the scale if none.
@@ -90,7 +89,7 @@ impl SceneSpec {
             max_bytes: left,
         };
         let height_map = relief_io::read_height(height, &options)?;
-        left = self.memory_beside_the_map(height, &height_map, &parts.method, left)?;
+        left = self.memory_beside_the_map(height, &height_map, &parts.selection, left)?;
         let mut builder = self.builder(parts, height_map)?;
         if let Some(path) = &self.color {
             let color = relief_io::read_picture(path, left)?;
@@ -123,12 +122,11 @@ impl SceneSpec {
         &self,
         path: &Path,
         map: &HeightMap,
-        method: &MethodChoice,
+        selection: &Selection,
         left: u64,
     ) -> Result<u64, SceneError> {
         let (width, height) = (map.width(), map.height());
-        let bakes = select(method).is_ok_and(|selection| selection.map_input().is_some());
-        let bytes = BYTES_PER_HEIGHT + if bakes { BYTES_PER_BAKED } else { 0 };
+        let bytes = BYTES_PER_HEIGHT + selection.map_input().map_or(0, |_| BYTES_PER_BAKED);
         let needed = bytes * u64::from(width) * u64::from(height);
         left.checked_sub(needed).ok_or_else(|| {
             let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
@@ -174,7 +172,7 @@ impl SceneSpec {
             camera: self.camera()?,
             lights: self.lights()?,
             material: self.material()?,
-            method: self.method_choice()?,
+            selection: self.selection()?,
             scale_m: self.scale,
             bias_m: self.bias,
         })
@@ -191,7 +189,7 @@ impl SceneSpec {
             .mesh(parts.mesh)
             .camera(parts.camera)
             .material(parts.material)
-            .method(parts.method)
+            .selection(parts.selection)
             .backend(self.backend.unwrap_or_default())
             .sampling(self.sampling.unwrap_or_default())
             .two_sided(self.two_sided.unwrap_or_default());
@@ -251,34 +249,20 @@ impl SceneSpec {
         .map_err(|error| ValueProblem::from(error).of("material"))
     }
 
-    fn method_choice(&self) -> Result<MethodChoice, ValueError> {
-        let names = match (&self.method, &self.search, &self.refine) {
-            (None, None, None) => MethodChoice::default().names,
-            (Some(method), None, None) => MethodNames::Method(method.clone()),
-            (None, Some(search), Some(refine)) => {
-                MethodNames::Pair { search: search.clone(), refine: refine.clone() }
-            }
+    fn selection(&self) -> Result<Selection, ValueError> {
+        let selection = match (&self.method, &self.search, &self.refine) {
+            (method, None, None) => Selection::method(method.as_deref().unwrap_or(DEFAULT_METHOD)),
+            (None, Some(search), Some(refine)) => Selection::pair(search, refine),
             (None, Some(_), None) => return Err(ValueProblem::Needs("refine").of("search")),
             (None, None, Some(_)) => return Err(ValueProblem::Needs("search").of("refine")),
             (Some(_), _, _) => return Err(ValueProblem::Excludes("search and refine").of("method")),
         };
-        let choice = MethodChoice { names, settings: self.set.clone() };
-        select(&choice).map_err(|error| {
-            let key = key_of(&error);
-            ValueProblem::from(Box::new(error)).of(key)
-        })?;
-        Ok(choice)
+        let mut selection = selection.map_err(of_selection)?;
+        for (key, &value) in &self.set {
+            selection.set(key, value).map_err(of_selection)?;
+        }
+        Ok(selection)
     }
-}
-
-/// The key whose value a method fails by.
-fn key_of(error: &MethodError) -> &'static str {
-    let stage = match error {
-        MethodError::Selection(SelectionError::Unknown(unknown)) => unknown.kind,
-        MethodError::Selection(_) => "set",
-        MethodError::Impossible { stage, .. } => stage,
-    };
-    if stage == "refinement" { "refine" } else { stage }
 }
 
 fn check_scale(scale_m: f64) -> Result<(), ValueError> {

@@ -14,7 +14,7 @@ mod spec;
 
 pub use builder::{MAX_IMAGE_SIDE, SceneBuilder};
 pub use byte_size::{BadByteSize, ByteSize};
-pub use choices::{BackendChoice, MethodChoice, MethodNames, Sampling};
+pub use choices::{BackendChoice, Sampling};
 pub use error::{SceneError, ValueError, ValueProblem};
 pub use file::read_scene;
 pub use load::DEFAULT_MAX_MEMORY;
@@ -27,7 +27,7 @@ use crate::mesh::Mesh;
 use glam::Vec3;
 use relief_core::HeightMap;
 use relief_io::Picture;
-use relief_shaders::SearchMap;
+use relief_shaders::{SearchMap, Selection};
 
 /// A complete scene.
 #[derive(Clone, Debug)]
@@ -43,7 +43,7 @@ pub struct Scene {
     pub(crate) material: Material,
     pub(crate) background: Vec3,
     pub(crate) size: [u32; 2],
-    pub(crate) method: MethodChoice,
+    pub(crate) selection: Selection,
     pub(crate) backend: BackendChoice,
     pub(crate) sampling: Sampling,
     pub(crate) two_sided: bool,
@@ -83,9 +83,8 @@ impl Scene {
         self.search_map.as_ref()
     }
 
-    /// The same scene with the baked map that the method's search reads. Which that is says
-    /// [`Selection::map_input`](relief_shaders::Selection::map_input) of what [`select`](crate::select) makes of
-    /// [`Scene::method`]; it is to be baked from [`Scene::height_map`]. Rendering checks kind and size.
+    /// The same scene with the baked map that its search reads. Which that is says [`Selection::map_input`] of
+    /// [`Scene::selection`]; it is to be baked from [`Scene::height_map`]. Rendering checks kind and size.
     #[must_use]
     pub fn with_search_map(self, map: SearchMap) -> Self {
         Self { search_map: Some(map), ..self }
@@ -121,9 +120,9 @@ impl Scene {
         self.size
     }
 
-    /// How the first hit is found.
-    pub fn method(&self) -> &MethodChoice {
-        &self.method
+    /// What is run: how the first hit is found, and how it is shaded.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
     }
 
     /// What computes the picture.

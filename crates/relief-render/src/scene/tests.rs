@@ -256,7 +256,7 @@ fn a_scene_is_loaded_with_its_defaults() {
     assert_eq!((scene.size(), scene.camera().eye()), ([800, 600], DVec3::new(0.6, 0.9, 1.1)));
     assert_eq!((scene.camera().target(), scene.camera().fov_degrees()), (DVec3::ZERO, 40.0));
     assert_eq!((scene.lights().len(), scene.two_sided(), scene.mesh().triangles().len()), (1, false, 2));
-    assert_eq!(scene.method(), &MethodChoice::default());
+    assert!(scene.selection().is_exact());
     assert!(scene.color().is_none() && scene.normal_map().is_none());
     // The builder's own defaults are the same ones.
     let built = Scene::builder(map.clone()).build().expect("a scene");

@@ -1,9 +1,9 @@
 //! Between the shaders' structs and the core's.
 
-use relief_core::{FoundState, HeightMap, PathMetric};
+use relief_core::{HeightMap, PathMetric, RayUse};
 
 use super::runtime::Vec4;
-use super::{ColorTexture, Found, HeightTexture, Hit, Light, Path, Resources, Settings};
+use super::{Choice, ColorTexture, HeightTexture, Hit, Light, Path, Resources, Settings};
 use crate::{MAX_LIGHTS, SearchMap, SearchMapError, Selection};
 
 impl From<&Path> for relief_core::Path {
@@ -23,7 +23,7 @@ impl From<&Path> for relief_core::Path {
 }
 
 impl From<&relief_core::Path> for Path {
-    /// The path rounded to `f32`.
+    /// The path rounded to `f32`, of a view ray over the finest level of detail.
     fn from(path: &relief_core::Path) -> Self {
         let metric = &path.metric;
         Self::new(
@@ -33,6 +33,8 @@ impl From<&relief_core::Path> for Path {
             path.exit as f32,
             path.base as f32,
             [metric.uu, metric.uv, metric.vv, metric.scale_m].map(|x| x as f32),
+            RayUse::View as u32,
+            0u32,
         )
     }
 }
@@ -63,64 +65,38 @@ impl From<&relief_core::Hit> for Hit {
     }
 }
 
-impl From<&Found> for relief_core::Found {
-    /// An unknown state, which no search returns, reads as [`FoundState::Miss`].
-    fn from(found: &Found) -> Self {
-        let states = [
-            FoundState::Miss,
-            FoundState::Above,
-            FoundState::Below,
-            FoundState::Bracket,
-            FoundState::Exhausted,
-            FoundState::StartedBelow,
-            FoundState::Unbracketed,
-        ];
-        Self {
-            state: states.get(found.status as usize).copied().unwrap_or(FoundState::Miss),
-            near: found.near,
-            far: found.far,
-            near_gap: found.near_gap,
-            far_gap: found.far_gap,
-            reads: found.reads,
-        }
+impl From<&crate::Choice> for Choice {
+    fn from(choice: &crate::Choice) -> Self {
+        Self::new(choice.number, choice.params)
     }
 }
 
 impl Settings {
     /// Settings for tracing a map with the stages chosen: no camera, no light, no maps but heights.
     pub fn tracing(map: &HeightMap, selection: &Selection) -> Self {
-        const NO_LIGHT: Light = Light {
-            place: Vec4 { x: 0.0, y: 0.0, z: 0.0, w: 0.0 },
-            color: Vec4 { x: 0.0, y: 0.0, z: 0.0, w: 0.0 },
-        };
-        let nowhere = [0.0; 4];
-        Self::new(
-            selection.search_params,
-            selection.refine_params,
-            nowhere,
-            nowhere,
-            nowhere,
-            nowhere,
-            nowhere,
-            nowhere,
-            nowhere,
-            nowhere,
-            [NO_LIGHT; MAX_LIGHTS],
-            [map.width(), map.height()],
-            [1u32, 1],
-            [1u32, 1],
-            map.wrap() as u32,
-            selection.surface.id,
-            selection.search.id,
-            selection.refine.id,
-            selection.shade.id,
-            0u32,
-            1u32,
-            0u32,
-            0u32,
-            map.scale_m() as f32,
-            map.bias_m() as f32,
-        )
+        let nowhere = || Vec4::splat(0.0);
+        Self {
+            choices: selection.choices.map(|choice| Choice::from(&choice)),
+            eye: nowhere(),
+            forward: nowhere(),
+            corner: nowhere(),
+            right: nowhere(),
+            down: nowhere(),
+            ambient: nowhere(),
+            diffuse: nowhere(),
+            specular: nowhere(),
+            lights: [Light { place: nowhere(), color: nowhere() }; MAX_LIGHTS],
+            height_size: [map.width(), map.height()].into(),
+            color_size: [1, 1].into(),
+            normal_size: [1, 1].into(),
+            wrap: map.wrap() as u32,
+            light_count: 0,
+            shininess: 1,
+            has_color: 0,
+            has_normal: 0,
+            scale_m: map.scale_m() as f32,
+            bias_m: map.bias_m() as f32,
+        }
     }
 }
 

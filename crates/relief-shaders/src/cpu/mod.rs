@@ -16,6 +16,8 @@ mod layout;
 pub mod runtime;
 
 pub use bytes::{Shared, read_all, write_all};
-pub use generated::{Corner, Entered, Found, Hit, Light, Path, PixelIn, PixelOut, Resources, Settings};
+pub use generated::{
+    Choice, Corner, Entered, Found, Hit, Light, Path, PixelIn, PixelOut, Resources, Settings,
+};
 pub use layout::{Band, Probe, Record, Triangle};
 pub use runtime::{ColorTexture, HeightTexture};

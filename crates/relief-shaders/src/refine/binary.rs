@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// The interval is halved.
 pub const ENTRY: Entry = Entry {
-    id: 5,
     name: "binary",
     summary: "the interval is halved",
     publication: Publication { paper: super::SURVEY, section: "4.2.2" },

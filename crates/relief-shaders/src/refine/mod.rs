@@ -14,7 +14,7 @@ mod slope;
 mod slope_iterative;
 mod true_secant;
 
-/// All of them; the place of each is its number in the shaders.
+/// All of them.
 pub const ENTRIES: &[Entry] = &[
     none::ENTRY,
     offset::ENTRY,

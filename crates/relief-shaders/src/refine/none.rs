@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// What the search found: the processed point, or the first sample below.
 pub const ENTRY: Entry = Entry {
-    id: 0,
     name: "none",
     summary: "what the search found: the processed point, or the first sample below",
     publication: Publication { paper: super::SURVEY, section: "4.1.1" },

@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Parallax mapping: a level surface at the starting point's height.
 pub const ENTRY: Entry = Entry {
-    id: 1,
     name: "offset",
     summary: "parallax mapping: a level surface at the starting point's height",
     publication: Publication { paper: super::SURVEY, section: "4.1.2" },

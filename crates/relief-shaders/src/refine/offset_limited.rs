@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Parallax mapping with offset limiting: never farther than the height.
 pub const ENTRY: Entry = Entry {
-    id: 2,
     name: "offset-limited",
     summary: "parallax mapping with offset limiting: never farther than the height",
     publication: Publication { paper: super::SURVEY, section: "4.1.3" },

@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Ray against bilinear patch in closed form, cell by cell.
 pub const ENTRY: Entry = Entry {
-    id: 8,
     name: "patch",
     summary: "ray against bilinear patch in closed form, cell by cell",
     publication: Publication { paper: super::SURVEY, section: "4.3.1" },

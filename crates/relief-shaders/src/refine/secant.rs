@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// False position: the surface between the two ends is a plane.
 pub const ENTRY: Entry = Entry {
-    id: 6,
     name: "secant",
     summary: "false position: the surface between the two ends is a plane",
     publication: Publication { paper: super::SURVEY, section: "4.2.3" },

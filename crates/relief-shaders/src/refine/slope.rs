@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// The tangent plane at the starting point.
 pub const ENTRY: Entry = Entry {
-    id: 3,
     name: "slope",
     summary: "the tangent plane at the starting point",
     publication: Publication { paper: super::SURVEY, section: "4.1.4" },

@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Iterative parallax mapping: the slope correction, repeated.
 pub const ENTRY: Entry = Entry {
-    id: 4,
     name: "slope-iterative",
     summary: "iterative parallax mapping: the slope correction, repeated",
     publication: Publication { paper: super::SURVEY, section: "4.2.1" },

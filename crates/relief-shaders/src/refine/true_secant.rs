@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// The secant method proper: the last two guesses.
 pub const ENTRY: Entry = Entry {
-    id: 7,
     name: "true-secant",
     summary: "the secant method proper: the last two guesses",
     publication: Publication { paper: super::SURVEY, section: "4.2.3" },

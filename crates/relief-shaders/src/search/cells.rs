@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Every dual cell along the path, in order.
 pub const ENTRY: Entry = Entry {
-    id: 2,
     name: "cells",
     summary: "every dual cell along the path, in order",
     publication: Publication { paper: super::SURVEY, section: "4.3.1" },

@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Publi
 
 /// Over the empty cone on the texel nearest to the path.
 pub const ENTRY: Entry = Entry {
-    id: 4,
     name: "cone",
     summary: "over the empty cone on each texel that the path comes to",
     publication: Publication { paper: super::SURVEY, section: "4.3.5" },

@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Publi
 
 /// Over the empty frustum of each cell that the path comes to.
 pub const ENTRY: Entry = Entry {
-    id: 3,
     name: "frustum",
     summary: "over the empty frustum on each cell that the path comes to",
     publication: Publication { paper: "Relief", section: "" },

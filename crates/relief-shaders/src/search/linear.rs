@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Equal steps until one is below the surface.
 pub const ENTRY: Entry = Entry {
-    id: 1,
     name: "linear",
     summary: "equal steps until one is below the surface",
     publication: Publication { paper: super::SURVEY, section: "4.3.1" },

@@ -11,5 +11,5 @@ mod frustum;
 mod linear;
 mod none;
 
-/// All of them; the place of each is its number in the shaders.
+/// All of them.
 pub const ENTRIES: &[Entry] = &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY, cone::ENTRY];

@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Nothing is searched: entry and exit.
 pub const ENTRY: Entry = Entry {
-    id: 0,
     name: "none",
     summary: "nothing is searched: entry and exit",
     publication: Publication { paper: super::SURVEY, section: "4.1" },

@@ -2,11 +2,10 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
-/// Ambient, diffuse and a specular lobe around the half vector.
+/// Diffuse, and a specular lobe around the half vector.
 pub const ENTRY: Entry = Entry {
-    id: 0,
     name: "blinn-phong",
-    summary: "ambient, diffuse and a specular lobe around the half vector",
+    summary: "diffuse, and a specular lobe around the half vector",
     publication: Publication { paper: super::SURVEY, section: "2.1" },
     maps: &[],
     params: &[],

@@ -6,5 +6,5 @@ use crate::SURVEY;
 
 mod blinn_phong;
 
-/// All of them; the place of each is its number in the shaders.
+/// All of them.
 pub const ENTRIES: &[Entry] = &[blinn_phong::ENTRY];

@@ -6,5 +6,5 @@ use crate::SURVEY;
 
 mod plane;
 
-/// All of them; the place of each is its number in the shaders.
+/// All of them.
 pub const ENTRIES: &[Entry] = &[plane::ENTRY];

@@ -4,7 +4,6 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// The flat base surface.
 pub const ENTRY: Entry = Entry {
-    id: 0,
     name: "plane",
     summary: "the polygon itself, with its frame interpolated: one straight segment a ray",
     publication: Publication { paper: super::SURVEY, section: "4" },

@@ -156,7 +156,8 @@ impl<'a> Contest<'a> {
     pub fn new(map: &'a HeightMap) -> Result<Self, String> {
         let shaders = METHODS.map(|method| {
             let selection = Selection::method(method).map_err(|error| error.to_string())?;
-            let name = format!("shader, {method} ({} + {})", selection.search.name, selection.refine.name);
+            let name =
+                format!("shader, {method} ({} + {})", selection.search().name, selection.refine().name);
             let resources = Resources::tracing(map, &selection, None).map_err(|error| error.to_string())?;
             Ok((name, resources))
         });

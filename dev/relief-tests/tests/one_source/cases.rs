@@ -4,7 +4,7 @@ use relief_core::registry::Entry;
 use relief_core::{HeightMap, Wrap};
 use relief_render::job::{Job, TexelMap};
 use relief_shaders::cpu::{PixelIn, Probe, Resources, Settings, Shared};
-use relief_shaders::{SearchMap, Selection};
+use relief_shaders::{REFINE, SEARCH, SearchMap, Selection};
 use relief_tests::baked::search_map;
 use relief_tests::maps::NamedMap;
 use relief_tests::rng::Rng;
@@ -29,9 +29,10 @@ impl Case {
         let map_name = map.name;
         let map = map.build(wrap).with_displacement(scale_m, bias_m).expect("proper numbers");
         let mut selection = Selection::pair(search.name, refine.name).expect("listed names");
-        selection.search_params = params(search, rng);
-        selection.refine_params = params(refine, rng);
-        let (of_search, of_refine) = (selection.search_params, selection.refine_params);
+        for choice in &mut selection.choices {
+            choice.params = params(choice.entry, rng);
+        }
+        let [of_search, of_refine] = [SEARCH, REFINE].map(|stage| selection.choices[stage].params);
         let name = format!(
             "{} {of_search:?}, {} {of_refine:?}, {map_name} {wrap}, scale {scale_m}, bias {bias_m}",
             search.name, refine.name
@@ -47,7 +48,7 @@ impl Case {
     /// A case of two stages by name, with default parameters.
     pub fn of(search: &str, refine: &str, map: HeightMap) -> Self {
         let mut selection = Selection::pair(search, refine).expect("listed names");
-        for value in selection.search_params.iter_mut().chain(&mut selection.refine_params) {
+        for value in selection.choices.iter_mut().flat_map(|choice| &mut choice.params) {
             *value = value.min(LONGEST_LOOP);
         }
         let name = format!("{search}, {refine}, {}", map.wrap());

@@ -55,33 +55,24 @@ impl Picture {
         lights[0] = Light::new(four(DVec3::new(0.4, 0.7, 0.3), 0.0), [0.9, 0.8, 0.7, 0.0]);
         lights[1] = Light::new([-0.4, 0.5, 0.2, 1.0], [0.1, 0.2, 0.3, 0.0]);
         let selection = variation.selection;
-        let settings = Settings::new(
-            selection.search_params,
-            selection.refine_params,
-            four(eye, 1.0),
-            four(forward, 0.0),
-            four(corner, 0.0),
-            four(across, 0.0),
-            four(down, 0.0),
-            [0.1, 0.1, 0.2, 0.0],
-            [0.8, 0.7, 0.6, 0.0],
-            [0.3, 0.3, 0.3, 0.0],
+        let settings = Settings {
+            eye: four(eye, 1.0).into(),
+            forward: four(forward, 0.0).into(),
+            corner: four(corner, 0.0).into(),
+            right: four(across, 0.0).into(),
+            down: four(down, 0.0).into(),
+            ambient: [0.1, 0.1, 0.2, 0.0].into(),
+            diffuse: [0.8, 0.7, 0.6, 0.0].into(),
+            specular: [0.3, 0.3, 0.3, 0.0].into(),
             lights,
-            [map.width(), map.height()],
-            COLORS,
-            if variation.normal_map { NORMALS } else { [1, 1] },
-            map.wrap() as u32,
-            selection.surface.id,
-            selection.search.id,
-            selection.refine.id,
-            selection.shade.id,
-            2u32,
-            20u32,
-            1u32,
-            u32::from(variation.normal_map),
-            map.scale_m() as f32,
-            map.bias_m() as f32,
-        );
+            color_size: COLORS.into(),
+            normal_size: if variation.normal_map { NORMALS } else { [1, 1] }.into(),
+            light_count: 2,
+            shininess: 20,
+            has_color: 1,
+            has_normal: u32::from(variation.normal_map),
+            ..Settings::tracing(&map, selection)
+        };
         let aspect = f64::from(width) / f64::from(height);
         let view_projection = camera.view_projection(aspect, 0.05, 10.0).expect("proper planes");
         let texels = |size: [u32; 2], texel: fn(f32) -> [f32; 4]| {

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use relief_render::picture::aov;
+use relief_render::render;
 use relief_render::scene::{BackendChoice, SceneSpec, read_scene};
-use relief_render::{render, select};
 use relief_shaders::METHODS;
 use relief_tests::baked::search_map;
 
@@ -31,8 +31,7 @@ fn hashes(scene: &str, method: &str) -> String {
     };
     let scene =
         read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
-    let selection = select(scene.method()).expect("a method");
-    let scene = match search_map(scene.height_map(), &selection) {
+    let scene = match search_map(scene.height_map(), scene.selection()) {
         Some(map) => scene.with_search_map(map),
         None => scene,
     };

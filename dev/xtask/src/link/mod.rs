@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::output::Generated;
 
+mod constants;
 mod dispatch;
 mod layout;
 mod modules;

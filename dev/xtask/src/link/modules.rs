@@ -1,4 +1,4 @@
-//! The shader sources, and the dispatch module that is written from the registry.
+//! The shader sources, and the modules that are written from the host's tables and constants.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use wesl::ModulePath;
 use wgsl_parse::syntax::PathOrigin;
 
-use super::dispatch;
+use super::{constants, dispatch};
 
 /// Every module by its path below `src`, such as `search/linear`.
 pub struct Modules {
@@ -18,7 +18,8 @@ impl Modules {
     pub fn read(folder: &Path) -> Result<Self, String> {
         let mut sources = BTreeMap::new();
         collect(folder, "", &mut sources)?;
-        sources.insert("dispatch".to_owned(), dispatch::module());
+        sources.insert("constants".to_owned(), constants::module());
+        sources.extend(dispatch::modules());
         Ok(Self { sources })
     }
 

@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use relief_core::registry::Entry;
-use relief_shaders::{refine, search, shade, surface};
+use relief_shaders::STAGES;
 use wgsl_parse::syntax::{GlobalDeclaration, TranslationUnit};
 
 use super::Program;
@@ -70,23 +69,15 @@ pub fn header(program: &str, sampling: &str) -> String {
          // SPDX-License-Identifier: MIT OR Apache-2.0\n//\n\
          // The constants SURFACE, SEARCH, REFINE and SHADE choose a variant of each stage:\n"
     );
-    let stages: [(&str, &[Entry]); 4] = [
-        ("SURFACE", surface::ENTRIES),
-        ("SEARCH", search::ENTRIES),
-        ("REFINE", refine::ENTRIES),
-        ("SHADE", shade::ENTRIES),
-    ];
-    for (constant, entries) in stages {
-        for entry in entries {
+    for stage in &STAGES {
+        let constant = stage.key.to_uppercase();
+        for (number, entry) in stage.entries.iter().enumerate() {
             let section = match entry.publication.section {
                 "" => entry.publication.paper.to_owned(),
                 section => format!("section {section}"),
             };
-            let _ = writeln!(
-                text,
-                "//   {constant} = {}: {}, {} ({section})",
-                entry.id, entry.name, entry.summary
-            );
+            let _ =
+                writeln!(text, "//   {constant} = {number}: {}, {} ({section})", entry.name, entry.summary);
             for map in entry.maps {
                 let texture = [map.kind, map.texture].join(" ");
                 let _ = writeln!(text, "//     search_map: {}", texture.trim_end());

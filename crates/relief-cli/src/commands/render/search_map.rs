@@ -46,8 +46,7 @@ pub fn provide(
     arguments: &CacheArguments,
     json: bool,
 ) -> Result<(Scene, Option<Provided>), Failure> {
-    let selection = relief_render::select(scene.method()).map_err(Failure::work)?;
-    let Some(input) = selection.map_input() else {
+    let Some(input) = scene.selection().map_input() else {
         return Ok((scene, None));
     };
     let started = Instant::now();

@@ -1,0 +1,96 @@
+//! The stages of a pixel: one table, from which selections, settings, the shaders' dispatch, help and tests are made.
+
+use relief_core::registry::{Entry, RayClass};
+
+use crate::{refine, search, shade, surface};
+
+/// A stage: a list of variants that do the same task, each in a way of its own.
+///
+/// A variant is a pair of files in the stage's folder, which has the name of its key: the shader, and the registry entry
+/// beside it. The shader's function is called by the key and the variant's name, as in `search_linear`. It takes the
+/// stage's inputs, and after them the variant's parameters, a `vec4f`.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage {
+    /// The key in settings and scenes, as in `search.steps`.
+    pub key: &'static str,
+    /// What messages call one variant.
+    pub title: &'static str,
+    /// What tables call all of them.
+    pub plural: &'static str,
+    /// The variants; the place of each is its number in the shaders.
+    pub entries: &'static [Entry],
+    /// The inputs of its functions: names and types, as WGSL writes them.
+    pub inputs: &'static [(&'static str, &'static str)],
+    /// What its functions return.
+    pub returns: &'static str,
+    /// The rays that it is given when a picture is rendered. A variant for which these are impossible is refused.
+    pub rays: &'static [RayClass],
+}
+
+/// All stages, in the order in which a pixel goes through them.
+pub const STAGES: [Stage; 4] = [
+    Stage {
+        key: "surface",
+        title: "surface",
+        plural: "surfaces",
+        entries: surface::ENTRIES,
+        inputs: &[("pixel", "PixelIn")],
+        returns: "Entered",
+        rays: &[RayClass::View],
+    },
+    Stage {
+        key: "search",
+        title: "search",
+        plural: "searches",
+        entries: search::ENTRIES,
+        inputs: &[("path", "Path")],
+        returns: "Found",
+        rays: &[RayClass::View],
+    },
+    Stage {
+        key: "refine",
+        title: "refinement",
+        plural: "refinements",
+        entries: refine::ENTRIES,
+        inputs: &[("path", "Path"), ("found", "Found")],
+        returns: "Hit",
+        rays: &[RayClass::View],
+    },
+    Stage {
+        key: "shade",
+        title: "shading",
+        plural: "shadings",
+        entries: shade::ENTRIES,
+        inputs: &[("normal", "vec3f"), ("view", "vec3f"), ("toward", "vec3f"), ("color", "vec3f")],
+        returns: "vec3f",
+        rays: &[],
+    },
+];
+
+/// Place of the stage `search` in [`STAGES`].
+pub const SEARCH: usize = place("search");
+
+/// Place of the stage `refine` in [`STAGES`].
+pub const REFINE: usize = place("refine");
+
+/// The stage of that key and its place in [`STAGES`].
+pub fn stage(key: &str) -> Option<(usize, &'static Stage)> {
+    STAGES.iter().enumerate().find(|(_, stage)| stage.key == key)
+}
+
+/// The same for keys that are known to be there.
+const fn place(key: &str) -> usize {
+    let mut place = 0;
+    while !is_same(STAGES[place].key.as_bytes(), key.as_bytes()) {
+        place += 1;
+    }
+    place
+}
+
+const fn is_same(a: &[u8], b: &[u8]) -> bool {
+    let mut at = 0;
+    while at < a.len() && at < b.len() && a[at] == b[at] {
+        at += 1;
+    }
+    at == a.len() && at == b.len()
+}

@@ -1,0 +1,26 @@
+//! The module of constants that the shaders share with the host, written from the host's own.
+
+use std::fmt::Write as _;
+
+use relief_core::{FoundState, RayUse, Wrap};
+use relief_shaders::{MAX_LIGHTS, STAGES};
+
+/// The module's source.
+pub fn module() -> String {
+    let mut text = String::new();
+    let mut constant = |name: &str, value: u32| {
+        let _ = writeln!(text, "const {name} = {value}u;");
+    };
+    for state in FoundState::ALL {
+        constant(&format!("FOUND_{}", state.name()), state as u32);
+    }
+    for wrap in Wrap::ALL {
+        constant(&format!("WRAP_{}", wrap.name().to_uppercase()), wrap as u32);
+    }
+    for ray in RayUse::ALL {
+        constant(&format!("RAY_{}", ray.name()), ray as u32);
+    }
+    constant("MAX_LIGHTS", MAX_LIGHTS as u32);
+    constant("STAGES", STAGES.len() as u32);
+    text
+}
