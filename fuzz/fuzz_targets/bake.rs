@@ -3,8 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use relief_core::{HeightMap, Wrap};
-use relief_bake::{Collected, KINDS, Metric, Progress, bake};
+use relief_core::{HeightMap, Metric, Wrap};
+use relief_bake::{Collected, KINDS, Progress, bake};
 
 /// The longest side, in texels: every wrap and padding shows on small maps, and large ones only cost time.
 const MOST: u32 = 24;

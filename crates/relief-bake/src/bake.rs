@@ -1,9 +1,9 @@
 //! A kind's bake, with what is the same for all of them.
 
-use relief_core::{HeightMap, HeightMapError};
+use relief_core::{HeightMap, HeightMapError, Metric};
 
 use crate::kind::BITS;
-use crate::{BakeInput, Cancelled, Kind, Metric, Progress, Settings, Sink, SinkError, quantise};
+use crate::{BakeInput, Cancelled, Kind, Progress, Settings, Sink, SinkError, quantise};
 
 /// Why there is no baked map.
 #[derive(Debug, thiserror::Error)]

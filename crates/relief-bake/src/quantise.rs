@@ -1,9 +1,7 @@
 //! Fewer bits, on the safe side.
 
 use rayon::prelude::*;
-use relief_core::{HeightMap, HeightMapError};
-
-use crate::Rounding;
+use relief_core::{HeightMap, HeightMapError, Rounding};
 
 /// The value that an unsigned normalised integer of so many bits, at most 32, gives back, for a value in `[0, 1]`; values
 /// outside are cut off, and NaN becomes 0. With 0 bits the value itself.

@@ -1,15 +1,6 @@
 //! Where baked textures go.
 
-/// Which side a stored value may be rounded to without breaking the map's guarantee.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rounding {
-    /// To the nearest: the map makes no one-sided promise.
-    Nearest,
-    /// Downward: a smaller value is safe.
-    Down,
-    /// Upward: a larger value is safe.
-    Up,
-}
+use relief_core::Rounding;
 
 /// A channel of a texture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +14,32 @@ pub struct Channel {
     pub range: [f32; 2],
     /// The side to round to when it is stored in fewer bits.
     pub rounding: Rounding,
+}
+
+/// The shape of a texture, known before anything is baked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shape {
+    /// Its name after the kind's, for kinds of several textures; empty for the only one.
+    pub name: &'static str,
+    /// Columns, rows and slices (1 for a 2-D texture) of mip level 0.
+    pub size: [u32; 3],
+    /// Size of each further mip level; empty without mips.
+    pub mips: Vec<[u32; 3]>,
+    /// How many channels a texel has.
+    pub channels: u32,
+}
+
+impl Shape {
+    /// A texture of one level with that many slices.
+    pub(crate) fn slices(name: &'static str, [width, height]: [u32; 2], slices: u32, channels: u32) -> Self {
+        Self { name, size: [width, height, slices], mips: Vec::new(), channels }
+    }
+
+    /// Values of all texels.
+    pub fn values(&self) -> u64 {
+        let of = |size: &[u32; 3]| size.iter().map(|&side| u64::from(side)).product::<u64>();
+        (of(&self.size) + self.mips.iter().map(of).sum::<u64>()) * u64::from(self.channels)
+    }
 }
 
 /// What a texture is, said before its texels.
@@ -41,6 +58,12 @@ pub struct Texture {
 }
 
 impl Texture {
+    /// Its shape.
+    pub fn shape(&self) -> Shape {
+        let Self { name, size, mips, channels, .. } = self;
+        Shape { name, size: *size, mips: mips.clone(), channels: channels.len() as u32 }
+    }
+
     /// Size of a mip level.
     pub fn level_size(&self, level: usize) -> [u32; 3] {
         if level == 0 { self.size } else { self.mips[level - 1] }

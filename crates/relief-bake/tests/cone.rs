@@ -3,10 +3,10 @@
 use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
+use relief_bake::Progress;
 use relief_bake::kind::cone::{ConeApex, KIND, cone_ratios};
-use relief_bake::{Metric, Progress};
 use relief_core::exact::least_gap;
-use relief_core::{HeightMap, Path, Wrap};
+use relief_core::{HeightMap, Metric, Path, Wrap};
 use relief_tests::maps::{self, fractal};
 use relief_tests::probes::cone::{Contact, Probes, attack};
 use relief_tests::probes::stored::at;

@@ -4,8 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use relief_bake::kind::Reach;
 use relief_bake::kind::dilation_erosion::{KIND, window_bounds};
-use relief_bake::{Metric, Progress, quantise};
-use relief_core::{HeightMap, MaxPyramid, Wrap};
+use relief_bake::{Progress, quantise};
+use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
 use relief_tests::probes::place::Place;
 use relief_tests::probes::pyramid::holds;
 use relief_tests::probes::{dilation_erosion as probes, run, stored};

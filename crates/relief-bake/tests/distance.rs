@@ -1,8 +1,8 @@
 //! The distance field against a search, and its bound under attack.
 
 use relief_bake::kind::distance::{DistanceField, KIND};
-use relief_bake::{BakeError, Collected, Metric, Progress, bake};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{BakeError, Collected, Progress, bake};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::brute::distance::{boxes, to_surface};
 use relief_tests::maps;
 use relief_tests::probes::distance::Field;

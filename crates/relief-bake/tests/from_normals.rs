@@ -5,8 +5,8 @@ use relief_bake::from_normals::{
     heights_from_normals, heights_from_slopes,
 };
 use relief_bake::kind::normal::{Axes, Derivative, normals};
-use relief_bake::{Metric, Progress, quantise};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{Progress, quantise};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::maps;
 use relief_tests::maps::fractal;
 
@@ -52,7 +52,7 @@ fn round_trip(map: &HeightMap, metric: Metric, axes: Axes, bits: u32) -> f64 {
         normals(map, metric, Derivative::Central, axes, &Progress::none()).expect("nobody cancels");
     let planes = planes.map(|plane| {
         let stored =
-            |n: f32| 2.0 * quantise::unorm(0.5 * n + 0.5, bits, relief_bake::Rounding::Nearest) - 1.0;
+            |n: f32| 2.0 * quantise::unorm(0.5 * n + 0.5, bits, relief_core::Rounding::Nearest) - 1.0;
         plane.into_iter().map(|n| if bits == 0 { n } else { stored(n) }).collect::<Vec<f32>>()
     });
     let how = Integration { axes, ..integration(map, metric) };

@@ -4,9 +4,9 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 use relief_bake::kind::frustum::{FrustumMap, FrustumMapError, KIND, frustum_map, quadrant};
-use relief_bake::{Collected, Metric, Progress, Rounding, bake, quantise};
+use relief_bake::{Collected, Progress, bake, quantise};
 use relief_core::exact::cell_walk;
-use relief_core::{HeightMap, MaxPyramid, Path, Wrap};
+use relief_core::{HeightMap, MaxPyramid, Metric, Path, Rounding, Wrap};
 use relief_tests::brute::frustum as brute;
 use relief_tests::judge::judge;
 use relief_tests::maps;

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use relief_bake::kind::horizon::{KIND, NEAR_STEPS, horizons};
-use relief_bake::{BakeError, Collected, Metric, Progress, bake};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{BakeError, Collected, Progress, bake};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::brute::horizon as brute;
 use relief_tests::maps;
 

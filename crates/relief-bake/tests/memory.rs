@@ -3,8 +3,8 @@
 use std::alloc::System;
 
 use peakmem_alloc::{PeakMemAlloc, PeakMemAllocTrait};
-use relief_bake::{KINDS, Kind, Metric, Progress, Sink, SinkError, Texture, bake_last};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{KINDS, Kind, Progress, Sink, SinkError, Texture, bake_last};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::maps::fractal;
 
 #[global_allocator]

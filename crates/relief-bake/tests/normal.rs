@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use relief_bake::kind::normal::{Axes, Derivative, KIND, normals};
-use relief_bake::{BakeError, Collected, CollectedTexture, Metric, Progress, bake};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{BakeError, Collected, CollectedTexture, Progress, bake};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::brute::normal as brute;
 use relief_tests::maps;
 

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 use relief_bake::kind::{bent_normal, occlusion};
-use relief_bake::{Collected, Metric, Progress, bake};
+use relief_bake::{Collected, Progress, bake};
 use relief_core::exact::cell_walk;
-use relief_core::{HeightMap, Path, Wrap};
+use relief_core::{HeightMap, Metric, Path, Wrap};
 use relief_tests::brute::sky::Sky;
 use relief_tests::maps;
 

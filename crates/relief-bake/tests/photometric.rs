@@ -1,11 +1,11 @@
 //! Normals from rendered photographs, with attached and cast shadows.
 
+use relief_bake::Progress;
 use relief_bake::from_normals::{Integration, heights_from_normals};
 use relief_bake::photometric::{
     ColourAlbedo, Exposure, Photo, PhotometricError, check_lights, normals_from_photos,
 };
-use relief_bake::{Metric, Progress};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::brute::normal as brute;
 use relief_tests::maps::fractal;
 

@@ -3,9 +3,9 @@
 use std::sync::atomic::AtomicBool;
 
 use relief_bake::kind::pyramid::{KIND, pyramids};
-use relief_bake::{BakeError, Collected, CollectedTexture, Metric, Progress, bake};
+use relief_bake::{BakeError, Collected, CollectedTexture, Progress, bake};
 use relief_core::exact::cell_walk;
-use relief_core::{HeightMap, MaxPyramid, Wrap};
+use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
 use relief_tests::judge::judge;
 use relief_tests::probes::place::Place;
 use relief_tests::probes::stored::{self, pair as node};
@@ -74,7 +74,7 @@ fn stored_values_need_no_rounding() {
     for bits in [8, 16] {
         for channel in baked(&map, bits).levels.iter().flatten() {
             for &value in channel {
-                let rounded = relief_bake::quantise::unorm(value, bits, relief_bake::Rounding::Nearest);
+                let rounded = relief_bake::quantise::unorm(value, bits, relief_core::Rounding::Nearest);
                 assert_eq!(rounded, value, "{bits} bits");
             }
         }

@@ -1,10 +1,10 @@
 //! The kind `relaxed-cone`: no falling ray comes out inside a cone, and the cones are wider than those of `cone`.
 
 use rayon::prelude::*;
+use relief_bake::Progress;
 use relief_bake::kind::cone::{ConeApex, cone_ratios};
 use relief_bake::kind::relaxed_cone::{KIND, RelaxedApex, relaxed_cone_ratios};
-use relief_bake::{Metric, Progress};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::brute::relaxed_cone as brute;
 use relief_tests::maps;
 use relief_tests::probes::relaxed_cone::{Exit, Probes, attack};

@@ -1,8 +1,8 @@
 //! Precomputed visibility against the exact tracer, and light that bounces through it.
 
 use relief_bake::kind::visibility::{KIND, Visibility, views};
-use relief_bake::{Collected, Metric, Progress, bake};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{Collected, Progress, bake};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::brute::visibility as brute;
 use relief_tests::maps;
 

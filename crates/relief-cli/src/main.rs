@@ -8,7 +8,6 @@ use failure::Failure;
 
 mod commands;
 mod failure;
-mod map_cache;
 mod progress;
 mod values;
 

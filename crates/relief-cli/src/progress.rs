@@ -1,8 +1,10 @@
 //! A bar on a terminal, nothing in a pipe.
 
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use relief_render::Task;
 
 /// Steps of a bar: finer than any terminal is wide.
 const STEPS: u64 = 1000;
@@ -39,6 +41,36 @@ impl Progress {
         let step = (part.clamp(0.0, 1.0) * STEPS as f32) as u64;
         if step > self.0.position() {
             self.0.set_position(step);
+        }
+    }
+}
+
+/// The bars of a renderer's tasks, one after the other.
+pub struct TaskProgress {
+    quiet: bool,
+    shown: Mutex<Option<(Task, Progress)>>,
+}
+
+impl TaskProgress {
+    /// No bar until there is a task; none at all with `quiet`, and where the standard error is no terminal.
+    pub fn new(quiet: bool) -> Self {
+        Self { quiet, shown: Mutex::new(None) }
+    }
+
+    /// Shows what is done of a task, in place of the task before.
+    pub fn show(&self, task: Task, part: f32) {
+        let mut shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
+        if shown.as_ref().is_none_or(|(before, _)| *before != task) {
+            // The bar of the task before goes first.
+            *shown = None;
+            let what = match task {
+                Task::Baking(kind) => kind,
+                Task::Rendering => "rendering",
+            };
+            *shown = Some((task, Progress::bar(what, self.quiet)));
+        }
+        if let Some((_, bar)) = &*shown {
+            bar.show(part);
         }
     }
 }

@@ -1,6 +1,8 @@
 //! The height map: the one input that everything else is derived from.
 
-use crate::Wrap;
+use std::sync::OnceLock;
+
+use crate::{HeightsHash, Wrap};
 
 /// The longest side of a height map, in texels. Cell numbers up to here are exact in the shaders' `f32`.
 pub const MAX_SIDE: u32 = 1 << 20;
@@ -29,6 +31,17 @@ pub struct HeightMap {
     bias_m: f64,
     texel_size_m: Option<[f64; 2]>,
     physical_range: Option<[f64; 2]>,
+    hash: Memo,
+}
+
+/// The hash of the heights once it was asked for. Maps are as equal with it as without.
+#[derive(Clone, Debug, Default)]
+struct Memo(OnceLock<HeightsHash>);
+
+impl PartialEq for Memo {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// Why texels are no height map.
@@ -108,6 +121,7 @@ impl HeightMap {
             bias_m: 0.0,
             texel_size_m: None,
             physical_range: None,
+            hash: Memo::default(),
         })
     }
 
@@ -222,6 +236,11 @@ impl HeightMap {
     /// All texels, when nothing else of the map is needed any more.
     pub fn into_texels(self) -> Vec<f32> {
         self.texels
+    }
+
+    /// What tells these heights from those of other maps. The first call hashes all texels.
+    pub fn heights_hash(&self) -> HeightsHash {
+        *self.hash.0.get_or_init(|| HeightsHash::of(self.width, self.height, &self.texels))
     }
 
     /// How the map goes on beyond its edges.

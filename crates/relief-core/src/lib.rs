@@ -5,10 +5,15 @@
 //! written at the types that carry them: texture axes and reconstruction at [`HeightMap`], handedness at
 //! [`TangentFrame`], the ray parameter at [`Path`].
 
+mod baked_map;
+mod byte_size;
+pub mod encoding;
 pub mod exact;
 mod found;
 mod height_map;
+mod heights_hash;
 mod hit;
+mod metric;
 pub mod metrics;
 mod path;
 mod pyramid;
@@ -16,9 +21,16 @@ pub mod registry;
 mod tangent_frame;
 mod wrap;
 
+pub use baked_map::{
+    BakedMap, LevelPlace, MAX_LAYERS, MapFormat, MapIdentity, MapLayout, MapLayoutError, MapTexels,
+};
+pub use byte_size::{BadByteSize, ByteSize};
+pub use encoding::Rounding;
 pub use found::FoundState;
 pub use height_map::{HeightMap, HeightMapError, MAX_SIDE, MAX_TEXELS};
+pub use heights_hash::HeightsHash;
 pub use hit::Hit;
+pub use metric::{Metric, MetricError};
 pub use path::{Path, PathMetric, RayUse};
 pub use pyramid::{MaxPyramid, MinPyramid};
 pub use tangent_frame::{TangentFrame, TangentFrameError};

@@ -27,12 +27,59 @@ pub struct Entry {
 pub const MAX_PARAMS: usize = 4;
 
 /// A baked map that a stage reads: a texture of a map kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapInput {
     /// Name of the map kind.
     pub kind: &'static str,
     /// Name of the texture among those of the kind; empty for the only one.
     pub texture: &'static str,
+    /// The kind's settings that it needs. Of the others it takes the defaults.
+    pub settings: &'static [(&'static str, MapSetting)],
+    /// The metric that the map is baked in.
+    pub metric: MapMetric,
+    /// The levels that it has.
+    pub levels: MapLevels,
+}
+
+/// The value of a kind's setting that a stage needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MapSetting {
+    /// Always this one.
+    Fixed(f32),
+    /// That of the stage's own parameter of this name.
+    Param(&'static str),
+}
+
+/// The metric that a map for a stage is baked in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapMetric {
+    /// Texture units and heights as they are: the map is the same whatever the tile's size and the scale in metres.
+    Texture,
+    /// The metres of the surface that the map lies on.
+    Scene,
+}
+
+/// The levels of a map for a stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapLevels {
+    /// The finest level of the kind's texture.
+    One,
+    /// The levels of the kind's texture from that one on. Each is padded, to the right and below, to half the size of the one
+    /// before, as textures of GPUs have it: kinds round sizes up, textures round down.
+    ChainFrom(u32),
+}
+
+impl MapInput {
+    /// The finest level of a kind's texture, with default settings, in texture units.
+    pub const fn new(kind: &'static str, texture: &'static str) -> Self {
+        Self { kind, texture, settings: &[], metric: MapMetric::Texture, levels: MapLevels::One }
+    }
+
+    /// The same with settings.
+    #[must_use]
+    pub const fn with(self, settings: &'static [(&'static str, MapSetting)]) -> Self {
+        Self { settings, ..self }
+    }
 }
 
 /// Paper and section.

@@ -23,7 +23,6 @@ mod convention;
 mod error;
 mod exr;
 mod fill;
-pub mod half;
 mod hdr;
 mod height;
 mod height_note;

@@ -1,9 +1,10 @@
 //! A scene made ready for a backend: what the shaders bind, and nothing else.
 
 use relief_core::HeightMap;
-use relief_shaders::cpu::{ColorTexture, HeightTexture, PixelOut, Resources, Settings, Triangle};
+use relief_shaders::cpu::{ColorTexture, HeightTexture, MapTexture, PixelOut, Resources, Settings, Triangle};
+use relief_shaders::{MapSlot, SlotMaps};
 
-/// A map of four numbers a texel, row by row from the top: linear colour, normals in tangent space, or a baked map.
+/// A map of four numbers a texel, row by row from the top: linear colour, or normals in tangent space.
 #[derive(Clone, Copy, Debug)]
 pub struct TexelMap<'a> {
     /// Columns.
@@ -32,8 +33,8 @@ pub struct Job<'a> {
     pub color_map: Option<TexelMap<'a>>,
     /// The normal map, if any.
     pub normal_map: Option<TexelMap<'a>>,
-    /// The baked map that the search of the settings reads, if it reads one: of the height map's size.
-    pub search_map: Option<TexelMap<'a>>,
+    /// The baked maps that the stages of the settings read.
+    pub maps: SlotMaps<'a>,
     /// Whether back faces are rendered, turned over.
     pub two_sided: bool,
 }
@@ -52,19 +53,19 @@ impl<'a> Job<'a> {
         self.normal_map.unwrap_or(TexelMap { width: 1, height: 1, texels: BLANK })
     }
 
-    /// The search's map, or a single texel.
-    pub fn search_map_or_blank(&self) -> TexelMap<'a> {
-        self.search_map.unwrap_or(TexelMap { width: 1, height: 1, texels: BLANK })
-    }
-
     /// What the translated shaders are called on.
     pub fn resources(&self) -> Resources<'a> {
         let texture = |map: TexelMap<'a>| ColorTexture::new(map.width, map.texels);
+        let baked = |slot| MapTexture::new(self.maps.get(slot));
         Resources {
             color_map: texture(self.color_map_or_blank()),
             height_map: HeightTexture::new(self.height_map.width(), self.height_map.texels()),
             normal_map: texture(self.normal_map_or_blank()),
-            search_map: texture(self.search_map_or_blank()),
+            search_map: baked(MapSlot::Search),
+            shadow_search_map: baked(MapSlot::ShadowSearch),
+            shadow_texels: baked(MapSlot::Shadow),
+            ambient_map: baked(MapSlot::Ambient),
+            environment_map: baked(MapSlot::Environment),
             settings: self.settings,
         }
     }

@@ -17,4 +17,4 @@ pub mod raycast;
 mod render;
 pub mod scene;
 
-pub use render::{RenderError, Rendered, render};
+pub use render::{Progress, RenderError, Rendered, Task, render};

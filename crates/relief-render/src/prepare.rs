@@ -2,8 +2,8 @@
 
 use glam::{DMat4, DVec3, Vec3};
 use relief_io::Picture;
+use relief_shaders::SlotMaps;
 use relief_shaders::cpu::{Choice, Corner, Light as ShaderLight, Settings, Triangle};
-use relief_shaders::{SearchMap, SearchMapError, Selection};
 
 use crate::camera::Camera;
 use crate::job::{Job, TexelMap};
@@ -18,27 +18,23 @@ const NEAR_OVER_FAR: f64 = 1e-4;
 /// What a job needs beyond the scene's own maps.
 pub struct Prepared<'a> {
     scene: &'a Scene,
-    search_map: Option<&'a SearchMap>,
+    maps: SlotMaps<'a>,
     settings: Settings,
     triangles: Vec<Triangle>,
     view_projection: [[f32; 4]; 4],
 }
 
 impl<'a> Prepared<'a> {
-    /// Prepares a scene for the stages chosen.
-    ///
-    /// # Errors
-    ///
-    /// When the scene lacks the baked map that the search reads.
-    pub fn new(scene: &'a Scene, selection: &Selection) -> Result<Self, SearchMapError> {
+    /// Prepares a scene, with the baked maps that its stages read.
+    pub fn new(scene: &'a Scene, maps: SlotMaps<'a>) -> Self {
         let mesh = scene.mesh();
-        Ok(Self {
+        Self {
             scene,
-            search_map: selection.map_among(scene.search_map(), scene.height_map())?,
-            settings: settings(scene, selection),
+            maps,
+            settings: settings(scene, &maps),
             triangles: (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number)).collect(),
             view_projection: view_projection(scene.camera(), mesh, scene.size()).as_mat4().to_cols_array_2d(),
-        })
+        }
     }
 
     /// The job of the scene.
@@ -50,10 +46,6 @@ impl<'a> Prepared<'a> {
             height: picture.height,
             texels: &picture.texels,
         };
-        let baked = |map: &'a SearchMap| {
-            let [width, height] = map.size();
-            TexelMap { width, height, texels: map.texels() }
-        };
         Job {
             width,
             height,
@@ -63,13 +55,13 @@ impl<'a> Prepared<'a> {
             height_map: scene.height_map(),
             color_map: scene.color().map(map),
             normal_map: scene.normal_map().map(map),
-            search_map: self.search_map.map(baked),
+            maps: self.maps,
             two_sided: scene.two_sided(),
         }
     }
 }
 
-fn settings(scene: &Scene, selection: &Selection) -> Settings {
+fn settings(scene: &Scene, maps: &SlotMaps) -> Settings {
     let four = |v: Vec3| [v.x, v.y, v.z, 0.0];
     let place = |v: DVec3, w: f32| [v.x as f32, v.y as f32, v.z as f32, w];
     let (camera, material, height) = (scene.camera(), scene.material(), scene.height_map());
@@ -91,7 +83,8 @@ fn settings(scene: &Scene, selection: &Selection) -> Settings {
     }
     let size = |map: Option<&Picture>| map.map_or([1, 1], |map| [map.width, map.height]);
     Settings {
-        choices: selection.choices.map(|choice| Choice::from(&choice)),
+        choices: scene.selection().choices.map(|choice| Choice::from(&choice)),
+        maps: maps.settings(),
         eye: place(camera.eye(), 1.0).into(),
         forward: place(camera.forward(), 0.0).into(),
         corner: place(corner, 0.0).into(),

@@ -3,7 +3,8 @@
 use std::time::{Duration, Instant};
 
 use relief_core::exact::FastTracer;
-use relief_shaders::{SearchMapError, Selection};
+use relief_maps::{Account, Maps, MapsError, Watch};
+use relief_shaders::Selection;
 
 use crate::cpu;
 #[cfg(feature = "gpu")]
@@ -14,7 +15,7 @@ use crate::raycast::RayCaster;
 use crate::scene::{BackendChoice, Sampling, Scene};
 
 /// A finished picture and how it came about.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Rendered {
     /// The pixels.
     pub rendering: Rendering,
@@ -26,16 +27,30 @@ pub struct Rendered {
     pub reason: Option<String>,
     /// What was run.
     pub selection: Selection,
+    /// How the baked maps came about that the method reads.
+    pub maps: Vec<Account>,
     /// Time of the rendering alone.
     pub elapsed: Duration,
 }
 
+/// What a renderer is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// It bakes a map of that kind.
+    Baking(&'static str),
+    /// It makes the picture.
+    Rendering,
+}
+
+/// Is told what a renderer is at, and the part of it that is done, from 0 to 1, from any thread.
+pub type Progress<'a> = dyn Fn(Task, f32) + Sync + 'a;
+
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
-    /// The search reads a baked map that the scene does not have.
+    /// A baked map that the method reads cannot be provided.
     #[error(transparent)]
-    SearchMap(#[from] SearchMapError),
+    Maps(#[from] MapsError),
     /// The CPU was asked for the sampling that only GPUs have.
     #[error(
         "sampling 'fast' uses a GPU's texture sampler, which the CPU backend does not have{0}: use --sampling exact"
@@ -50,40 +65,38 @@ pub enum RenderError {
     Gpu(#[from] GpuError),
 }
 
-/// Renders a scene. `progress` is told the finished part, from 0 to 1, from any thread.
+/// Renders a scene. The baked maps that its method reads are those of the provider.
 ///
 /// # Errors
 ///
-/// When the search lacks the baked map that it reads, the backend is not available, or the backend fails.
-pub fn render(scene: &Scene, progress: &(dyn Fn(f32) + Sync)) -> Result<Rendered, RenderError> {
+/// When a baked map cannot be provided, the backend is not available, or the backend fails.
+pub fn render(scene: &Scene, maps: &mut Maps, progress: &Progress) -> Result<Rendered, RenderError> {
     let selection = *scene.selection();
-    match choose(scene)? {
+    let chosen = choose(scene)?;
+    let baking = |kind, part| progress(Task::Baking(kind), part);
+    let watch = Watch { baking: &baking, ..Watch::none() };
+    let provided = maps.provide(&selection, scene.height_map(), scene.metric(), &watch)?;
+    let rendering = |part| progress(Task::Rendering, part);
+    let started = Instant::now();
+    let prepared = Prepared::new(scene, provided.slots());
+    let (rendering, backend, device, reason) = match chosen {
         #[cfg(feature = "gpu")]
         Chosen::Gpu { gpu, reason } => {
-            let prepared = Prepared::new(scene, &selection)?;
-            let started = Instant::now();
-            let rendering = gpu.render(&prepared.job(), scene.sampling(), progress)?;
-            let elapsed = started.elapsed();
-            Ok(Rendered { rendering, backend: "gpu", device: gpu.description(), reason, selection, elapsed })
+            let picture = gpu.render(&prepared.job(), scene.sampling(), &rendering)?;
+            (picture, "gpu", gpu.description(), reason)
         }
-        Chosen::Cpu { reason } => on_cpu(scene, selection, reason, progress),
-    }
-}
-
-fn on_cpu(
-    scene: &Scene,
-    selection: Selection,
-    reason: Option<String>,
-    progress: &(dyn Fn(f32) + Sync),
-) -> Result<Rendered, RenderError> {
-    let started = Instant::now();
-    let prepared = Prepared::new(scene, &selection)?;
-    let base = RayCaster::new(scene.mesh());
-    let tracer = selection.is_exact().then(|| FastTracer::new(scene.height_map()));
-    let rendering = cpu::render(&prepared.job(), &base, tracer.as_ref(), progress);
-    let threads = rayon::current_num_threads();
-    let device = format!("{threads} thread{}", if threads == 1 { "" } else { "s" });
-    Ok(Rendered { rendering, backend: "cpu", device, reason, selection, elapsed: started.elapsed() })
+        Chosen::Cpu { reason } => {
+            let base = RayCaster::new(scene.mesh());
+            let tracer = selection.is_exact().then(|| FastTracer::new(scene.height_map()));
+            let picture = cpu::render(&prepared.job(), &base, tracer.as_ref(), &rendering);
+            let threads = rayon::current_num_threads();
+            let device = format!("{threads} thread{}", if threads == 1 { "" } else { "s" });
+            (picture, "cpu", device, reason)
+        }
+    };
+    let elapsed = started.elapsed();
+    let (_, maps) = provided.into_parts();
+    Ok(Rendered { rendering, backend, device, reason, selection, maps, elapsed })
 }
 
 enum Chosen {

@@ -161,6 +161,24 @@ impl Light {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+pub struct MapSettings {
+    pub coded: u32,
+    pub layers: u32,
+    pub low: rt::Vec4<f32>,
+    pub step: rt::Vec4<f32>,
+}
+impl MapSettings {
+    pub fn new(
+        coded: impl rt::Into<u32>,
+        layers: impl rt::Into<u32>,
+        low: impl rt::Into<rt::Vec4<f32>>,
+        step: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { coded: rt::into(coded), layers: rt::into(layers), low: rt::into(low), step: rt::into(step) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 pub struct PixelIn {
     pub origin: rt::Vec3<f32>,
     pub direction: rt::Vec3<f32>,
@@ -217,6 +235,7 @@ impl PixelOut {
 #[repr(C)]
 pub struct Settings {
     pub choices: [Choice; 4],
+    pub maps: [MapSettings; 5],
     pub eye: rt::Vec4<f32>,
     pub forward: rt::Vec4<f32>,
     pub corner: rt::Vec4<f32>,
@@ -240,6 +259,7 @@ pub struct Settings {
 impl Settings {
     pub fn new(
         choices: impl rt::Into<[Choice; 4]>,
+        maps: impl rt::Into<[MapSettings; 5]>,
         eye: impl rt::Into<rt::Vec4<f32>>,
         forward: impl rt::Into<rt::Vec4<f32>>,
         corner: impl rt::Into<rt::Vec4<f32>>,
@@ -260,7 +280,7 @@ impl Settings {
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), eye: rt::into(eye), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), diffuse: rt::into(diffuse), specular: rt::into(specular), lights: rt::into(lights), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), wrap: rt::into(wrap), light_count: rt::into(light_count), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), eye: rt::into(eye), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), diffuse: rt::into(diffuse), specular: rt::into(specular), lights: rt::into(lights), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), wrap: rt::into(wrap), light_count: rt::into(light_count), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -292,11 +312,23 @@ pub const FOUND_STARTED_BELOW: rt::Scalar<u32> = rt::Scalar(5u32);
 #[allow(non_upper_case_globals)]
 pub const FOUND_UNBRACKETED: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
+pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(5u32);
+#[allow(non_upper_case_globals)]
 pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
 pub const RAY_SHADOW: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_AMBIENT: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_ENVIRONMENT: rt::Scalar<u32> = rt::Scalar(4u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
@@ -306,18 +338,64 @@ pub const WRAP_MIRROR: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_REPEAT: rt::Scalar<u32> = rt::Scalar(0u32);
 pub struct Resources<'g> {
+    #[doc = "group(0) binding(8)"]
+    pub ambient_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(2)"]
     pub color_map: rt::ColorTexture<'g>,
+    #[doc = "group(0) binding(9)"]
+    pub environment_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(1)"]
     pub height_map: rt::HeightTexture<'g>,
     #[doc = "group(0) binding(3)"]
     pub normal_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(5)"]
-    pub search_map: rt::ColorTexture<'g>,
+    pub search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(0)"]
     pub settings: Settings,
+    #[doc = "group(0) binding(6)"]
+    pub shadow_search_map: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(7)"]
+    pub shadow_texels: rt::MapTexture<'g>,
 }
 impl<'g> Resources<'g> {
+    pub fn decoded(
+        &self,
+        texel: impl rt::Into<rt::Vec4<f32>>,
+        map: MapSettings,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_decoded(rt::into(texel), map))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_decoded(
+        &self,
+        texel: rt::Vec4<f32>,
+        map: MapSettings,
+    ) -> rt::Vec4<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(map.coded).elementwise_eq(rt::Scalar(1u32))) {
+            return (map.low + (map.step * ((texel * rt::Scalar(255f32)) + <rt::Vec4<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor()));
+        }
+        return texel;
+    }
+    pub fn ambient_texel(
+        &self,
+        place: impl rt::Into<rt::Vec2<i32>>,
+        layer: impl rt::Into<rt::Scalar<i32>>,
+        level: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_ambient_texel(rt::into(place), rt::into(layer), rt::into(level)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_texel(
+        &self,
+        place: rt::Vec2<i32>,
+        layer: rt::Scalar<i32>,
+        level: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.ambient_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
+        let _e8 = self.settings.maps[3usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
+    }
     pub fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
     }
@@ -574,31 +652,80 @@ impl<'g> Resources<'g> {
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
     }
-    pub fn search_map_texel(&self, place: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_search_map_texel(rt::into(place)))
+    pub fn search_texel(
+        &self,
+        path_2: Path,
+        place_1: impl rt::Into<rt::Vec2<i32>>,
+        layer_1: impl rt::Into<rt::Scalar<i32>>,
+        level_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_search_texel(path_2, rt::into(place_1), rt::into(layer_1), rt::into(level_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_map_texel(&self, place: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e3 = rt::texture::Read::read_texel((&self.search_map), place, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        return _e3;
+    fn v_search_texel(
+        &self,
+        path_2: Path,
+        place_1: rt::Vec2<i32>,
+        layer_1: rt::Scalar<i32>,
+        level_1: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_2.ray).elementwise_eq(RAY_SHADOW)) {
+            let texel_2 = rt::texture::Read::read_texel((&self.shadow_search_map), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_1));
+            let _e12 = self.settings.maps[1usize];
+            let _e13 = self.v_decoded(texel_2, _e12);
+            return _e13;
+        }
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_1));
+        let _e19 = self.settings.maps[0usize];
+        let _e20 = self.v_decoded(_e15, _e19);
+        return _e20;
     }
-    pub fn cone_slope(&self, texel: impl rt::Into<rt::Vec2<f32>>) -> f32 {
-        rt::into(self.v_cone_slope(rt::into(texel)))
+    pub fn cone_slope(
+        &self,
+        path_3: Path,
+        texel_1: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_cone_slope(path_3, rt::into(texel_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_cone_slope(&self, texel: rt::Vec2<f32>) -> rt::Scalar<f32> {
-        let _e3 = self.settings.height_size;
-        let n_4 = _e3.cast_elem_as_i32();
-        let place_1 = texel.cast_elem_as_i32();
-        let _e8 = self.v_wrap_index(place_1.x(), n_4.x());
-        let _e11 = self.v_wrap_index(place_1.y(), n_4.y());
-        let _e13 = self.v_search_map_texel(<rt::Vec2<i32>>::from_scalars(_e8, _e11));
-        let value = _e13.x();
+    fn v_cone_slope(
+        &self,
+        path_3: Path,
+        texel_1: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.settings.height_size;
+        let n_4 = _e4.cast_elem_as_i32();
+        let place_4 = texel_1.cast_elem_as_i32();
+        let _e9 = self.v_wrap_index(place_4.x(), n_4.x());
+        let _e12 = self.v_wrap_index(place_4.y(), n_4.y());
+        let wrapped = <rt::Vec2<i32>>::from_scalars(_e9, _e12);
+        let _e17 = self.v_search_texel(path_3, wrapped, rt::Scalar(0i32), rt::Scalar(path_3.level).cast_elem_as_i32());
+        let value = _e17.x();
         let squared = ((rt::Scalar(0.125f32) * value) * value);
         if rt::Scalar::into_branch_condition(squared.elementwise_gt(rt::Scalar(0f32))) {
             return (((rt::Scalar(1f32) - value) * (rt::Scalar(1f32) + value)) / squared);
         }
         return rt::Scalar(-1f32);
+    }
+    pub fn environment_texel(
+        &self,
+        place_2: impl rt::Into<rt::Vec2<i32>>,
+        face: impl rt::Into<rt::Scalar<i32>>,
+        level_2: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_environment_texel(rt::into(place_2), rt::into(face), rt::into(level_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_environment_texel(
+        &self,
+        place_2: rt::Vec2<i32>,
+        face: rt::Scalar<i32>,
+        level_2: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.environment_map), place_2, rt::Scalar::into_inner(face), 0i32, rt::Scalar::into_inner(level_2));
+        let _e8 = self.settings.maps[4usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
     }
     pub fn quadratic(
         &self,
@@ -760,36 +887,38 @@ impl<'g> Resources<'g> {
     }
     pub fn frustum_slope(
         &self,
+        path_4: Path,
         cell_6: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(rt::into(cell_6), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_4, rt::into(cell_6), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
+        path_4: Path,
         cell_6: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
         let mut local_3: rt::Scalar<bool>;
 
-        let _e6 = self.settings.height_size.x();
-        let _e8 = self.v_folded_cell(cell_6.x(), _e6.cast_elem_as_i32());
-        let _e13 = self.settings.height_size.y();
-        let _e15 = self.v_folded_cell(cell_6.y(), _e13.cast_elem_as_i32());
-        if rt::Scalar::into_branch_condition((!_e8.x().elementwise_lt(rt::Scalar(0i32)))) {
-            local_3 = _e15.x().elementwise_lt(rt::Scalar(0i32));
+        let _e7 = self.settings.height_size.x();
+        let _e9 = self.v_folded_cell(cell_6.x(), _e7.cast_elem_as_i32());
+        let _e14 = self.settings.height_size.y();
+        let _e16 = self.v_folded_cell(cell_6.y(), _e14.cast_elem_as_i32());
+        if rt::Scalar::into_branch_condition((!_e9.x().elementwise_lt(rt::Scalar(0i32)))) {
+            local_3 = _e16.x().elementwise_lt(rt::Scalar(0i32));
         } else {
             local_3 = rt::Scalar(true);
         }
-        let _e26 = local_3;
-        if rt::Scalar::into_branch_condition(_e26) {
+        let _e27 = local_3;
+        if rt::Scalar::into_branch_condition(_e27) {
             return rt::Scalar(-1f32);
         }
-        let _e31 = self.v_search_map_texel(<rt::Vec2<i32>>::from_scalars(_e8.x(), _e15.x()));
-        let right = forward_1.x().elementwise_eq(_e8.y().elementwise_eq(rt::Scalar(0i32)));
-        let down = forward_1.y().elementwise_eq(_e15.y().elementwise_eq(rt::Scalar(0i32)));
-        return _e31.w().select(_e31.z(), right).select(_e31.y().select(_e31.x(), right), down);
+        let _e35 = self.v_search_texel(path_4, <rt::Vec2<i32>>::from_scalars(_e9.x(), _e16.x()), rt::Scalar(0i32), rt::Scalar(path_4.level).cast_elem_as_i32());
+        let right = forward_1.x().elementwise_eq(_e9.y().elementwise_eq(rt::Scalar(0i32)));
+        let down = forward_1.y().elementwise_eq(_e16.y().elementwise_eq(rt::Scalar(0i32)));
+        return _e35.w().select(_e35.z(), right).select(_e35.y().select(_e35.x(), right), down);
     }
     pub fn height_size(&self) -> rt::Vec2<f32> {
         rt::into(self.v_height_size())
@@ -799,13 +928,13 @@ impl<'g> Resources<'g> {
         let _e2 = self.settings.height_size;
         return _e2.cast_elem_as_f32();
     }
-    pub fn grid_of(&self, path_2: Path) -> Grid {
-        rt::into(self.v_grid_of(path_2))
+    pub fn grid_of(&self, path_5: Path) -> Grid {
+        rt::into(self.v_grid_of(path_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_2: Path) -> Grid {
+    fn v_grid_of(&self, path_5: Path) -> Grid {
         let _e1 = self.v_height_size();
-        return <Grid>::new(((path_2.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_2.duv * _e1));
+        return <Grid>::new(((path_5.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_5.duv * _e1));
     }
     pub fn has_interval(&self, found: Found) -> bool {
         rt::into(self.v_has_interval(found))
@@ -868,18 +997,18 @@ impl<'g> Resources<'g> {
     }
     pub fn path_height(
         &self,
-        path_3: Path,
+        path_6: Path,
         t_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_height(path_3, rt::into(t_4)))
+        rt::into(self.v_path_height(path_6, rt::into(t_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_height(
         &self,
-        path_3: Path,
+        path_6: Path,
         t_4: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_3.h.x() + (t_4 * (path_3.h.y() + (t_4 * path_3.h.z()))));
+        return (path_6.h.x() + (t_4 * (path_6.h.y() + (t_4 * path_6.h.z()))));
     }
     pub fn miss(&self, reads_1: impl rt::Into<rt::Scalar<u32>>) -> Hit {
         rt::into(self.v_miss(rt::into(reads_1)))
@@ -890,40 +1019,40 @@ impl<'g> Resources<'g> {
     }
     pub fn path_uv(
         &self,
-        path_4: Path,
+        path_7: Path,
         t_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_path_uv(path_4, rt::into(t_5)))
+        rt::into(self.v_path_uv(path_7, rt::into(t_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_uv(
         &self,
-        path_4: Path,
+        path_7: Path,
         t_5: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        return (path_4.uv + (path_4.duv * t_5));
+        return (path_7.uv + (path_7.duv * t_5));
     }
     pub fn hit_on_path(
         &self,
-        path_5: Path,
+        path_8: Path,
         t_6: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         reads_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_5, rt::into(t_6), rt::into(exhausted), rt::into(reads_2)))
+        rt::into(self.v_hit_on_path(path_8, rt::into(t_6), rt::into(exhausted), rt::into(reads_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_5: Path,
+        path_8: Path,
         t_6: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         reads_2: rt::Scalar<u32>,
     ) -> Hit {
         let mut local_7: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_6.elementwise_gt(rt::Scalar(path_5.exit))) {
-            let _e9 = self.v_path_height(path_5, rt::Scalar(path_5.exit));
+        if rt::Scalar::into_branch_condition(t_6.elementwise_gt(rt::Scalar(path_8.exit))) {
+            let _e9 = self.v_path_height(path_8, rt::Scalar(path_8.exit));
             local_7 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
             local_7 = rt::Scalar(false);
@@ -933,9 +1062,9 @@ impl<'g> Resources<'g> {
             let _e14 = self.v_miss(reads_2);
             return _e14;
         }
-        let inside = t_6.clamp(rt::Scalar(0f32), rt::Scalar(path_5.exit));
-        let _e19 = self.v_path_uv(path_5, inside);
-        let _e20 = self.v_path_height(path_5, inside);
+        let inside = t_6.clamp(rt::Scalar(0f32), rt::Scalar(path_8.exit));
+        let _e19 = self.v_path_uv(path_8, inside);
+        let _e20 = self.v_path_height(path_8, inside);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_2);
     }
     pub fn inside_unit(
@@ -987,10 +1116,10 @@ impl<'g> Resources<'g> {
         let _e24 = self.v_wrap_index((i_3.x() + rt::Scalar(1i32)), n_5.x());
         let _e27 = self.v_wrap_index(i_3.y(), n_5.y());
         let _e32 = self.v_wrap_index((i_3.y() + rt::Scalar(1i32)), n_5.y());
-        let h00_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h10_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h01_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h11_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h00_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h10_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h01_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let h11_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e32), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let top_3 = (h00_1 + ((h10_1 - h00_1) * f_3.x()));
         let bottom_3 = (h01_1 + ((h11_1 - h01_1) * f_3.x()));
         return (top_3 + ((bottom_3 - top_3) * f_3.y())).xyz();
@@ -1065,54 +1194,54 @@ impl<'g> Resources<'g> {
     }
     pub fn normal_z(
         &self,
-        path_6: Path,
+        path_9: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_6, rt::into(slope)))
+        rt::into(self.v_normal_z(path_9, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_6: Path,
+        path_9: Path,
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m = path_6.metric;
+        let m = path_9.metric;
         let area = ((m.x() * m.z()) - (m.y() * m.y()));
         let squared_1 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
     }
     pub fn path_gap(
         &self,
-        path_7: Path,
+        path_10: Path,
         t_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_gap(path_7, rt::into(t_7)))
+        rt::into(self.v_path_gap(path_10, rt::into(t_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_gap(
         &self,
-        path_7: Path,
+        path_10: Path,
         t_7: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_path_height(path_7, t_7);
-        let _e3 = self.v_path_uv(path_7, t_7);
+        let _e2 = self.v_path_height(path_10, t_7);
+        let _e3 = self.v_path_uv(path_10, t_7);
         let _e4 = self.v_height_at(_e3);
         return (_e2 - _e4);
     }
     pub fn path_slope(
         &self,
-        path_8: Path,
+        path_11: Path,
         t_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_8, rt::into(t_8)))
+        rt::into(self.v_path_slope(path_11, rt::into(t_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_8: Path,
+        path_11: Path,
         t_8: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_8.h.y() + ((rt::Scalar(2f32) * t_8) * path_8.h.z()));
+        return (path_11.h.y() + ((rt::Scalar(2f32) * t_8) * path_11.h.z()));
     }
     pub fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel)))
@@ -1147,15 +1276,15 @@ impl<'g> Resources<'g> {
         let _e9 = self.v_pixel_direction(point_1);
         return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_4);
     }
-    pub fn starting_point(&self, path_9: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_9, found_1))
+    pub fn starting_point(&self, path_12: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_12, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_9: Path, found_1: Found) -> rt::Scalar<f32> {
+    fn v_starting_point(&self, path_12: Path, found_1: Found) -> rt::Scalar<f32> {
         let mut local_9: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_9.base);
+            return rt::Scalar(path_12.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
             local_9 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
@@ -1170,16 +1299,16 @@ impl<'g> Resources<'g> {
     }
     pub fn refine_none(
         &self,
-        path_10: Path,
+        path_13: Path,
         found_2: Found,
         params: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_10, found_2, rt::into(params)))
+        rt::into(self.v_refine_none(path_13, found_2, rt::into(params)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_10: Path,
+        path_13: Path,
         found_2: Found,
         params: rt::Vec4<f32>,
     ) -> Hit {
@@ -1188,22 +1317,22 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_10, found_2);
-        let _e16 = self.v_hit_on_path(path_10, _e14, exhausted_1, rt::Scalar(found_2.reads));
+        let _e14 = self.v_starting_point(path_13, found_2);
+        let _e16 = self.v_hit_on_path(path_13, _e14, exhausted_1, rt::Scalar(found_2.reads));
         return _e16;
     }
     pub fn refine_binary(
         &self,
-        path_11: Path,
+        path_14: Path,
         found_3: Found,
         params_1: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_11, found_3, rt::into(params_1)))
+        rt::into(self.v_refine_binary(path_14, found_3, rt::into(params_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_11: Path,
+        path_14: Path,
         found_3: Found,
         params_1: rt::Vec4<f32>,
     ) -> Hit {
@@ -1216,7 +1345,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_3);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_11, found_3, params_1);
+            let _e5 = self.v_refine_none(path_14, found_3, params_1);
             return _e5;
         }
         near = rt::Scalar(found_3.near);
@@ -1224,7 +1353,7 @@ impl<'g> Resources<'g> {
         reads_3 = rt::Scalar(found_3.reads);
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far;
-            let _e19 = self.v_path_height(path_11, _e18);
+            let _e19 = self.v_path_height(path_14, _e18);
             local_10 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_10 = rt::Scalar(true);
@@ -1244,7 +1373,7 @@ impl<'g> Resources<'g> {
                     let middle = (rt::Scalar(0.5f32) * (_e30 + _e31));
                     let _e35 = reads_3;
                     reads_3 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = self.v_path_gap(path_11, middle);
+                    let _e38 = self.v_path_gap(path_14, middle);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
                         far = middle;
                         crossed = rt::Scalar(true);
@@ -1265,21 +1394,21 @@ impl<'g> Resources<'g> {
         let _e49 = near;
         let _e50 = far;
         let _e55 = reads_3;
-        let _e56 = self.v_hit_on_path(path_11, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
+        let _e56 = self.v_hit_on_path(path_14, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
     }
     pub fn refine_offset(
         &self,
-        path_12: Path,
+        path_15: Path,
         found_4: Found,
         params_2: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_12, found_4, rt::into(params_2)))
+        rt::into(self.v_refine_offset(path_15, found_4, rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_12: Path,
+        path_15: Path,
         found_4: Found,
         params_2: rt::Vec4<f32>,
     ) -> Hit {
@@ -1289,31 +1418,31 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_4.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_12, found_4);
-        let _e9 = self.v_path_uv(path_12, _e8);
+        let _e8 = self.v_starting_point(path_15, found_4);
+        let _e9 = self.v_path_uv(path_15, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_slope(path_12, _e8);
+        let _e11 = self.v_path_slope(path_15, _e8);
         t_9 = _e8;
         if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
-            let _e15 = self.v_path_height(path_12, _e8);
+            let _e15 = self.v_path_height(path_15, _e8);
             t_9 = (_e8 + ((_e10 - _e15) / _e11));
         }
         let _e19 = t_9;
-        let _e29 = self.v_hit_on_path(path_12, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
+        let _e29 = self.v_hit_on_path(path_15, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
         return _e29;
     }
     pub fn refine_offset_limited(
         &self,
-        path_13: Path,
+        path_16: Path,
         found_5: Found,
         params_3: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_13, found_5, rt::into(params_3)))
+        rt::into(self.v_refine_offset_limited(path_16, found_5, rt::into(params_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_13: Path,
+        path_16: Path,
         found_5: Found,
         params_3: rt::Vec4<f32>,
     ) -> Hit {
@@ -1323,12 +1452,12 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_5.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_13, found_5);
-        let _e9 = self.v_path_uv(path_13, _e8);
+        let _e8 = self.v_starting_point(path_16, found_5);
+        let _e9 = self.v_path_uv(path_16, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_height(path_13, _e8);
-        let rise_m = ((_e10 - _e11) * path_13.metric.w());
-        let _e26 = self.v_hit_on_path(path_13, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        let _e11 = self.v_path_height(path_16, _e8);
+        let rise_m = ((_e10 - _e11) * path_16.metric.w());
+        let _e26 = self.v_hit_on_path(path_16, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
         hit = _e26;
         let _e29 = rt::Scalar(hit.found);
         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
@@ -1339,16 +1468,16 @@ impl<'g> Resources<'g> {
     }
     pub fn refine_patch(
         &self,
-        path_14: Path,
+        path_17: Path,
         found_6: Found,
         params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_14, found_6, rt::into(params_4)))
+        rt::into(self.v_refine_patch(path_17, found_6, rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_14: Path,
+        path_17: Path,
         found_6: Found,
         params_4: rt::Vec4<f32>,
     ) -> Hit {
@@ -1362,14 +1491,14 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_14, rt::Scalar(found_6.near), rt::Scalar(1u32), rt::Scalar(found_6.reads));
+            let _e14 = self.v_hit_on_path(path_17, rt::Scalar(found_6.near), rt::Scalar(1u32), rt::Scalar(found_6.reads));
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_14, rt::Scalar(found_6.near), rt::Scalar(0u32), rt::Scalar(found_6.reads));
+            let _e21 = self.v_hit_on_path(path_17, rt::Scalar(found_6.near), rt::Scalar(0u32), rt::Scalar(found_6.reads));
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_14);
+        let _e22 = self.v_grid_of(path_17);
         t_10 = rt::Scalar(found_6.near);
         let _e27 = t_10;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
@@ -1392,20 +1521,20 @@ impl<'g> Resources<'g> {
                     let span_4 = (end - _e47).max(rt::Scalar(0f32));
                     let _e51 = cell_7;
                     let _e52 = t_10;
-                    let _e53 = self.v_cell_gap(path_14, _e22, _e51, _e52);
+                    let _e53 = self.v_cell_gap(path_17, _e22, _e51, _e52);
                     let _e54 = reads_4;
                     reads_4 = (_e54 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e60 = t_10;
                         let _e62 = reads_4;
-                        let _e63 = self.v_hit_on_path(path_14, _e60, rt::Scalar(0u32), _e62);
+                        let _e63 = self.v_hit_on_path(path_17, _e60, rt::Scalar(0u32), _e62);
                         return _e63;
                     }
                     let _e64 = self.v_first_root(_e53, span_4);
                     if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e67 = t_10;
                         let _e70 = reads_4;
-                        let _e71 = self.v_hit_on_path(path_14, (_e67 + _e64), rt::Scalar(0u32), _e70);
+                        let _e71 = self.v_hit_on_path(path_17, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
                     if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_6.far))) {
@@ -1417,7 +1546,7 @@ impl<'g> Resources<'g> {
                         let _e84 = local_11;
                         if rt::Scalar::into_branch_condition(_e84) {
                             let _e87 = reads_4;
-                            let _e88 = self.v_hit_on_path(path_14, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
+                            let _e88 = self.v_hit_on_path(path_17, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
                             return _e88;
                         }
                         let _e89 = reads_4;
@@ -1434,21 +1563,21 @@ impl<'g> Resources<'g> {
         }
         let _e95 = t_10;
         let _e97 = reads_4;
-        let _e98 = self.v_hit_on_path(path_14, _e95, rt::Scalar(1u32), _e97);
+        let _e98 = self.v_hit_on_path(path_17, _e95, rt::Scalar(1u32), _e97);
         return _e98;
     }
     pub fn refine_secant(
         &self,
-        path_15: Path,
+        path_18: Path,
         found_7: Found,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_15, found_7, rt::into(params_5)))
+        rt::into(self.v_refine_secant(path_18, found_7, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_15: Path,
+        path_18: Path,
         found_7: Found,
         params_5: rt::Vec4<f32>,
     ) -> Hit {
@@ -1462,7 +1591,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_15, found_7, params_5);
+            let _e5 = self.v_refine_none(path_18, found_7, params_5);
             return _e5;
         }
         near_1 = rt::Scalar(found_7.near);
@@ -1472,10 +1601,10 @@ impl<'g> Resources<'g> {
         reads_5 = rt::Scalar(found_7.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_1;
-            let _e20 = self.v_path_gap(path_15, _e19);
+            let _e20 = self.v_path_gap(path_18, _e19);
             near_gap = _e20;
             let _e21 = far_1;
-            let _e22 = self.v_path_gap(path_15, _e21);
+            let _e22 = self.v_path_gap(path_18, _e21);
             far_gap = _e22;
             let _e23 = reads_5;
             reads_5 = (_e23 + rt::Scalar(2u32));
@@ -1510,7 +1639,7 @@ impl<'g> Resources<'g> {
                     let _e52 = k_1;
                     if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_5.x())) {
                         let _e55 = t_11;
-                        let _e56 = self.v_path_gap(path_15, _e55);
+                        let _e56 = self.v_path_gap(path_18, _e55);
                         let _e57 = reads_5;
                         reads_5 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
@@ -1530,21 +1659,21 @@ impl<'g> Resources<'g> {
         }
         let _e67 = t_11;
         let _e69 = reads_5;
-        let _e70 = self.v_hit_on_path(path_15, _e67, rt::Scalar(0u32), _e69);
+        let _e70 = self.v_hit_on_path(path_18, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
     pub fn refine_slope(
         &self,
-        path_16: Path,
+        path_19: Path,
         found_8: Found,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_16, found_8, rt::into(params_6)))
+        rt::into(self.v_refine_slope(path_19, found_8, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_16: Path,
+        path_19: Path,
         found_8: Found,
         params_6: rt::Vec4<f32>,
     ) -> Hit {
@@ -1554,38 +1683,38 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_8.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_16, found_8);
-        let _e9 = self.v_path_uv(path_16, _e8);
+        let _e8 = self.v_starting_point(path_19, found_8);
+        let _e9 = self.v_path_uv(path_19, _e8);
         let _e10 = self.v_height_and_slope(_e9);
-        let _e12 = self.v_path_height(path_16, _e8);
+        let _e12 = self.v_path_height(path_19, _e8);
         let rise = (_e10.x() - _e12);
         t_12 = _e8;
         if rt::Scalar::into_branch_condition(params_6.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e18 = self.v_path_slope(path_16, _e8);
-            let closing = (_e18 - ((_e10.y() * path_16.duv.x()) + (_e10.z() * path_16.duv.y())));
+            let _e18 = self.v_path_slope(path_19, _e8);
+            let closing = (_e18 - ((_e10.y() * path_19.duv.x()) + (_e10.z() * path_19.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_12 = (_e8 + (rise / closing));
             }
         } else {
-            let _e39 = self.v_normal_z(path_16, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_12 = (_e8 - ((rise * path_16.metric.w()) * _e39));
+            let _e39 = self.v_normal_z(path_19, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
+            t_12 = (_e8 - ((rise * path_19.metric.w()) * _e39));
         }
         let _e42 = t_12;
-        let _e52 = self.v_hit_on_path(path_16, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
+        let _e52 = self.v_hit_on_path(path_19, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
         return _e52;
     }
     pub fn refine_slope_iterative(
         &self,
-        path_17: Path,
+        path_20: Path,
         found_9: Found,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_17, found_9, rt::into(params_7)))
+        rt::into(self.v_refine_slope_iterative(path_20, found_9, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_17: Path,
+        path_20: Path,
         found_9: Found,
         params_7: rt::Vec4<f32>,
     ) -> Hit {
@@ -1597,7 +1726,7 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_9.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_17, found_9);
+        let _e8 = self.v_starting_point(path_20, found_9);
         t_13 = _e8;
         reads_6 = rt::Scalar(found_9.reads);
         'naga_break: loop {
@@ -1609,28 +1738,28 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e17 = t_13;
-                    let _e18 = self.v_path_uv(path_17, _e17);
+                    let _e18 = self.v_path_uv(path_20, _e17);
                     let _e19 = self.v_height_and_slope(_e18);
                     let _e20 = reads_6;
                     reads_6 = (_e20 + rt::Scalar(1u32));
                     let _e24 = t_13;
-                    let _e25 = self.v_path_height(path_17, _e24);
+                    let _e25 = self.v_path_height(path_20, _e24);
                     let rise_1 = (_e19.x() - _e25);
                     if rt::Scalar::into_branch_condition(params_7.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e30 = t_13;
-                        let _e31 = self.v_path_slope(path_17, _e30);
-                        let closing_1 = (_e31 - ((_e19.y() * path_17.duv.x()) + (_e19.z() * path_17.duv.y())));
+                        let _e31 = self.v_path_slope(path_20, _e30);
+                        let closing_1 = (_e31 - ((_e19.y() * path_20.duv.x()) + (_e19.z() * path_20.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e44 = t_13;
                             t_13 = (_e44 + (rise_1 / closing_1));
                         }
                     } else {
                         let _e47 = t_13;
-                        let _e54 = self.v_normal_z(path_17, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_13 = (_e47 - ((rise_1 * path_17.metric.w()) * _e54));
+                        let _e54 = self.v_normal_z(path_20, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
+                        t_13 = (_e47 - ((rise_1 * path_20.metric.w()) * _e54));
                     }
                     let _e57 = t_13;
-                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_17.exit));
+                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_20.exit));
                     let _e61 = k_2;
                     k_2 = (_e61 + rt::Scalar(1f32));
                 }
@@ -1638,21 +1767,21 @@ impl<'g> Resources<'g> {
         }
         let _e64 = t_13;
         let _e71 = reads_6;
-        let _e72 = self.v_hit_on_path(path_17, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
+        let _e72 = self.v_hit_on_path(path_20, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
         return _e72;
     }
     pub fn refine_true_secant(
         &self,
-        path_18: Path,
+        path_21: Path,
         found_10: Found,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_18, found_10, rt::into(params_8)))
+        rt::into(self.v_refine_true_secant(path_21, found_10, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_18: Path,
+        path_21: Path,
         found_10: Found,
         params_8: rt::Vec4<f32>,
     ) -> Hit {
@@ -1665,7 +1794,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_18, found_10, params_8);
+            let _e5 = self.v_refine_none(path_21, found_10, params_8);
             return _e5;
         }
         before = rt::Scalar(found_10.near);
@@ -1675,10 +1804,10 @@ impl<'g> Resources<'g> {
         reads_7 = rt::Scalar(found_10.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_18, _e19);
+            let _e20 = self.v_path_gap(path_21, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_18, _e21);
+            let _e22 = self.v_path_gap(path_21, _e21);
             last_gap = _e22;
             let _e23 = reads_7;
             reads_7 = (_e23 + rt::Scalar(2u32));
@@ -1715,7 +1844,7 @@ impl<'g> Resources<'g> {
                     last = t_18;
                     let _e54 = k_3;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
-                        let _e57 = self.v_path_gap(path_18, t_18);
+                        let _e57 = self.v_path_gap(path_21, t_18);
                         last_gap = _e57;
                         let _e58 = reads_7;
                         reads_7 = (_e58 + rt::Scalar(1u32));
@@ -1727,59 +1856,59 @@ impl<'g> Resources<'g> {
         }
         let _e64 = last;
         let _e66 = reads_7;
-        let _e67 = self.v_hit_on_path(path_18, _e64, rt::Scalar(0u32), _e66);
+        let _e67 = self.v_hit_on_path(path_21, _e64, rt::Scalar(0u32), _e66);
         return _e67;
     }
-    pub fn refine_stage(&self, path_19: Path, found_11: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_19, found_11))
+    pub fn refine_stage(&self, path_22: Path, found_11: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_22, found_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_19: Path, found_11: Found) -> Hit {
+    fn v_refine_stage(&self, path_22: Path, found_11: Found) -> Hit {
         let _e2 = self.v_chosen_refine();
         match rt::Scalar::into_inner(_e2) {
             0u32 => {
                 let _e7 = self.settings.choices[2usize].params;
-                let _e8 = self.v_refine_none(path_19, found_11, _e7);
+                let _e8 = self.v_refine_none(path_22, found_11, _e7);
                 return _e8;
             }
             1u32 => {
                 let _e13 = self.settings.choices[2usize].params;
-                let _e14 = self.v_refine_offset(path_19, found_11, _e13);
+                let _e14 = self.v_refine_offset(path_22, found_11, _e13);
                 return _e14;
             }
             2u32 => {
                 let _e19 = self.settings.choices[2usize].params;
-                let _e20 = self.v_refine_offset_limited(path_19, found_11, _e19);
+                let _e20 = self.v_refine_offset_limited(path_22, found_11, _e19);
                 return _e20;
             }
             3u32 => {
                 let _e25 = self.settings.choices[2usize].params;
-                let _e26 = self.v_refine_slope(path_19, found_11, _e25);
+                let _e26 = self.v_refine_slope(path_22, found_11, _e25);
                 return _e26;
             }
             4u32 => {
                 let _e31 = self.settings.choices[2usize].params;
-                let _e32 = self.v_refine_slope_iterative(path_19, found_11, _e31);
+                let _e32 = self.v_refine_slope_iterative(path_22, found_11, _e31);
                 return _e32;
             }
             5u32 => {
                 let _e37 = self.settings.choices[2usize].params;
-                let _e38 = self.v_refine_binary(path_19, found_11, _e37);
+                let _e38 = self.v_refine_binary(path_22, found_11, _e37);
                 return _e38;
             }
             6u32 => {
                 let _e43 = self.settings.choices[2usize].params;
-                let _e44 = self.v_refine_secant(path_19, found_11, _e43);
+                let _e44 = self.v_refine_secant(path_22, found_11, _e43);
                 return _e44;
             }
             7u32 => {
                 let _e49 = self.settings.choices[2usize].params;
-                let _e50 = self.v_refine_true_secant(path_19, found_11, _e49);
+                let _e50 = self.v_refine_true_secant(path_22, found_11, _e49);
                 return _e50;
             }
             _ => {
                 let _e55 = self.settings.choices[2usize].params;
-                let _e56 = self.v_refine_patch(path_19, found_11, _e55);
+                let _e56 = self.v_refine_patch(path_22, found_11, _e55);
                 return _e56;
             }
         }
@@ -1954,22 +2083,22 @@ impl<'g> Resources<'g> {
     }
     pub fn search_cells(
         &self,
-        path_20: Path,
+        path_23: Path,
         params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_20, rt::into(params_10)))
+        rt::into(self.v_search_cells(path_23, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_20: Path,
+        path_23: Path,
         params_10: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e2 = self.v_grid_of(path_20);
+        let _e2 = self.v_grid_of(path_23);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
         let limit_1 = params_10.x().cast_elem_as_u32();
@@ -1983,10 +2112,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e14 = cell_8;
                     let _e15 = self.v_cell_leave(_e2, _e14);
-                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_20.exit));
+                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_23.exit));
                     let _e21 = cell_8;
                     let _e22 = t_14;
-                    let _e23 = self.v_cell_gap(path_20, _e2, _e21, _e22);
+                    let _e23 = self.v_cell_gap(path_23, _e2, _e21, _e22);
                     let _e24 = reads_8;
                     reads_8 = (_e24 + rt::Scalar(1u32));
                     let _e27 = t_14;
@@ -1998,10 +2127,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e36;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_20.exit))) {
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_23.exit))) {
                         let _e43 = t_14;
                         let _e47 = reads_8;
-                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_20.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
+                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_23.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
                     }
                     let _e49 = cell_8;
                     let _e50 = self.v_cell_next(_e2, _e49, _e15);
@@ -2013,23 +2142,23 @@ impl<'g> Resources<'g> {
         }
         let _e54 = t_14;
         let _e56 = reads_8;
-        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
+        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
     }
     pub fn stays_inside(
         &self,
-        path_21: Path,
+        path_24: Path,
         grid_5: Grid,
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_1: impl rt::Into<rt::Scalar<f32>>,
         t_15: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_21, grid_5, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
+        rt::into(self.v_stays_inside(path_24, grid_5, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_21: Path,
+        path_24: Path,
         grid_5: Grid,
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -2040,12 +2169,12 @@ impl<'g> Resources<'g> {
         let mut local_12: rt::Scalar<bool>;
         let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_1 = (rt::Scalar(path_21.exit) - t_15);
-        let _e8 = self.v_path_height(path_21, t_15);
+        let rest_1 = (rt::Scalar(path_24.exit) - t_15);
+        let _e8 = self.v_path_height(path_24, t_15);
         let height = (_e8 - apex);
-        let terms = (path_21.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_21.exit)) * path_21.h.z().abs()));
-        let _e21 = self.v_path_slope(path_21, t_15);
-        let rise_2 = ((_e21 + (path_21.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_24.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_24.exit)) * path_24.h.z().abs()));
+        let _e21 = self.v_path_slope(path_24, t_15);
+        let rise_2 = ((_e21 + (path_24.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_1;
         if rt::Scalar::into_branch_condition(rise_2.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
@@ -2055,7 +2184,7 @@ impl<'g> Resources<'g> {
         let end_2 = (t_15 + _e39);
         let _e51 = self.v_height_size();
         let far_2 = (((grid_5.origin.abs() + (grid_5.step.abs() * end_2)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
-        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_21.h.x().abs() + (end_2 * (path_21.h.y().abs() + (end_2 * path_21.h.z().abs())))));
+        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_24.h.x().abs() + (end_2 * (path_24.h.y().abs() + (end_2 * path_24.h.z().abs())))));
         let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_2.x() + far_2.y())));
         let gap = (height - (rt::Scalar(2f32) * lost_1));
         let _e83 = self.v_height_size();
@@ -2070,8 +2199,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e100) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_1 * slope_1) * aside.dot(path_21.duv)) - (gap * rise_2));
-        let a_3 = (((slope_1 * slope_1) * path_21.duv.dot(path_21.duv)) - (rise_2 * rise_2));
+        let b_3 = (((slope_1 * slope_1) * aside.dot(path_24.duv)) - (gap * rise_2));
+        let a_3 = (((slope_1 * slope_1) * path_24.duv.dot(path_24.duv)) - (rise_2 * rise_2));
         let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -2088,7 +2217,7 @@ impl<'g> Resources<'g> {
         leave_3 = _e133.min(_e134);
         let _e137 = leave_3;
         let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_21.duv * _e137)).length()) + lost_1).elementwise_le((height + (rise_2 * _e143)))) {
+        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_24.duv * _e137)).length()) + lost_1).elementwise_le((height + (rise_2 * _e143)))) {
             let _e147 = leave_3;
             return _e147;
         }
@@ -2096,15 +2225,15 @@ impl<'g> Resources<'g> {
     }
     pub fn search_cone(
         &self,
-        path_22: Path,
+        path_25: Path,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_22, rt::into(params_11)))
+        rt::into(self.v_search_cone(path_25, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_22: Path,
+        path_25: Path,
         params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
@@ -2112,7 +2241,7 @@ impl<'g> Resources<'g> {
         let mut reads_9: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_1: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_22);
+        let _e2 = self.v_grid_of(path_25);
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
@@ -2133,7 +2262,7 @@ impl<'g> Resources<'g> {
                     reads_9 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_9;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_3 = _e29.x().min(_e29.y()).min(rt::Scalar(path_22.exit));
+                    let end_3 = _e29.x().min(_e29.y()).min(rt::Scalar(path_25.exit));
                     let _e35 = t_16;
                     let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_9;
@@ -2146,17 +2275,17 @@ impl<'g> Resources<'g> {
                     let _e73 = t_16;
                     next_1 = _e73;
                     let _e75 = t_16;
-                    let _e76 = self.v_path_height(path_22, _e75);
+                    let _e76 = self.v_path_height(path_25, _e75);
                     if rt::Scalar::into_branch_condition(_e76.elementwise_gt(apex_1)) {
                         let _e78 = cell_9;
-                        let texel_1 = (_e78 + corner);
-                        let _e80 = self.v_cone_slope(texel_1);
+                        let texel_3 = (_e78 + corner);
+                        let _e80 = self.v_cone_slope(path_25, texel_3);
                         let _e81 = reads_9;
                         reads_9 = (_e81 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e80.elementwise_ge(rt::Scalar(0f32))) {
                             let _e86 = t_16;
                             let _e87 = t_16;
-                            let _e88 = self.v_stays_inside(path_22, _e2, texel_1, apex_1, _e80, _e87);
+                            let _e88 = self.v_stays_inside(path_25, _e2, texel_3, apex_1, _e80, _e87);
                             next_1 = (_e86 + _e88);
                         }
                     }
@@ -2164,7 +2293,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e90.elementwise_lt(end_3)) {
                         let _e92 = cell_9;
                         let _e93 = t_16;
-                        let _e94 = self.v_gap_to(path_22, _e2, _e92, _e24, _e93);
+                        let _e94 = self.v_gap_to(path_25, _e2, _e92, _e24, _e93);
                         let _e95 = t_16;
                         let _e96 = reads_9;
                         let _e97 = self.v_found_in_cell(_e94, _e95, span_6, first_2, _e96);
@@ -2175,10 +2304,10 @@ impl<'g> Resources<'g> {
                         next_1 = _e101.max(end_3);
                     }
                     let _e103 = next_1;
-                    if rt::Scalar::into_branch_condition(_e103.elementwise_ge(rt::Scalar(path_22.exit))) {
+                    if rt::Scalar::into_branch_condition(_e103.elementwise_ge(rt::Scalar(path_25.exit))) {
                         let _e107 = t_16;
                         let _e109 = reads_9;
-                        return <Found>::new(FOUND_MISS, _e107, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
+                        return <Found>::new(FOUND_MISS, _e107, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
                     }
                     let _e113 = cell_9;
                     let _e114 = next_1;
@@ -2191,7 +2320,7 @@ impl<'g> Resources<'g> {
         }
         let _e118 = t_16;
         let _e120 = reads_9;
-        return <Found>::new(FOUND_EXHAUSTED, _e118, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e120);
+        return <Found>::new(FOUND_EXHAUSTED, _e118, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e120);
     }
     pub fn stays_above(
         &self,
@@ -2231,15 +2360,15 @@ impl<'g> Resources<'g> {
     }
     pub fn search_frustum(
         &self,
-        path_23: Path,
+        path_26: Path,
         params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_23, rt::into(params_12)))
+        rt::into(self.v_search_frustum(path_26, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_23: Path,
+        path_26: Path,
         params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
@@ -2249,7 +2378,7 @@ impl<'g> Resources<'g> {
         let mut slope_3: rt::Scalar<f32>;
         let mut local_13: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_23);
+        let _e2 = self.v_grid_of(path_26);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
@@ -2270,18 +2399,18 @@ impl<'g> Resources<'g> {
                     reads_10 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_10;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_23.exit));
+                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_26.exit));
                     let _e35 = t_17;
                     let span_7 = (end_4 - _e35).max(rt::Scalar(0f32));
                     let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
                     let _e46 = t_17;
-                    let _e47 = self.v_path_height(path_23, _e46);
+                    let _e47 = self.v_path_height(path_26, _e46);
                     let _e49 = t_17;
-                    let _e50 = self.v_path_slope(path_23, _e49);
-                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_23.h.z());
+                    let _e50 = self.v_path_slope(path_26, _e49);
+                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_26.h.z());
                     let _e57 = t_17;
                     let _e61 = t_17;
-                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_23.h.x().abs() + (_e57 * (path_23.h.y().abs() + (_e61 * path_23.h.z().abs())))));
+                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_26.h.x().abs() + (_e57 * (path_26.h.y().abs() + (_e61 * path_26.h.z().abs())))));
                     let _e71 = t_17;
                     next_2 = _e71.max(end_4);
                     slope_3 = rt::Scalar(-1f32);
@@ -2294,9 +2423,9 @@ impl<'g> Resources<'g> {
                     }
                     let _e84 = local_13;
                     if rt::Scalar::into_branch_condition(_e84) {
-                        if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_23.exit))) {
+                        if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_26.exit))) {
                             let _e87 = cell_10;
-                            let _e89 = self.v_frustum_slope(_e87.cast_elem_as_i32(), forward_3);
+                            let _e89 = self.v_frustum_slope(path_26, _e87.cast_elem_as_i32(), forward_3);
                             slope_3 = _e89;
                             let _e90 = reads_10;
                             let _e93 = slope_3;
@@ -2305,7 +2434,7 @@ impl<'g> Resources<'g> {
                     } else {
                         let _e98 = cell_10;
                         let _e99 = t_17;
-                        let _e100 = self.v_gap_to(path_23, _e2, _e98, _e24, _e99);
+                        let _e100 = self.v_gap_to(path_26, _e2, _e98, _e24, _e99);
                         let _e101 = t_17;
                         let _e102 = reads_10;
                         let _e103 = self.v_found_in_cell(_e100, _e101, span_7, first_3, _e102);
@@ -2324,7 +2453,7 @@ impl<'g> Resources<'g> {
                         let _e134 = slope_3;
                         let lost_2 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_3));
                         let _e140 = t_17;
-                        let rest_2 = (rt::Scalar(path_23.exit) - _e140);
+                        let rest_2 = (rt::Scalar(path_26.exit) - _e140);
                         let _e142 = slope_3;
                         let _e147 = self.v_stays_above(above_2, _e142, left_2.x(), _e2.step.x(), lost_2.x(), rest_2);
                         let _e148 = slope_3;
@@ -2334,10 +2463,10 @@ impl<'g> Resources<'g> {
                         next_2 = _e154.max((_e155 + _e147.min(_e153)));
                     }
                     let _e159 = next_2;
-                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_23.exit))) {
+                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_26.exit))) {
                         let _e163 = t_17;
                         let _e165 = reads_10;
-                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
+                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
                     }
                     let _e169 = slope_3;
                     if rt::Scalar::into_branch_condition(_e169.elementwise_ge(rt::Scalar(0f32))) {
@@ -2357,19 +2486,19 @@ impl<'g> Resources<'g> {
         }
         let _e179 = t_17;
         let _e181 = reads_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
+        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
     }
     pub fn search_linear(
         &self,
-        path_24: Path,
+        path_27: Path,
         params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_24, rt::into(params_13)))
+        rt::into(self.v_search_linear(path_27, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_24: Path,
+        path_27: Path,
         params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2377,9 +2506,9 @@ impl<'g> Resources<'g> {
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_1 = (path_24.h.y().abs() * path_24.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let cosine_1 = (path_27.h.y().abs() * path_27.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let steps = rt::Scalar(1f32).max((params_13.x() * params_13.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
-        let _e22 = self.v_path_gap(path_24, rt::Scalar(0f32));
+        let _e22 = self.v_path_gap(path_27, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
         if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
@@ -2397,8 +2526,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e41 = k_5;
-                    let t_19 = (rt::Scalar(path_24.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_24, t_19);
+                    let t_19 = (rt::Scalar(path_27.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_27, t_19);
                     let _e45 = reads_11;
                     reads_11 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
@@ -2423,49 +2552,49 @@ impl<'g> Resources<'g> {
     }
     pub fn search_none(
         &self,
-        path_25: Path,
+        path_28: Path,
         params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_25, rt::into(params_14)))
+        rt::into(self.v_search_none(path_28, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_25: Path,
+        path_28: Path,
         params_14: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
-    pub fn search_stage(&self, path_26: Path) -> Found {
-        rt::into(self.v_search_stage(path_26))
+    pub fn search_stage(&self, path_29: Path) -> Found {
+        rt::into(self.v_search_stage(path_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_26: Path) -> Found {
+    fn v_search_stage(&self, path_29: Path) -> Found {
         let _e1 = self.v_chosen_search();
         match rt::Scalar::into_inner(_e1) {
             0u32 => {
                 let _e6 = self.settings.choices[1usize].params;
-                let _e7 = self.v_search_none(path_26, _e6);
+                let _e7 = self.v_search_none(path_29, _e6);
                 return _e7;
             }
             1u32 => {
                 let _e12 = self.settings.choices[1usize].params;
-                let _e13 = self.v_search_linear(path_26, _e12);
+                let _e13 = self.v_search_linear(path_29, _e12);
                 return _e13;
             }
             2u32 => {
                 let _e18 = self.settings.choices[1usize].params;
-                let _e19 = self.v_search_cells(path_26, _e18);
+                let _e19 = self.v_search_cells(path_29, _e18);
                 return _e19;
             }
             3u32 => {
                 let _e24 = self.settings.choices[1usize].params;
-                let _e25 = self.v_search_frustum(path_26, _e24);
+                let _e25 = self.v_search_frustum(path_29, _e24);
                 return _e25;
             }
             _ => {
                 let _e30 = self.settings.choices[1usize].params;
-                let _e31 = self.v_search_cone(path_26, _e30);
+                let _e31 = self.v_search_cone(path_29, _e30);
                 return _e31;
             }
         }
@@ -2597,9 +2726,9 @@ impl<'g> Resources<'g> {
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.settings.scale_m);
-        let path_28 = <Path>::new((uv_8 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_31 = <Path>::new((uv_8 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_28, point_6, uv_8, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_31, point_6, uv_8, tangent, bitangent, normal_3);
     }
     pub fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
@@ -2615,13 +2744,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub fn trace(&self, path_27: Path) -> Hit {
-        rt::into(self.v_trace(path_27))
+    pub fn trace(&self, path_30: Path) -> Hit {
+        rt::into(self.v_trace(path_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_27: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_27);
-        let _e2 = self.v_refine_stage(path_27, _e1);
+    fn v_trace(&self, path_30: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_30);
+        let _e2 = self.v_refine_stage(path_30, _e1);
         return _e2;
     }
     pub fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {
@@ -2638,5 +2767,25 @@ impl<'g> Resources<'g> {
         let _e9 = self.v_trace(_e1.path);
         let _e10 = self.v_shade_hit(pixel_4, _e1, _e9);
         return _e10;
+    }
+    pub fn shadow_texel(
+        &self,
+        place_3: impl rt::Into<rt::Vec2<i32>>,
+        layer_2: impl rt::Into<rt::Scalar<i32>>,
+        level_3: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_shadow_texel(rt::into(place_3), rt::into(layer_2), rt::into(level_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_texel(
+        &self,
+        place_3: rt::Vec2<i32>,
+        layer_2: rt::Scalar<i32>,
+        level_3: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_3, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_3));
+        let _e8 = self.settings.maps[2usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
     }
 }

@@ -91,6 +91,26 @@ impl Shared for Choice {
     }
 }
 
+impl Shared for MapSettings {
+    const SIZE: usize = 48;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.coded.write(&mut bytes[0..]);
+        self.layers.write(&mut bytes[4..]);
+        self.low.write(&mut bytes[16..]);
+        self.step.write(&mut bytes[32..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            coded: Shared::read(&bytes[0..]),
+            layers: Shared::read(&bytes[4..]),
+            low: Shared::read(&bytes[16..]),
+            step: Shared::read(&bytes[32..]),
+        }
+    }
+}
+
 impl Shared for Light {
     const SIZE: usize = 32;
 
@@ -108,53 +128,55 @@ impl Shared for Light {
 }
 
 impl Shared for Settings {
-    const SIZE: usize = 576;
+    const SIZE: usize = 816;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
-        self.eye.write(&mut bytes[128..]);
-        self.forward.write(&mut bytes[144..]);
-        self.corner.write(&mut bytes[160..]);
-        self.right.write(&mut bytes[176..]);
-        self.down.write(&mut bytes[192..]);
-        self.ambient.write(&mut bytes[208..]);
-        self.diffuse.write(&mut bytes[224..]);
-        self.specular.write(&mut bytes[240..]);
-        self.lights.write(&mut bytes[256..]);
-        self.height_size.write(&mut bytes[512..]);
-        self.color_size.write(&mut bytes[520..]);
-        self.normal_size.write(&mut bytes[528..]);
-        self.wrap.write(&mut bytes[536..]);
-        self.light_count.write(&mut bytes[540..]);
-        self.shininess.write(&mut bytes[544..]);
-        self.has_color.write(&mut bytes[548..]);
-        self.has_normal.write(&mut bytes[552..]);
-        self.scale_m.write(&mut bytes[556..]);
-        self.bias_m.write(&mut bytes[560..]);
+        self.maps.write(&mut bytes[128..]);
+        self.eye.write(&mut bytes[368..]);
+        self.forward.write(&mut bytes[384..]);
+        self.corner.write(&mut bytes[400..]);
+        self.right.write(&mut bytes[416..]);
+        self.down.write(&mut bytes[432..]);
+        self.ambient.write(&mut bytes[448..]);
+        self.diffuse.write(&mut bytes[464..]);
+        self.specular.write(&mut bytes[480..]);
+        self.lights.write(&mut bytes[496..]);
+        self.height_size.write(&mut bytes[752..]);
+        self.color_size.write(&mut bytes[760..]);
+        self.normal_size.write(&mut bytes[768..]);
+        self.wrap.write(&mut bytes[776..]);
+        self.light_count.write(&mut bytes[780..]);
+        self.shininess.write(&mut bytes[784..]);
+        self.has_color.write(&mut bytes[788..]);
+        self.has_normal.write(&mut bytes[792..]);
+        self.scale_m.write(&mut bytes[796..]);
+        self.bias_m.write(&mut bytes[800..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
-            eye: Shared::read(&bytes[128..]),
-            forward: Shared::read(&bytes[144..]),
-            corner: Shared::read(&bytes[160..]),
-            right: Shared::read(&bytes[176..]),
-            down: Shared::read(&bytes[192..]),
-            ambient: Shared::read(&bytes[208..]),
-            diffuse: Shared::read(&bytes[224..]),
-            specular: Shared::read(&bytes[240..]),
-            lights: Shared::read(&bytes[256..]),
-            height_size: Shared::read(&bytes[512..]),
-            color_size: Shared::read(&bytes[520..]),
-            normal_size: Shared::read(&bytes[528..]),
-            wrap: Shared::read(&bytes[536..]),
-            light_count: Shared::read(&bytes[540..]),
-            shininess: Shared::read(&bytes[544..]),
-            has_color: Shared::read(&bytes[548..]),
-            has_normal: Shared::read(&bytes[552..]),
-            scale_m: Shared::read(&bytes[556..]),
-            bias_m: Shared::read(&bytes[560..]),
+            maps: Shared::read(&bytes[128..]),
+            eye: Shared::read(&bytes[368..]),
+            forward: Shared::read(&bytes[384..]),
+            corner: Shared::read(&bytes[400..]),
+            right: Shared::read(&bytes[416..]),
+            down: Shared::read(&bytes[432..]),
+            ambient: Shared::read(&bytes[448..]),
+            diffuse: Shared::read(&bytes[464..]),
+            specular: Shared::read(&bytes[480..]),
+            lights: Shared::read(&bytes[496..]),
+            height_size: Shared::read(&bytes[752..]),
+            color_size: Shared::read(&bytes[760..]),
+            normal_size: Shared::read(&bytes[768..]),
+            wrap: Shared::read(&bytes[776..]),
+            light_count: Shared::read(&bytes[780..]),
+            shininess: Shared::read(&bytes[784..]),
+            has_color: Shared::read(&bytes[788..]),
+            has_normal: Shared::read(&bytes[792..]),
+            scale_m: Shared::read(&bytes[796..]),
+            bias_m: Shared::read(&bytes[800..]),
         }
     }
 }

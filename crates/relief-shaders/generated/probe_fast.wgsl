@@ -35,6 +35,7 @@
 
 const BELOW_FLOOR = 1.000001;
 const CELL_LIMIT = 1073741824.0;
+const CONE_HALF_RATIO = 0.125;
 const FLOOR = 1e-6;
 const FOUND_ABOVE = 1u;
 const FOUND_BELOW = 2u;
@@ -43,8 +44,8 @@ const FOUND_EXHAUSTED = 4u;
 const FOUND_MISS = 0u;
 const FOUND_STARTED_BELOW = 5u;
 const FOUND_UNBRACKETED = 6u;
-const HALF_RATIO = 0.125;
 const LEAST_SCALE_M = 1e-9;
+const MAP_SLOTS = 5u;
 const MAX_LIGHTS = 8u;
 const NEVER = 3e38;
 const RAY_SHADOW = 1u;
@@ -53,6 +54,11 @@ override REFINE: u32 = 0u;
 const ROUNDING = 9.5367431640625e-7;
 const ROW = 65536u;
 override SEARCH: u32 = 0u;
+const SLOT_AMBIENT = 3u;
+const SLOT_ENVIRONMENT = 4u;
+const SLOT_SEARCH = 0u;
+const SLOT_SHADOW = 2u;
+const SLOT_SHADOW_SEARCH = 1u;
 const STAGES = 4u;
 override SURFACE: u32 = 0u;
 const WRAP_CLAMP = 1u;
@@ -110,6 +116,13 @@ struct Light {
     color: vec4f
 }
 
+struct MapSettings {
+    coded: u32,
+    layers: u32,
+    low: vec4f,
+    step: vec4f
+}
+
 struct Path {
     uv: vec2f,
     duv: vec2f,
@@ -164,6 +177,7 @@ struct Probe {
 
 struct Settings {
     choices: array<Choice, STAGES>,
+    maps: array<MapSettings, MAP_SLOTS>,
     eye: vec4f,
     forward: vec4f,
     corner: vec4f,
@@ -185,22 +199,34 @@ struct Settings {
     bias_m: f32
 }
 
+@group(0) @binding(8)
+var ambient_map: texture_2d_array<f32>;
 @group(0) @binding(2)
 var color_map: texture_2d<f32>;
+@group(0) @binding(9)
+var environment_map: texture_2d_array<f32>;
 @group(0) @binding(1)
 var height_map: texture_2d<f32>;
 @group(0) @binding(4)
 var map_sampler: sampler;
 @group(0) @binding(3)
-var normal_map: texture_2d<f32>;
+var normal_map: texture_2d_array<f32>;
 @group(1) @binding(0)
 var<storage, read> pixels: array<PixelIn>;
 @group(1) @binding(1)
 var<storage, read_write> probes: array<Probe>;
 @group(0) @binding(5)
-var search_map: texture_2d<f32>;
+var search_map: texture_2d_array<f32>;
 @group(0) @binding(0)
 var<uniform> settings: Settings;
+@group(0) @binding(6)
+var shadow_search_map: texture_2d_array<f32>;
+@group(0) @binding(7)
+var shadow_texels: texture_2d_array<f32>;
+
+fn ambient_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
+    return decoded(textureLoad(ambient_map, place, layer, level), settings.maps[SLOT_AMBIENT]);
+}
 
 fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32) -> vec2f {
     let near = cell_of(grid.origin + grid.step * t);
@@ -261,15 +287,27 @@ fn color_at(uv: vec2f) -> vec4f {
     return textureSampleLevel(color_map, map_sampler, uv, 0.0);
 }
 
-fn cone_slope(texel: vec2f) -> f32 {
+fn cone_slope(path: Path, texel: vec2f) -> f32 {
     let n = vec2i(settings.height_size);
     let place = vec2i(texel);
-    let value = search_map_texel(vec2i(wrap_index(place.x, n.x), wrap_index(place.y, n.y))).x;
-    let squared = HALF_RATIO * value * value;
+    let wrapped = vec2i(wrap_index(place.x, n.x), wrap_index(place.y, n.y));
+    let value = search_texel(path, wrapped, 0, i32(path.level)).x;
+    let squared = CONE_HALF_RATIO * value * value;
     if (squared > 0.0) {
         return (1.0 - value) * (1.0 + value) / squared;
     }
     return -1.0;
+}
+
+fn decoded(texel: vec4f, map: MapSettings) -> vec4f {
+    if (map.coded == 1u) {
+        return map.low + map.step * floor(texel * 255.0 + vec4f(0.5, 0.5, 0.5, 0.5));
+    }
+    return texel;
+}
+
+fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
+    return decoded(textureLoad(environment_map, place, face, level), settings.maps[SLOT_ENVIRONMENT]);
 }
 
 fn first_root(c: vec3f, span: f32) -> f32 {
@@ -331,13 +369,13 @@ fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, reads: u32) -> Found 
     return Found(FOUND_ABOVE, t, t + span, c.x, quadratic(c, span), reads);
 }
 
-fn frustum_slope(cell: vec2i, forward: vec2<bool>) -> f32 {
+fn frustum_slope(path: Path, cell: vec2i, forward: vec2<bool>) -> f32 {
     let u = folded_cell(cell.x, i32(settings.height_size.x));
     let v = folded_cell(cell.y, i32(settings.height_size.y));
     if (u.x < 0 || v.x < 0) {
         return -1.0;
     }
-    let slopes = search_map_texel(vec2i(u.x, v.x));
+    let slopes = search_texel(path, vec2i(u.x, v.x), 0, i32(path.level));
     let right = forward.x == (u.y == 0);
     let down = forward.y == (v.y == 0);
     return select(select(slopes.w, slopes.z, right), select(slopes.y, slopes.x, right), down);
@@ -424,7 +462,7 @@ fn miss(reads: u32) -> Hit {
 }
 
 fn normal_at(uv: vec2f) -> vec3f {
-    return textureSampleLevel(normal_map, map_sampler, uv, 0.0).xyz;
+    return textureSampleLevel(normal_map, map_sampler, uv, 0, 0.0).xyz;
 }
 
 fn normal_z(path: Path, slope: vec2f) -> f32 {
@@ -780,7 +818,7 @@ fn search_cone(path: Path, params: vec4f) -> Found {
         var next = t;
         if (path_height(path, t) > apex) {
             let texel = cell + corner;
-            let slope = cone_slope(texel);
+            let slope = cone_slope(path, texel);
             reads = reads + 1u;
             if (slope >= 0.0) {
                 next = t + stays_inside(path, grid, texel, apex, slope, t);
@@ -823,7 +861,7 @@ fn search_frustum(path: Path, params: vec4f) -> Found {
         var slope = -1.0;
         if (quadratic(above, least_at(above, span)) > of_heights && above.x > of_heights) {
             if (end < path.exit) {
-                slope = frustum_slope(vec2i(cell), forward);
+                slope = frustum_slope(path, vec2i(cell), forward);
                 reads = reads + select(0u, 1u, slope >= 0.0);
             }
         }
@@ -882,10 +920,6 @@ fn search_linear(path: Path, params: vec4f) -> Found {
     return Found(FOUND_MISS, near, near, near_gap, near_gap, reads);
 }
 
-fn search_map_texel(place: vec2i) -> vec4f {
-    return textureLoad(search_map, place, 0);
-}
-
 fn search_none(path: Path, params: vec4f) -> Found {
     return Found(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, 0u);
 }
@@ -908,6 +942,18 @@ fn search_stage(path: Path) -> Found {
             return search_cone(path, settings.choices[1].params);
         }
     }
+}
+
+fn search_texel(path: Path, place: vec2i, layer: i32, level: i32) -> vec4f {
+    if (path.ray == RAY_SHADOW) {
+        let texel = textureLoad(shadow_search_map, place, layer, level);
+        return decoded(texel, settings.maps[SLOT_SHADOW_SEARCH]);
+    }
+    return decoded(textureLoad(search_map, place, layer, level), settings.maps[SLOT_SEARCH]);
+}
+
+fn shadow_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
+    return decoded(textureLoad(shadow_texels, place, layer, level), settings.maps[SLOT_SHADOW]);
 }
 
 fn starting_point(path: Path, found: Found) -> f32 {

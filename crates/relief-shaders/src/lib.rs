@@ -9,19 +9,21 @@
 
 #[cfg(feature = "cpu")]
 pub mod cpu;
+mod maps;
 mod methods;
 pub mod refine;
 pub mod search;
-mod search_map;
 mod selection;
 pub mod shade;
+mod slots;
 mod stages;
 pub mod surface;
 pub mod wgsl;
 
+pub use maps::{MapError, MapNeed, MapProblem, SlotMaps};
 pub use methods::{METHODS, Method, method};
-pub use search_map::{SearchMap, SearchMapError};
 pub use selection::{Choice, Selection, SelectionError};
+pub use slots::MapSlot;
 pub use stages::{REFINE, SEARCH, STAGES, Stage, stage};
 
 /// The most lights of a picture: the length of the shaders' array of lights.
@@ -35,7 +37,7 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::Path;
 
-    use relief_core::registry::MAX_PARAMS;
+    use relief_core::registry::{MAX_PARAMS, MapSetting};
 
     use super::*;
 
@@ -61,11 +63,15 @@ mod tests {
     }
 
     #[test]
-    fn a_search_reads_one_baked_map_at_most_and_no_other_stage_does() {
-        for Stage { key, entries, .. } in &STAGES {
-            let most = usize::from(*key == "search");
+    fn a_variant_reads_one_baked_map_at_most_and_from_a_slot_of_its_stage() {
+        for Stage { key, entries, slot, .. } in &STAGES {
             for entry in *entries {
-                assert!(entry.maps.len() <= most, "{key} {}: the shaders bind one map", entry.name);
+                assert!(entry.maps.len() <= usize::from(slot.is_some()), "{key} {}", entry.name);
+                for (name, value) in entry.maps.iter().flat_map(|map| map.settings) {
+                    if let MapSetting::Param(param) = value {
+                        assert!(entry.param(param).is_some(), "{key} {}: {name} of {param}", entry.name);
+                    }
+                }
             }
         }
     }

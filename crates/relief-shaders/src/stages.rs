@@ -2,6 +2,7 @@
 
 use relief_core::registry::{Entry, RayClass};
 
+use crate::slots::MapSlot;
 use crate::{refine, search, shade, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
@@ -23,6 +24,8 @@ pub struct Stage {
     pub inputs: &'static [(&'static str, &'static str)],
     /// What its functions return.
     pub returns: &'static str,
+    /// Where its variants read baked maps, if they may read any.
+    pub slot: Option<MapSlot>,
     /// The rays that it is given when a picture is rendered. A variant for which these are impossible is refused.
     pub rays: &'static [RayClass],
 }
@@ -36,6 +39,7 @@ pub const STAGES: [Stage; 4] = [
         entries: surface::ENTRIES,
         inputs: &[("pixel", "PixelIn")],
         returns: "Entered",
+        slot: None,
         rays: &[RayClass::View],
     },
     Stage {
@@ -45,6 +49,7 @@ pub const STAGES: [Stage; 4] = [
         entries: search::ENTRIES,
         inputs: &[("path", "Path")],
         returns: "Found",
+        slot: Some(MapSlot::Search),
         rays: &[RayClass::View],
     },
     Stage {
@@ -54,6 +59,7 @@ pub const STAGES: [Stage; 4] = [
         entries: refine::ENTRIES,
         inputs: &[("path", "Path"), ("found", "Found")],
         returns: "Hit",
+        slot: None,
         rays: &[RayClass::View],
     },
     Stage {
@@ -63,6 +69,7 @@ pub const STAGES: [Stage; 4] = [
         entries: shade::ENTRIES,
         inputs: &[("normal", "vec3f"), ("view", "vec3f"), ("toward", "vec3f"), ("color", "vec3f")],
         returns: "vec3f",
+        slot: None,
         rays: &[],
     },
 ];

@@ -5,7 +5,7 @@ use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use relief_shaders::{METHODS, Selection};
 use relief_tests::accuracy::{ANGLES, Case, Named, maps};
-use relief_tests::baked::search_map;
+use relief_tests::baked::{maps_for, slots};
 use relief_tests::claims::{Measure, verdicts};
 
 /// What `accuracy` is given.
@@ -58,9 +58,10 @@ fn methods(named: &Named, rays: usize) -> Result<Table, String> {
     let cases: Vec<Case> = ANGLES.iter().map(|&degrees| Case::new(&named.map, degrees, rays)).collect();
     for method in METHODS {
         let selection = Selection::of(method).map_err(|error| error.to_string())?;
-        let baked = search_map(&named.map, &selection);
+        let baked = maps_for(&named.map, &selection);
+        let maps = slots(&named.map, &selection, &baked);
         for (case, degrees) in cases.iter().zip(ANGLES) {
-            let report = case.report_with(&selection, baked.as_ref());
+            let report = case.report_with(&selection, &maps);
             let percent = |share: f64| format!("{:.2}", share * 100.0);
             table.add_row([
                 method.name.to_owned(),

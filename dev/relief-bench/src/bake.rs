@@ -11,8 +11,8 @@ use clap::Args;
 use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use rayon::ThreadPool;
-use relief_bake::{KINDS, Kind, Metric, Settings};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{KINDS, Kind, Settings};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_tests::maps::fractal;
 
 use self::brute::Brute;

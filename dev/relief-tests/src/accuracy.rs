@@ -8,9 +8,9 @@ use relief_core::metrics::{ErrorReport, compare};
 use relief_core::{HeightMap, Hit, Path, PathMetric, Wrap};
 use relief_io::{HeightOptions, read_height};
 use relief_shaders::cpu::Resources;
-use relief_shaders::{SearchMap, Selection};
+use relief_shaders::{Selection, SlotMaps};
 
-use crate::baked::search_map;
+use crate::baked::{maps_for, slots};
 use crate::maps::fractal;
 use crate::rng::Rng;
 
@@ -94,14 +94,8 @@ pub fn truth(map: &HeightMap, paths: &[Path]) -> Vec<ExactHit> {
 /// # Panics
 ///
 /// When that map is missing or is none of the height map.
-pub fn hits(
-    map: &HeightMap,
-    selection: &Selection,
-    search_map: Option<&SearchMap>,
-    paths: &[Path],
-) -> Vec<Hit> {
-    let resources = Resources::tracing(map, selection, search_map);
-    let resources = resources.unwrap_or_else(|error| panic!("{error}"));
+pub fn hits(map: &HeightMap, selection: &Selection, maps: &SlotMaps, paths: &[Path]) -> Vec<Hit> {
+    let resources = Resources::tracing(map, selection, maps);
     paths.par_iter().map(|path| resources.first_hit(path)).collect()
 }
 
@@ -125,12 +119,13 @@ impl<'a> Case<'a> {
 
     /// How wrong a pair of stages is; a baked map that its search reads is baked first.
     pub fn report(&self, selection: &Selection) -> ErrorReport {
-        self.report_with(selection, search_map(self.map, selection).as_ref())
+        let maps = maps_for(self.map, selection);
+        self.report_with(selection, &slots(self.map, selection, &maps))
     }
 
     /// How wrong a pair of stages is, with the baked map that its search reads.
-    pub fn report_with(&self, selection: &Selection, search_map: Option<&SearchMap>) -> ErrorReport {
-        let hits = hits(self.map, selection, search_map, &self.paths);
+    pub fn report_with(&self, selection: &Selection, maps: &SlotMaps) -> ErrorReport {
+        let hits = hits(self.map, selection, maps, &self.paths);
         compare(&self.truth, &hits, self.map).unwrap_or_default()
     }
 }

@@ -1,18 +1,43 @@
-//! The baked maps that searches read, where tests and benchmarks need them.
+//! The baked maps that selections read, where tests and benchmarks need them.
 
-use relief_bake::{Metric, Progress, kind, texels};
-use relief_core::HeightMap;
-use relief_shaders::{SearchMap, Selection};
+use relief_bake::{Progress, WantedMap, baked_map, kind};
+use relief_core::{BakedMap, HeightMap, MapFormat, Metric};
+use relief_shaders::{Selection, SlotMaps};
 
-/// The map that a selection's search reads over that height map; none where it reads none.
+/// The maps that a selection reads over that height map, on a surface of the unit metric.
 ///
 /// # Panics
 ///
-/// When the registry names a kind or a texture that does not exist.
-pub fn search_map(map: &HeightMap, selection: &Selection) -> Option<SearchMap> {
-    let input = selection.map_input()?;
-    let kind = kind(input.kind).unwrap_or_else(|error| panic!("{error}"));
-    let texels = texels(kind, input.texture, map, Metric::UNIT, &kind.defaults(), &Progress::none());
-    let texels = texels.unwrap_or_else(|error| panic!("{error}"));
-    Some(SearchMap::new(input, [map.width(), map.height()], texels))
+/// When the registry names a kind, a texture or a setting that does not exist.
+pub fn maps_for(map: &HeightMap, selection: &Selection) -> Vec<BakedMap> {
+    maps_in(MapFormat::F32, map, selection)
+}
+
+/// The same, stored in a format.
+///
+/// # Panics
+///
+/// As [`maps_for`].
+pub fn maps_in(format: MapFormat, map: &HeightMap, selection: &Selection) -> Vec<BakedMap> {
+    let needs = selection.map_needs();
+    let baked = needs.iter().map(|need| {
+        let kind = kind(need.input.kind).unwrap_or_else(|error| panic!("{error}"));
+        let mut settings = kind.defaults();
+        for (name, value) in &need.settings {
+            settings.set(name, f64::from(*value)).unwrap_or_else(|error| panic!("{error}"));
+        }
+        let (texture, levels) = (need.input.texture, need.input.levels);
+        let wanted = WantedMap { kind, texture, settings, metric: need.metric(Metric::UNIT), levels, format };
+        baked_map(map, &wanted, &Progress::none()).unwrap_or_else(|error| panic!("{error}"))
+    });
+    baked.collect()
+}
+
+/// Those maps in their slots.
+///
+/// # Panics
+///
+/// When one of them is not the selection's.
+pub fn slots<'a>(map: &HeightMap, selection: &Selection, maps: &'a [BakedMap]) -> SlotMaps<'a> {
+    selection.slot_maps(maps, map, Metric::UNIT).unwrap_or_else(|error| panic!("{error}"))
 }

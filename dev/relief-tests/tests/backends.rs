@@ -5,12 +5,12 @@
 
 use std::path::Path;
 
+use relief_maps::Maps;
 use relief_render::gpu::{AdapterChoice, Gpu};
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, read_scene};
-use relief_render::{RenderError, Rendered, render};
+use relief_render::{Rendered, render};
+use relief_shaders::METHODS;
 use relief_shaders::cpu::PixelOut;
-use relief_shaders::{METHODS, SearchMapError};
-use relief_tests::baked::search_map;
 
 const SIZE: [u32; 2] = [160, 120];
 
@@ -36,8 +36,8 @@ fn has_adapter() -> bool {
     }
 }
 
-/// A shipped scene with another method, without the baked map that it may read.
-fn bare(file: &str, method: &str, backend: BackendChoice) -> Scene {
+/// A shipped scene with another method.
+fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(file);
     let over = SceneSpec {
         method: Some(method.to_owned()),
@@ -48,17 +48,8 @@ fn bare(file: &str, method: &str, backend: BackendChoice) -> Scene {
     read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map")
 }
 
-/// The same with the baked map.
-fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {
-    let scene = bare(file, method, backend);
-    match search_map(scene.height_map(), scene.selection()) {
-        Some(map) => scene.with_search_map(map),
-        None => scene,
-    }
-}
-
 fn picture(file: &str, method: &str, backend: BackendChoice) -> Rendered {
-    render(&scene(file, method, backend), &|_| {}).expect("a picture")
+    render(&scene(file, method, backend), &mut Maps::in_memory(), &|_, _| {}).expect("a picture")
 }
 
 /// How two renderings of the same scene differ.
@@ -154,20 +145,4 @@ fn the_comparison_sees_a_picture_of_another_method() {
     assert!(Comparison::new(&pixels, &moved, size).share() < SAME_CODE);
     let other = picture("bricks.toml", "relief", BackendChoice::Cpu).rendering.pixels;
     assert!(Comparison::new(&pixels, &other, size).share() < SAME_CODE);
-}
-
-#[test]
-fn a_scene_without_the_map_that_its_search_reads_is_refused() {
-    let refusal = |scene: Scene| match render(&scene, &|_| {}) {
-        Err(RenderError::SearchMap(error)) => error,
-        other => panic!("{other:?}"),
-    };
-    let kind = "frustum";
-    let bricks = || bare("bricks.toml", kind, BackendChoice::Cpu);
-    assert_eq!(refusal(bricks()), SearchMapError::Missing { search: kind, kind });
-    // Neither is one taken that belongs to a map of another size.
-    let other =
-        scene("jacksboro.toml", kind, BackendChoice::Cpu).search_map().cloned().expect("it reads a map");
-    let refused = refusal(bricks().with_search_map(other));
-    assert!(matches!(refused, SearchMapError::Size { kind: "frustum", size: [403, 344], .. }), "{refused}");
 }

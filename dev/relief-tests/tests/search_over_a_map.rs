@@ -4,10 +4,10 @@
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, cell_walk};
 use relief_core::registry::{Guarantee, RayClass};
-use relief_core::{HeightMap, Path, Wrap};
+use relief_core::{BakedMap, HeightMap, MapFormat, MapTexels, Path, Wrap};
 use relief_shaders::cpu::Resources;
-use relief_shaders::{SearchMap, Selection};
-use relief_tests::baked::search_map;
+use relief_shaders::{MapSlot, Selection, SlotMaps};
+use relief_tests::baked::{maps_for, maps_in, slots};
 use relief_tests::judge::{Tally, Verdict, judge};
 use relief_tests::pairs::{self, class_of};
 use relief_tests::rays::{RayKind, Rays};
@@ -60,8 +60,9 @@ fn answer(map: &HeightMap, resources: &Resources, path: &Path) -> ExactHit {
 }
 
 /// The answers of a pair of stages to the rays for which it promises to be exact, and the reads that they took.
-fn trial(map: &HeightMap, selection: &Selection, baked: Option<&SearchMap>, rays: usize) -> (Tally, f64) {
-    let resources = Resources::tracing(map, selection, baked).expect("the search's map");
+fn trial(map: &HeightMap, selection: &Selection, format: MapFormat, rays: usize) -> (Tally, f64) {
+    let baked = maps_in(format, map, selection);
+    let resources = Resources::tracing(map, selection, &slots(map, selection, &baked));
     let (mut tally, mut reads, steepest) = (Tally::default(), 0.0, steepest(map));
     let promised = |path: &Path| selection.guarantee(class_of(path)) == Guarantee::Exact;
     for (kind, path) in paths(map, 1).filter(|(_, path)| promised(path)).take(rays) {
@@ -85,23 +86,30 @@ fn no_first_hit_is_missed_or_passed_on_any_map_in_any_wrap() {
         .filter(|pair| RayClass::ALL.iter().any(|rays| pair.guarantee(*rays) == Guarantee::Exact));
     let exact: Vec<Selection> = exact.collect();
     assert!(exact.len() >= 3, "{} pairs are exact", exact.len());
-    for selection in exact {
+    let runs = exact.iter().flat_map(|pair| {
+        // Without a map there is nothing to store.
+        let formats = if pair.map_needs().is_empty() { &MapFormat::ALL[..1] } else { &MapFormat::ALL[..] };
+        formats.iter().map(move |format| (pair, *format))
+    });
+    for (selection, format) in runs {
+        let rays = if format == MapFormat::F32 { RAYS_PER_MAP / 2 } else { RAYS_PER_MAP / 5 };
         let cases: Vec<_> = maps::ALL.iter().flat_map(|named| Wrap::ALL.map(|wrap| (named, wrap))).collect();
         let (tally, reads) = cases
             .par_iter()
             .map(|(named, wrap)| {
                 let map = named.build(*wrap);
-                trial(&map, &selection, search_map(&map, &selection).as_ref(), RAYS_PER_MAP / 2)
+                trial(&map, selection, format, rays)
             })
             .reduce(|| (Tally::default(), 0.0), |(a, x), (b, y)| (a.plus(b), x + y));
-        println!("{}: {tally:?}, {:.1} reads a ray", pairs::name(&selection), reads / cases.len() as f64);
+        let reads = reads / cases.len() as f64;
+        println!("{} {format:?}: {tally:?}, {reads:.1} reads a ray", pairs::name(selection));
         assert!(tally.hits > tally.misses / 4 && tally.misses > tally.hits / 10, "{tally:?}");
         assert!(tally.grazing < (tally.hits + tally.misses) / 10, "{tally:?}");
     }
 }
 
 /// How a map is made to promise too much, texel by texel.
-type Mutation = (&'static str, fn([f32; 4]) -> [f32; 4]);
+type Mutation = (&'static str, fn(&mut [f32]));
 
 /// A search, and what is wrong with the maps that it is given.
 struct Wrong {
@@ -117,19 +125,27 @@ const WRONG: [Wrong; 2] = [
         method: "frustum",
         foreign: [(0, Wrap::Repeat, Wrap::Clamp), (2, Wrap::Mirror, Wrap::Repeat)],
         mutations: &[
-            ("lowered", |slopes| slopes.map(|slope| slope * 0.8)),
-            ("swapped", |[x, y, z, w]| [y, x, w, z]),
+            ("lowered", |slopes| slopes.iter_mut().for_each(|slope| *slope *= 0.8)),
+            ("swapped", |slopes| slopes.as_chunks_mut::<2>().0.iter_mut().for_each(|pair| pair.swap(0, 1))),
         ],
     },
     Wrong {
         method: "cone",
         foreign: [(0, Wrap::Repeat, Wrap::Clamp), (0, Wrap::Repeat, Wrap::Mirror)],
         // The ratio is proportional to v² / (1 - v²).
-        mutations: &[("widened by half", |[v, ..]| {
-            [(1.5 * v * v / (1.0 + 0.5 * v * v)).sqrt(), 0.0, 0.0, 0.0]
+        mutations: &[("widened by half", |values| {
+            values.iter_mut().for_each(|v| *v = (1.5 * *v * *v / (1.0 + 0.5 * *v * *v)).sqrt());
         })],
     },
 ];
+
+/// A map with other values, which are 32-bit floats.
+fn mutated(map: &BakedMap, mutate: fn(&mut [f32])) -> BakedMap {
+    let MapTexels::F32(mut values) = map.texels().clone() else { panic!("{:?}", map.layout()) };
+    mutate(&mut values);
+    BakedMap::new(map.identity().clone(), *map.layout(), *map.codes(), MapTexels::F32(values))
+        .expect("the same shape")
+}
 
 #[test]
 fn a_map_that_promises_too_much_and_another_wraps_map_are_noticed() {
@@ -138,16 +154,14 @@ fn a_map_that_promises_too_much_and_another_wraps_map_are_noticed() {
         for (at, wrap, other) in foreign {
             let map = maps::ALL[at].build(wrap);
             let steepest = steepest(&map);
-            let right = search_map(&map, &selection).expect("it reads a map");
-            let foreign = search_map(&map.clone().with_wrap(other), &selection).expect("it reads a map");
+            let one = |map: &HeightMap| maps_for(map, &selection).pop().expect("it reads a map");
+            let (right, foreign) = (one(&map), one(&map.clone().with_wrap(other)));
             let mut wrong = vec![("another wrap's", foreign)];
-            for (name, mutate) in mutations {
-                let texels = right.texels().iter().copied().map(mutate).collect();
-                wrong.push((name, SearchMap::new(right.input(), right.size(), texels)));
-            }
+            wrong.extend(mutations.iter().map(|(name, mutate)| (*name, mutated(&right, *mutate))));
             for (name, wrong) in wrong {
-                let resources =
-                    Resources::tracing(&map, &selection, Some(&wrong)).expect("a map of that size");
+                // Unchecked: that it is another wrap's would be noticed without a ray.
+                let maps = SlotMaps::from_iter([(MapSlot::Search, &wrong)]);
+                let resources = Resources::tracing(&map, &selection, &maps);
                 let noticed = paths(&map, 2).take(20_000).filter(|(_, path)| {
                     let other = answer(&map, &resources, path);
                     judge(&map, path, &cell_walk(&map, path), &other, slack(&map, steepest, path)).is_err()

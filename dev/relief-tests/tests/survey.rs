@@ -3,7 +3,7 @@
 use relief_core::registry::RayClass;
 use relief_tests::RAYS_PER_MAP;
 use relief_tests::accuracy::{Case, maps, mean_error};
-use relief_tests::baked::search_map;
+use relief_tests::baked::{maps_for, slots};
 use relief_tests::claims::verdicts;
 use relief_tests::pairs;
 
@@ -47,9 +47,10 @@ fn relief_and_occlusion_come_nearer_with_every_doubling_of_their_steps() {
 fn the_exact_pairs_of_stages_find_every_first_hit() {
     for exact in pairs::exact_for(RayClass::View) {
         for named in &maps() {
-            let baked = search_map(&named.map, &exact);
+            let baked = maps_for(&named.map, &exact);
+            let maps = slots(&named.map, &exact, &baked);
             for degrees in [10.0, 60.0, 85.0] {
-                let report = Case::new(&named.map, degrees, RAYS).report_with(&exact, baked.as_ref());
+                let report = Case::new(&named.map, degrees, RAYS).report_with(&exact, &maps);
                 let name = format!("{}, {} at {degrees} degrees", pairs::name(&exact), named.name);
                 // Rays that graze within the rounding of f32 may be judged either way.
                 let wrong = report.missed + report.false_hits + report.late + report.early + report.exhausted;

@@ -19,12 +19,12 @@
 //! are spread evenly, an open plain has exactly the base normal.
 
 use rayon::prelude::*;
-use relief_core::HeightMap;
 use relief_core::registry::Publication;
+use relief_core::{HeightMap, Metric, Rounding};
 
 use super::horizon::{self, Sweep, unit_vector};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -34,6 +34,7 @@ pub const KIND: Kind = Kind {
     publication: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
     params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, about the base normal",
+    shapes: |size, _| vec![Shape::slices("", size, 1, 3)],
     reach: |_| Reach::Everything,
     bake,
 };

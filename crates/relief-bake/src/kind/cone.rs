@@ -20,19 +20,18 @@ mod walk;
 
 use pulp::Simd;
 use rayon::prelude::*;
-use relief_core::HeightMap;
 use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, Metric};
 
 pub(super) use self::apexes::{Apexes, Region};
 pub(super) use self::block::{Block, Lanes, cells_of_block, is_in_block, offset_of};
 pub(super) use self::encoding::texture;
-pub use self::encoding::{decode, encode, half_ratio};
 pub(super) use self::field::{Field, Seen};
 pub(super) use self::search::{Search, Sort, State, bits_of};
 pub(super) use self::slope::{Patch, inside_segment, steepest_in_quarter, to_point};
 pub(super) use self::walk::{Group, LANES, Look};
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, BakeInput, Cancelled, Metric, Progress, Settings, Sink};
+use crate::{BakeError, BakeInput, Cancelled, Progress, Settings, Shape, Sink};
 
 /// From where the cones of a map are safe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,6 +78,7 @@ pub const KIND: Kind = Kind {
     guarantee: "for every point p of the surface in the texel's square (apex 0: at its centre) and every point q of it, \
         q rises over p by at most their horizontal distance over the ratio; with apex 2 the same at every p for what a \
         bilinear filter makes of the stored values there",
+    shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     bake,
 };

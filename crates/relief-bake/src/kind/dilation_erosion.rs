@@ -21,10 +21,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, MAX_SIDE, Wrap};
+use relief_core::{HeightMap, MAX_SIDE, Rounding, Wrap};
 
 use super::{BITS, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Rounding, Settings, Sink, Texture};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture};
 
 /// The kind `dilation-erosion`.
 pub const KIND: Kind = Kind {
@@ -38,6 +38,7 @@ pub const KIND: Kind = Kind {
     params: PARAMS,
     guarantee: "From anywhere over a dual cell, the bilinear surface within the radius along both axes is nowhere below the \
         erosion and nowhere above the dilation; both are attained. Exact in f32 and in as many bits as the heights have.",
+    shapes: |size, _| vec![Shape::slices("", size, 1, 2)],
     reach: |settings| Reach::Texels(settings.count(RADIUS).saturating_add(1)),
     bake,
 };

@@ -51,12 +51,12 @@ mod window;
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, Metric, Rounding, Wrap};
 
 use self::line::Line;
 use super::{BITS, Kind, Reach};
 use crate::quantise::unorm;
-use crate::{BakeError, BakeInput, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Texture};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -66,6 +66,7 @@ pub const KIND: Kind = Kind {
     publication: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "4.3.4" },
     params: &[SLICES, BITS],
     guarantee: "a trilinear fetch is at most the distance to the bilinear surface, in the metres of the bake's metric",
+    shapes: |size, settings| vec![Shape::slices("", size, settings.count(0), 1)],
     reach: |_| Reach::Everything,
     bake,
 };

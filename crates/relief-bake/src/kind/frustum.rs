@@ -74,13 +74,11 @@ mod map;
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, MaxPyramid};
+use relief_core::{HeightMap, MaxPyramid, Rounding};
 
 use super::texel_pyramid::TexelPyramid;
 use super::{BITS, Kind, Reach};
-use crate::{
-    BakeError, BakeInput, Cancelled, Channel, Progress, Rounding, Settings, Sink, Texture, quantise,
-};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture, quantise};
 
 pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
 
@@ -93,6 +91,7 @@ pub const KIND: Kind = Kind {
     params: PARAMS,
     guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \
         texels; the stored slope is the least such, rounded up.",
+    shapes: |size, _| vec![Shape::slices("top", size, 1, 1), Shape::slices("slopes", size, 1, 4)],
     reach: |_| Reach::Everything,
     bake,
 };

@@ -54,15 +54,15 @@ mod near;
 mod sheared;
 mod sweep;
 
-use relief_core::HeightMap;
 use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, Metric, Rounding};
 
 pub(super) use lines::{Direction, Lines, Rows, Stretch, unit_vector};
 pub(super) use sheared::{Band, Plane};
 pub(super) use sweep::Sweep;
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Channel, Metric, Progress, Rounding, Settings, Sink, Texture};
+use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink, Texture};
 
 /// Steps that are read from the texel's own ray. More are nearer to the truth, as one over their number, and slower.
 pub const NEAR_STEPS: usize = 8;
@@ -101,6 +101,7 @@ pub const KIND: Kind = Kind {
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "for the bilinear surface, as slope: off by at most the difference of neighbouring texels over 8 steps' \
                 length; what is beyond the reach stands at most the scale over the reach high",
+    shapes: |size, settings| vec![Shape::slices("", size, settings.count(0), 1)],
     reach: |_| Reach::Everything,
     bake,
 };

@@ -15,7 +15,7 @@ pub mod visibility;
 
 use relief_core::registry::{Param, Publication, UnknownName};
 
-use crate::{BakeError, BakeInput, Channel, Progress, Settings, Sink, SinkError, quantise};
+use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink, SinkError, quantise};
 
 /// Which texels a baked texel depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +41,8 @@ pub struct Kind {
     pub params: &'static [Param],
     /// What is promised of the stored values, and for which surface.
     pub guarantee: &'static str,
+    /// The textures that it bakes from a map of so many columns and rows, in their order.
+    pub shapes: fn([u32; 2], &Settings) -> Vec<Shape>,
     /// How far a texel's value looks.
     pub reach: fn(&Settings) -> Reach,
     /// Bakes it.

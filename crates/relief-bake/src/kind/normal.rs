@@ -42,14 +42,14 @@ mod moments;
 mod slopes;
 
 use rayon::prelude::*;
-use relief_core::HeightMap;
 use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, Metric, Rounding};
 
 pub use self::moments::Moments;
 use self::moments::next_size;
 pub use self::slopes::{Derivative, Slopes};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink, Texture};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -59,7 +59,8 @@ pub const KIND: Kind = Kind {
     publication: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "2.1, 2.2" },
     params: &[PATCHES, WORLD, GREEN_DOWN, MIPS, BITS_TO_NEAREST],
     guarantee: "within (texel² / 6) max|third derivative| of the angle of a smooth surface's normal",
-    reach: |settings| if settings.count(3) == 0 { Reach::Texels(1) } else { Reach::Everything },
+    shapes: |size, settings| vec![shape(size, settings.count(MIPS_PLACE) != 0)],
+    reach: |settings| if settings.count(MIPS_PLACE) == 0 { Reach::Texels(1) } else { Reach::Everything },
     bake,
 };
 
@@ -73,6 +74,9 @@ const PATCHES: Param =
 const WORLD: Param = switch("world", "1: in world space, for the built-in plane; 0: in tangent space", 0.0);
 const GREEN_DOWN: Param =
     switch("green_down", "1: green points down in the picture (DirectX); 0: up (OpenGL, glTF)", 0.0);
+/// Place of the parameter `mips`.
+const MIPS_PLACE: usize = 3;
+
 const MIPS: Param = switch("mips", "1: mip levels and the moments of the slope", 1.0);
 
 /// Rows that a thread makes together.
@@ -191,7 +195,7 @@ fn bake(
     progress: &Progress,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
-    let [patches, world, green_down, mips] = [0, 1, 2, 3].map(|place| settings.count(place) != 0);
+    let [patches, world, green_down, mips] = [0, 1, 2, MIPS_PLACE].map(|place| settings.count(place) != 0);
     let bits = settings.count(4);
     let derivative = if patches { Derivative::Patches } else { Derivative::Central };
     let axes = match (world, green_down) {
@@ -233,24 +237,23 @@ fn bake(
     }
 }
 
-/// What the texture is: the channels of the moments come with mip levels.
-fn texture(map: &HeightMap, axes: Axes, channels: Vec<Channel>) -> Texture {
-    let mut mips = Vec::new();
-    let mut size = [map.width() as usize, map.height() as usize];
-    while channels.len() > 3 && size != [1, 1] {
+/// The texture's shape: the channels of the moments come with mip levels.
+fn shape([width, height]: [u32; 2], mips: bool) -> Shape {
+    let mut shape = Shape::slices("", [width, height], 1, if mips { 6 } else { 3 });
+    let mut size = [width as usize, height as usize];
+    while mips && size != [1, 1] {
         size = next_size(size);
-        mips.push([size[0] as u32, size[1] as u32, 1]);
+        shape.mips.push([size[0] as u32, size[1] as u32, 1]);
     }
+    shape
+}
+
+fn texture(map: &HeightMap, axes: Axes, channels: Vec<Channel>) -> Texture {
+    let Shape { name, size, mips, .. } = shape([map.width(), map.height()], channels.len() > 3);
     let space = match axes {
         Axes::Tangent => "tangent, +y up in the picture",
         Axes::TangentGreenDown => "tangent, +y down in the picture",
         Axes::World => "world of the built-in plane",
     };
-    Texture {
-        name: "",
-        size: [map.width(), map.height(), 1],
-        mips,
-        channels,
-        notes: vec![("space", space.to_owned())],
-    }
+    Texture { name, size, mips, channels, notes: vec![("space", space.to_owned())] }
 }

@@ -17,12 +17,12 @@
 //! 16 azimuths leaves about a hundredth on rough ground; an error `ε` of a horizon, in radians, moves the visibility
 //! by at most `ε`, since `|d sin² H / dH| = |sin 2H| <= 1`.
 
-use relief_core::HeightMap;
 use relief_core::registry::Publication;
+use relief_core::{HeightMap, Metric, Rounding};
 
 use super::horizon::{self, Sweep};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Metric, Progress, Rounding, Settings, Sink};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -35,6 +35,7 @@ pub const KIND: Kind = Kind {
     },
     params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, off by at most their mean error in radians and what is between azimuths",
+    shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     bake,
 };

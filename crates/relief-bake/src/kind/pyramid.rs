@@ -21,10 +21,10 @@
 //! bits it is still exact.
 
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, MaxPyramid, MinPyramid};
+use relief_core::{HeightMap, MaxPyramid, MinPyramid, Rounding};
 
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Rounding, Settings, Sink, Texture};
+use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture};
 
 /// The kind `pyramid`.
 pub const KIND: Kind = Kind {
@@ -38,6 +38,7 @@ pub const KIND: Kind = Kind {
     params: PARAMS,
     guarantee: "The bilinear surface over the cells of a node is nowhere below its min and nowhere above its max; both \
         are attained. Exact in f32 and in as many bits as the heights have.",
+    shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
     bake,
 };
@@ -56,16 +57,24 @@ pub fn pyramids(map: &HeightMap, progress: &Progress) -> Result<(MinPyramid, Max
     Ok((min, max))
 }
 
+/// Both channels, and each level half the size of the one before, rounded up.
+fn shape([width, height]: [u32; 2]) -> Shape {
+    let mut shape = Shape::slices("", [width, height], 1, 2);
+    let mut size = [width, height];
+    while size != [1, 1] {
+        size = size.map(|side| side.div_ceil(2));
+        shape.mips.push([size[0], size[1], 1]);
+    }
+    shape
+}
+
 fn bake(source: &BakeInput, _: &Settings, progress: &Progress, sink: &mut dyn Sink) -> Result<(), BakeError> {
     let (min, max) = pyramids(source.map, progress)?;
-    let sizes: Vec<[u32; 3]> = (0..max.levels())
-        .filter_map(|level| max.size(level))
-        .map(|[width, height]| [width, height, 1])
-        .collect();
+    let Shape { name, size, mips, .. } = shape([source.map.width(), source.map.height()]);
     sink.begin(&Texture {
-        name: "",
-        size: [source.map.width(), source.map.height(), 1],
-        mips: sizes[1..].to_vec(),
+        name,
+        size,
+        mips,
         channels: vec![
             Channel { name: "min", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Down },
             Channel { name: "max", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Up },

@@ -11,13 +11,13 @@ mod falling;
 mod own;
 mod search;
 
-use relief_core::HeightMap;
 use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, Metric};
 
 use self::search::Relaxed;
 use super::cone::{Empty, Region, Search, texture};
 use super::{BITS, Kind, Reach};
-use crate::{BakeError, BakeInput, Cancelled, Metric, Progress, Settings, Sink};
+use crate::{BakeError, BakeInput, Cancelled, Progress, Settings, Shape, Sink};
 
 /// From where the relaxed cones of a map hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +57,7 @@ pub const KIND: Kind = Kind {
     guarantee: "a straight falling ray over the apex p (apex 1: any point of the surface in the texel's square, apex 0: \
         at its centre), at or above the surface there, that is below the surface anywhere inside the cone at p stays \
         below until it leaves the cone: it enters at most once. Nothing is promised for rising or bent rays",
+    shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     bake,
 };

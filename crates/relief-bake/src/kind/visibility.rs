@@ -34,14 +34,14 @@ mod gather;
 mod rays;
 
 use rayon::prelude::*;
-use relief_core::HeightMap;
 use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, Metric, Rounding};
 
 pub use gather::Visibility;
 
 use super::horizon::{self, Band, Direction, Plane, Rows, unit_vector};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Channel, Metric, Progress, Rounding, Settings, Sink};
+use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink};
 
 const ELEVATIONS: Param = Param {
     name: "elevations",
@@ -69,6 +69,7 @@ pub const KIND: Kind = Kind {
     },
     params: &[horizon::AZIMUTHS, ELEVATIONS, TILES, BITS_TO_NEAREST],
     guarantee: "the exact first hit with the bilinear surface, to rounding of f32",
+    shapes: |size, settings| vec![Shape::slices("", size, settings.count(0) * settings.count(1), 3)],
     reach: |_| Reach::Everything,
     bake,
 };

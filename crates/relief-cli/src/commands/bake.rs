@@ -17,15 +17,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use relief_bake::{BakeError, KINDS, Kind, Metric, Progress as BakeProgress, Settings, Texture};
+use relief_bake::{BakeError, KINDS, Kind, Progress as BakeProgress, Settings, Texture};
 use relief_core::registry::UnknownName;
-use relief_core::{HeightMap, Wrap};
+use relief_core::{ByteSize, HeightMap, Metric, Wrap};
 use relief_io::read_height;
-use relief_render::scene::ByteSize;
 use serde_json::{Value, json};
 
 use self::files::{FilesError, Packing};
-use self::identity::{Identity, source_hash};
+use self::identity::Identity;
 use self::spool::Spool;
 use self::storage::{FileFormat, Storage, TexelChoice};
 use super::maps::HeightArguments;
@@ -190,7 +189,7 @@ impl<'a> Job<'a> {
         let map = read_height(&arguments.height, &options).map_err(Failure::work)?;
         let metric = metric(arguments, &map)?;
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
-        let source_hash = source_hash(&map);
+        let source_hash = map.heights_hash().to_string();
         let (size, wrap) = ([map.width(), map.height()], map.wrap());
         Ok((Self { arguments, kinds, size, wrap, metric, source_hash, stem }, map))
     }

@@ -10,9 +10,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::{Args, Subcommand};
 use relief_bake::from_normals::{FromNormalsError, IntegratedHeights, Integration};
 use relief_bake::photometric::PhotometricError;
-use relief_core::Wrap;
+use relief_core::{ByteSize, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
-use relief_render::scene::ByteSize;
 use serde_json::{Value, json};
 
 use self::output::{Content, Output};

@@ -4,11 +4,11 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use relief_core::ByteSize;
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, Detection, GreenSign, HISTOGRAM_BINS, HeightNote, HeightOptions,
     SourceInfo, Tiling, Values, detect, inspect, read_height, read_normal_map,
 };
-use relief_render::scene::ByteSize;
 use serde_json::{Value, json};
 
 use super::maps::FileArguments;

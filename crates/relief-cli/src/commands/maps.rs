@@ -1,9 +1,8 @@
 //! How a height map is to be read: the flags that commands share.
 
 use clap::Args;
-use relief_core::Wrap;
+use relief_core::{ByteSize, Wrap};
 use relief_io::{Convention, DEFAULT_MAX_BYTES, HeightOptions, RawLayout};
-use relief_render::scene::ByteSize;
 
 use crate::values;
 

@@ -1,26 +1,27 @@
 //! `relief render`: a scene to a picture. A baked map that the method reads is baked first and kept in a cache.
 
-mod search_map;
+mod baked_maps;
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use relief_core::ByteSize;
 use relief_io::{GreenSign, PngColour};
 use relief_render::mesh::Builtin;
 use relief_render::picture;
 use relief_render::scene::{
-    BackendChoice, ByteSize, Sampling, Scene, SceneError, SceneSpec, ValueError, ValueProblem, read_scene,
+    BackendChoice, Sampling, Scene, SceneError, SceneSpec, ValueError, ValueProblem, read_scene,
 };
 use relief_render::{RenderError, Rendered};
 use relief_shaders::METHODS;
 use serde_json::json;
 
-use self::search_map::{CacheArguments, Provided, provide};
+use self::baked_maps::CacheArguments;
 use super::maps::HeightArguments;
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::{Progress, TaskProgress};
 use crate::values;
 
 /// What `relief render` is given. Flags override the scene file.
@@ -133,19 +134,21 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _reading = Progress::spinner("reading", arguments.json);
         spec.load().map_err(of_scene)?
     };
-    let (scene, provided) = provide(scene, &arguments.cache, arguments.json)?;
-    if let Some(note) = provided.as_ref().and_then(Provided::note)
-        && !arguments.json
-    {
-        eprintln!("note: {note}");
-    }
+    let (mut maps, no_cache) = arguments.cache.maps();
     let rendered = {
-        let progress = Progress::bar("rendering", arguments.json);
-        relief_render::render(&scene, &|part| progress.show(part))
+        let progress = TaskProgress::new(arguments.json);
+        relief_render::render(&scene, &mut maps, &|task, part| progress.show(task, part))
             .map_err(|error| arguments.of_render(error))?
     };
+    // Where no map was baked nobody misses a place to keep it.
+    let no_cache = no_cache.filter(|_| !rendered.maps.is_empty());
+    if !arguments.json {
+        for note in no_cache.into_iter().chain(rendered.maps.iter().filter_map(baked_maps::note)) {
+            eprintln!("note: {note}");
+        }
+    }
     write(arguments, &scene, &rendered)?;
-    report(arguments, &spec, &scene, &rendered, provided.as_ref())
+    report(arguments, &spec, &scene, &rendered)
 }
 
 impl Arguments {
@@ -255,9 +258,8 @@ fn report(
     spec: &SceneSpec,
     scene: &Scene,
     rendered: &Rendered,
-    provided: Option<&Provided>,
 ) -> Result<(), Failure> {
-    let Rendered { rendering, backend, device, reason, selection, elapsed } = rendered;
+    let Rendered { rendering, backend, device, reason, selection, elapsed, .. } = rendered;
     let covered = rendering.pixels.iter().filter(|pixel| pixel.hit == 1);
     let exhausted = covered.clone().filter(|pixel| pixel.exhausted == 1).count();
     let reads: u64 = covered.clone().map(|pixel| u64::from(pixel.reads)).sum();
@@ -275,7 +277,7 @@ fn report(
             "search": selection.search().name, "refine": selection.refine().name,
             "covered": covered, "exhausted": exhausted, "mean_reads": mean,
             "scale_m": map.scale_m(), "bias_m": map.bias_m(),
-            "search_map": provided.map(Provided::json),
+            "maps": rendered.maps.iter().map(baked_maps::as_json).collect::<Vec<_>>(),
         });
         writeln!(out, "{about:#}")?;
         return Ok(());
@@ -294,8 +296,8 @@ fn report(
             "scale {scale_m} m: true to the metres that the height map's file states; --scale exaggerates"
         )?;
     }
-    if let Some(provided) = provided {
-        writeln!(out, "{}", provided.line())?;
+    for account in &rendered.maps {
+        writeln!(out, "{}", baked_maps::line(account))?;
     }
     if let Some(reason) = reason {
         writeln!(out, "backend auto chose the {backend}: {reason}")?;

@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 
 use relief_core::{HeightMap, Wrap};
-use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, PixelIn, Settings, Triangle};
+use relief_shaders::{Selection, SlotMaps};
 use wgpu::BufferUsages;
 
 use super::{AdapterChoice, Gpu, GpuError, Sampling};
@@ -34,13 +34,13 @@ fn job<'a>(map: &'a HeightMap, triangles: &'a [Triangle]) -> Job<'a> {
     Job {
         width: 16,
         height: 8,
-        settings: Settings::tracing(map, &selection),
+        settings: Settings::tracing(map, &selection, &SlotMaps::default()),
         triangles,
         view_projection: [[0.0; 4]; 4],
         height_map: map,
         color_map: None,
         normal_map: None,
-        search_map: None,
+        maps: SlotMaps::default(),
         two_sided: false,
     }
 }

@@ -193,7 +193,6 @@ impl SceneBuilder {
             height_map: self.height_map,
             color: self.color,
             normal_map: self.normal_map,
-            search_map: None,
             camera,
             lights,
             ambient,

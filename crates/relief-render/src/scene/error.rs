@@ -1,11 +1,10 @@
 //! What can be wrong with a scene.
 
-use super::ByteSize;
 use crate::camera::CameraError;
 use crate::light::LightError;
 use crate::material::MaterialError;
 use crate::mesh::MeshError;
-use relief_core::HeightMapError;
+use relief_core::{ByteSize, HeightMapError};
 use relief_io::ReadError;
 use relief_shaders::SelectionError;
 use std::path::PathBuf;

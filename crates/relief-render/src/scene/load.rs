@@ -2,13 +2,13 @@
 
 use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_METHOD, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
-use super::{ByteSize, LightSpec, MAX_IMAGE_SIDE, Scene, SceneBuilder, SceneSpec};
+use super::{LightSpec, MAX_IMAGE_SIDE, Scene, SceneBuilder, SceneSpec};
 use crate::camera::{Camera, CameraError};
 use crate::light::{Light, LightError};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use glam::{DVec3, Vec2, Vec3};
-use relief_core::HeightMap;
+use relief_core::{ByteSize, HeightMap};
 use relief_io::{Convention, HeightOptions};
 use relief_shaders::Selection;
 use std::path::Path;
@@ -126,7 +126,7 @@ impl SceneSpec {
         left: u64,
     ) -> Result<u64, SceneError> {
         let (width, height) = (map.width(), map.height());
-        let bytes = BYTES_PER_HEIGHT + selection.map_input().map_or(0, |_| BYTES_PER_BAKED);
+        let bytes = BYTES_PER_HEIGHT + BYTES_PER_BAKED * selection.map_needs().len() as u64;
         let needed = bytes * u64::from(width) * u64::from(height);
         left.checked_sub(needed).ok_or_else(|| {
             let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);

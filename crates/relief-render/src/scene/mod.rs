@@ -5,7 +5,6 @@
 //!   first. [`SceneSpec::load`] reads the files that it names and gives a [`Scene`].
 
 mod builder;
-mod byte_size;
 mod choices;
 mod error;
 mod file;
@@ -13,7 +12,6 @@ mod load;
 mod spec;
 
 pub use builder::{MAX_IMAGE_SIDE, SceneBuilder};
-pub use byte_size::{BadByteSize, ByteSize};
 pub use choices::{BackendChoice, Sampling};
 pub use error::{SceneError, ValueError, ValueProblem};
 pub use file::read_scene;
@@ -25,9 +23,9 @@ use crate::light::Light;
 use crate::material::Material;
 use crate::mesh::Mesh;
 use glam::Vec3;
-use relief_core::HeightMap;
+use relief_core::{HeightMap, Metric};
 use relief_io::Picture;
-use relief_shaders::{SearchMap, Selection};
+use relief_shaders::Selection;
 
 /// A complete scene.
 #[derive(Clone, Debug)]
@@ -36,7 +34,6 @@ pub struct Scene {
     pub(crate) height_map: HeightMap,
     pub(crate) color: Option<Picture>,
     pub(crate) normal_map: Option<Picture>,
-    pub(crate) search_map: Option<SearchMap>,
     pub(crate) camera: Camera,
     pub(crate) lights: Vec<Light>,
     pub(crate) ambient: Vec3,
@@ -78,16 +75,9 @@ impl Scene {
         self.normal_map.as_ref()
     }
 
-    /// The baked map that the method's search reads, if there is one.
-    pub fn search_map(&self) -> Option<&SearchMap> {
-        self.search_map.as_ref()
-    }
-
-    /// The same scene with the baked map that its search reads. Which that is says [`Selection::map_input`] of
-    /// [`Scene::selection`]; it is to be baked from [`Scene::height_map`]. Rendering checks kind and size.
-    #[must_use]
-    pub fn with_search_map(self, map: SearchMap) -> Self {
-        Self { search_map: Some(map), ..self }
+    /// The metres of the surface: of a tile on the mean over the mesh, and of the relief.
+    pub fn metric(&self) -> Metric {
+        Metric { tile_m: self.mesh.tile_m(), scale_m: self.height_map.scale_m() }
     }
 
     /// The camera.

@@ -1,12 +1,13 @@
 //! Descriptions of scenes, with gaps.
 
-use super::{BackendChoice, ByteSize, Sampling};
+use super::{BackendChoice, Sampling};
 use crate::mesh::Builtin;
-use relief_core::Wrap;
+use relief_core::{ByteSize, Wrap};
 use relief_io::{GreenSign, RawLayout};
-use serde::{Deserialize, Deserializer, de};
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -94,6 +95,7 @@ pub struct SceneSpec {
     /// Whether triangles seen from behind are drawn. By default they are not.
     pub two_sided: Option<bool>,
     /// The most memory that maps and picture may take. By default 4 GiB.
+    #[serde(deserialize_with = "amount")]
     pub max_memory: Option<ByteSize>,
 }
 
@@ -231,4 +233,27 @@ fn settings<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<Strin
         settings.into_iter().map(move |(name, value)| (format!("{stage}.{name}"), value))
     });
     Ok(flat.collect())
+}
+
+/// Reads an amount of memory: a number of bytes, or a text such as `4GiB`.
+fn amount<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<ByteSize>, D::Error> {
+    struct Amount;
+
+    impl Visitor<'_> for Amount {
+        type Value = ByteSize;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("an amount of memory such as \"4GiB\"")
+        }
+
+        fn visit_i64<E: de::Error>(self, bytes: i64) -> Result<ByteSize, E> {
+            bytes.to_string().parse().map_err(E::custom)
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<ByteSize, E> {
+            text.parse().map_err(E::custom)
+        }
+    }
+
+    deserializer.deserialize_any(Amount).map(Some)
 }

@@ -3,7 +3,7 @@ use crate::light::MAX_LIGHTS;
 use crate::mesh::Builtin;
 use glam::DVec3;
 use proptest::prelude::*;
-use relief_core::Wrap;
+use relief_core::{ByteSize, Wrap};
 use std::fs;
 use std::path::{Path, PathBuf};
 

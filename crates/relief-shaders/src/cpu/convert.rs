@@ -1,10 +1,11 @@
 //! Between the shaders' structs and the core's.
 
-use relief_core::{HeightMap, PathMetric, RayUse};
+use relief_core::{BakedMap, HeightMap, MapFormat, PathMetric, RayUse};
 
 use super::runtime::Vec4;
-use super::{Choice, ColorTexture, HeightTexture, Hit, Light, Path, Resources, Settings};
-use crate::{MAX_LIGHTS, SearchMap, SearchMapError, Selection};
+use super::{Choice, ColorTexture, HeightTexture, Hit, Light, MapSettings, MapTexture, Path};
+use super::{Resources, Settings};
+use crate::{MAX_LIGHTS, MapSlot, Selection, SlotMaps};
 
 impl From<&Path> for relief_core::Path {
     /// The same path, in `f64`.
@@ -71,12 +72,33 @@ impl From<&crate::Choice> for Choice {
     }
 }
 
+impl From<Option<&BakedMap>> for MapSettings {
+    /// Of no map where none is given.
+    fn from(map: Option<&BakedMap>) -> Self {
+        let Some(map) = map else {
+            return Self::new(0u32, 0u32, [0.0; 4], [0.0; 4]);
+        };
+        let coded = u32::from(map.layout().format == MapFormat::Unorm8);
+        let codes = map.codes();
+        Self::new(coded, map.layout().layers, codes.map(|codes| codes.low), codes.map(|codes| codes.step))
+    }
+}
+
+impl SlotMaps<'_> {
+    /// What the settings say of the maps, in the order of the slots.
+    pub fn settings(&self) -> [MapSettings; MapSlot::ALL.len()] {
+        MapSlot::ALL.map(|slot| MapSettings::from(self.get(slot)))
+    }
+}
+
 impl Settings {
-    /// Settings for tracing a map with the stages chosen: no camera, no light, no maps but heights.
-    pub fn tracing(map: &HeightMap, selection: &Selection) -> Self {
+    /// Settings for tracing a map with the stages chosen and the baked maps that they read: no camera, no light, no
+    /// colours.
+    pub fn tracing(map: &HeightMap, selection: &Selection, maps: &SlotMaps) -> Self {
         let nowhere = || Vec4::splat(0.0);
         Self {
             choices: selection.choices.map(|choice| Choice::from(&choice)),
+            maps: maps.settings(),
             eye: nowhere(),
             forward: nowhere(),
             corner: nowhere(),
@@ -101,26 +123,22 @@ impl Settings {
 }
 
 impl<'a> Resources<'a> {
-    /// What the stages are called on to trace a map: see [`Settings::tracing`]. A search that reads a baked map needs it.
-    ///
-    /// # Errors
-    ///
-    /// When the search's map is missing or does not fit the height map.
-    pub fn tracing(
-        map: &'a HeightMap,
-        selection: &Selection,
-        search_map: Option<&'a SearchMap>,
-    ) -> Result<Self, SearchMapError> {
+    /// What the stages are called on to trace a map: see [`Settings::tracing`].
+    pub fn tracing(map: &'a HeightMap, selection: &Selection, maps: &SlotMaps<'a>) -> Self {
         const BLANK: &[[f32; 4]] = &[[0.0; 4]];
         let blank = ColorTexture::new(1, BLANK);
-        let search_map = selection.map_among(search_map, map)?;
-        Ok(Self {
+        let baked = |slot| MapTexture::new(maps.get(slot));
+        Self {
             color_map: blank,
             height_map: HeightTexture::new(map.width(), map.texels()),
             normal_map: blank,
-            search_map: search_map.map_or(blank, |map| ColorTexture::new(map.size()[0], map.texels())),
-            settings: Settings::tracing(map, selection),
-        })
+            search_map: baked(MapSlot::Search),
+            shadow_search_map: baked(MapSlot::ShadowSearch),
+            shadow_texels: baked(MapSlot::Shadow),
+            ambient_map: baked(MapSlot::Ambient),
+            environment_map: baked(MapSlot::Environment),
+            settings: Settings::tracing(map, selection, maps),
+        }
     }
 
     /// Search and refinement of one path.

@@ -17,7 +17,7 @@ pub mod runtime;
 
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
-    Choice, Corner, Entered, Found, Hit, Light, Path, PixelIn, PixelOut, Resources, Settings,
+    Choice, Corner, Entered, Found, Hit, Light, MapSettings, Path, PixelIn, PixelOut, Resources, Settings,
 };
 pub use layout::{Band, Probe, Record, Triangle};
-pub use runtime::{ColorTexture, HeightTexture};
+pub use runtime::{ColorTexture, HeightTexture, MapTexture};

@@ -2,6 +2,8 @@
 
 pub use naga_rust_rt::*;
 
+use relief_core::encoding::half;
+use relief_core::{BakedMap, LevelPlace, MapTexels};
 use texture::Read;
 
 /// A height map as a texture: one number a texel, row by row from the top.
@@ -11,11 +13,81 @@ pub struct HeightTexture<'a> {
     texels: &'a [f32],
 }
 
-/// A colour, normal or baked map as a texture: four numbers a texel, row by row from the top.
+/// A colour or normal map as a texture: four numbers a texel, row by row from the top, in one layer and level.
 #[derive(Clone, Copy, Debug)]
 pub struct ColorTexture<'a> {
     width: i32,
     texels: &'a [[f32; 4]],
+}
+
+/// A baked map as a texture.
+#[derive(Clone, Copy, Debug)]
+pub struct MapTexture<'a> {
+    texels: Texels<'a>,
+    width: isize,
+    layers: usize,
+    places: &'a [LevelPlace],
+}
+
+/// Texels by their channels and format.
+#[derive(Clone, Copy, Debug)]
+enum Texels<'a> {
+    One(&'a [f32]),
+    Two(&'a [[f32; 2]]),
+    Four(&'a [[f32; 4]]),
+    Half { values: &'a [u16], channels: usize },
+    Codes { values: &'a [u8], channels: usize },
+}
+
+impl<'a> MapTexture<'a> {
+    /// The texture of a map; without one a texture without texels.
+    pub fn new(map: Option<&'a BakedMap>) -> Self {
+        let Some(map) = map else {
+            return Self { texels: Texels::One(&[]), width: 0, layers: 0, places: &[] };
+        };
+        let channels = map.layout().channels as usize;
+        let texels = match map.texels() {
+            MapTexels::F32(values) => match channels {
+                1 => Texels::One(values),
+                2 => Texels::Two(values.as_chunks().0),
+                _ => Texels::Four(values.as_chunks().0),
+            },
+            MapTexels::F16(values) => Texels::Half { values, channels },
+            MapTexels::Unorm8(values) => Texels::Codes { values, channels },
+        };
+        let width = map.layout().size[0] as isize;
+        Self { texels, width, layers: map.layout().layers as usize, places: map.places() }
+    }
+
+    /// The number of a texel among all; of none where there is no such texel.
+    #[inline(always)]
+    fn place(&self, at: Vec2<i32>, layer: i32, level: i32) -> usize {
+        if layer | level == 0 {
+            // The shaders wrap before they read, so that nothing is outside of the finest level.
+            return (at.y as isize * self.width + at.x as isize) as usize;
+        }
+        let inside = || {
+            let place = self.places.get(usize::try_from(level).ok()?)?;
+            let layer = usize::try_from(layer).ok().filter(|layer| *layer < self.layers)?;
+            let column = usize::try_from(at.x).ok().filter(|column| *column < place.width)?;
+            let row = usize::try_from(at.y).ok().filter(|row| *row < place.height)?;
+            Some(place.start + (layer * place.height + row) * place.width + column)
+        };
+        inside().unwrap_or(usize::MAX)
+    }
+}
+
+/// The channels of a texel that is stored otherwise than as 32-bit floats; what it lacks is as GPUs have it.
+#[inline(always)]
+fn channels<T: Copy>(values: &[T], channels: usize, at: usize, value: impl Fn(T) -> f32) -> [f32; 4] {
+    let mut texel = [0.0, 0.0, 0.0, 1.0];
+    let start = at.saturating_mul(channels);
+    if let Some(values) = values.get(start..start.saturating_add(channels)) {
+        for (channel, stored) in texel.iter_mut().zip(values) {
+            *channel = value(*stored);
+        }
+    }
+    texel
 }
 
 impl<'a> HeightTexture<'a> {
@@ -53,6 +125,30 @@ impl Read for ColorTexture<'_> {
     fn read_texel(&self, at: Vec2<i32>, _layer: i32, _sample: i32, _level: i32) -> Vec4<f32> {
         let index = at.y as isize * self.width as isize + at.x as isize;
         let [x, y, z, w] = self.texels.get(index as usize).copied().unwrap_or([0.0; 4]);
+        Vec4 { x, y, z, w }
+    }
+}
+
+impl Read for MapTexture<'_> {
+    type Coordinates = Vec2<i32>;
+    type Component = f32;
+
+    #[inline(always)]
+    fn read_texel(&self, at: Vec2<i32>, layer: i32, _sample: i32, level: i32) -> Vec4<f32> {
+        let at = self.place(at, layer, level);
+        let [x, y, z, w] = match self.texels {
+            Texels::One(texels) => [texels.get(at).copied().unwrap_or(0.0), 0.0, 0.0, 1.0],
+            Texels::Two(texels) => {
+                let [x, y] = texels.get(at).copied().unwrap_or([0.0; 2]);
+                [x, y, 0.0, 1.0]
+            }
+            Texels::Four(texels) => texels.get(at).copied().unwrap_or([0.0; 4]),
+            Texels::Half { values, channels: count } => channels(values, count, at, half::value),
+            // As a GPU gives codes back; the shader makes values of them.
+            Texels::Codes { values, channels: count } => {
+                channels(values, count, at, |code| f32::from(code) / 255.0)
+            }
+        };
         Vec4 { x, y, z, w }
     }
 }

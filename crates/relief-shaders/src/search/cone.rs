@@ -1,13 +1,13 @@
 //! Registry entry of the search `cone`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Publication};
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapSetting, Param, Publication};
 
 /// Over the empty cone on the texel nearest to the path.
 pub const ENTRY: Entry = Entry {
     name: "cone",
     summary: "over the empty cone on each texel that the path comes to",
     publication: Publication { paper: super::SURVEY, section: "4.3.5" },
-    maps: &[MapInput { kind: "cone", texture: "" }],
+    maps: &[MapInput::new("cone", "").with(&[("apex", MapSetting::Fixed(0.0))])],
     params: &[Param {
         name: "limit",
         summary: "most reads before the search gives up",

@@ -7,7 +7,7 @@ pub const ENTRY: Entry = Entry {
     name: "frustum",
     summary: "over the empty frustum on each cell that the path comes to",
     publication: Publication { paper: "Relief", section: "" },
-    maps: &[MapInput { kind: "frustum", texture: "slopes" }],
+    maps: &[MapInput::new("frustum", "slopes")],
     params: &[Param {
         name: "limit",
         summary: "most reads before the search gives up",

@@ -5,8 +5,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use rayon::prelude::*;
-use relief_bake::{Metric, Settings};
-use relief_core::HeightMap;
+use relief_bake::Settings;
+use relief_core::{HeightMap, Metric};
 use relief_tests::brute;
 use relief_tests::rng::Rng;
 

@@ -7,8 +7,8 @@ use std::time::Instant;
 use cpu_time::ProcessTime;
 use peakmem_alloc::{PeakMemAlloc, PeakMemAllocTrait};
 use rayon::ThreadPool;
-use relief_bake::{Kind, Metric, Progress, Settings, Sink, SinkError, Texture, bake};
-use relief_core::HeightMap;
+use relief_bake::{Kind, Progress, Settings, Sink, SinkError, Texture, bake};
+use relief_core::{HeightMap, Metric};
 
 #[global_allocator]
 static ALLOCATOR: PeakMemAlloc<System> = PeakMemAlloc::system();

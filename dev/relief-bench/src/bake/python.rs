@@ -8,8 +8,8 @@ use std::time::Instant;
 use comfy_table::Table;
 use cpu_time::ProcessTime;
 use rayon::ThreadPool;
-use relief_bake::{Collected, Metric, Progress, bake};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{Collected, Progress, bake};
+use relief_core::{HeightMap, Metric, Wrap};
 use serde_json::Value;
 use tempfile::TempDir;
 

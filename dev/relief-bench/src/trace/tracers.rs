@@ -10,8 +10,8 @@ use parry3d::shape::HeightField;
 use parry3d::utils::Array2;
 use relief_core::exact::{FastTracer, cell_walk};
 use relief_core::{HeightMap, Path};
-use relief_shaders::Selection;
 use relief_shaders::cpu::Resources;
+use relief_shaders::{Selection, SlotMaps};
 use relief_tests::rng::Rng;
 
 use super::view::{Ground, SCALE_M, SIZE, camera, sun};
@@ -158,8 +158,7 @@ impl<'a> Contest<'a> {
             let selection = Selection::method(method).map_err(|error| error.to_string())?;
             let name =
                 format!("shader, {method} ({} + {})", selection.search().name, selection.refine().name);
-            let resources = Resources::tracing(map, &selection, None).map_err(|error| error.to_string())?;
-            Ok((name, resources))
+            Ok((name, Resources::tracing(map, &selection, &SlotMaps::default())))
         });
         Ok(Self {
             map,

@@ -3,9 +3,9 @@
 use std::fmt::Debug;
 
 use rayon::prelude::*;
+use relief_bake::BakeError;
 use relief_bake::kind::{cone, dilation_erosion, distance, frustum, pyramid, relaxed_cone};
-use relief_bake::{BakeError, Metric};
-use relief_core::{HeightMap, MaxPyramid, Wrap};
+use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
 
 use super::Found;
 use super::distance::Field;

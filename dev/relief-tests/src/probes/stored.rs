@@ -1,9 +1,9 @@
 //! Baked maps as a reader decodes them.
 
-use relief_bake::kind::cone;
 use relief_bake::kind::frustum::FrustumMap;
-use relief_bake::{BakeError, Collected, CollectedTexture, Kind, Metric, Progress, bake, quantise};
-use relief_core::HeightMap;
+use relief_bake::{BakeError, Collected, CollectedTexture, Kind, Progress, bake, quantise};
+use relief_core::encoding;
+use relief_core::{HeightMap, Metric};
 
 use super::frustum::Frustum;
 
@@ -48,15 +48,15 @@ pub fn heights(map: &HeightMap, bits: u32) -> Result<HeightMap, BakeError> {
 pub fn ratios(texture: &CollectedTexture) -> Vec<f64> {
     let note = texture.texture.notes.iter().find(|(name, _)| *name == "half_ratio_m");
     let half = note.and_then(|(_, half)| half.parse().ok()).expect("a cone map says its half ratio");
-    texture.levels[0][0].iter().map(|&value| cone::decode(value, half)).collect()
+    texture.levels[0][0].iter().map(|&value| encoding::cone::decode(value, half)).collect()
 }
 
 /// The least ratio above `limit` that a cone map of so many bits in that metric can store, in metres per height.
 pub fn ratio_above(limit: f64, metric: &Metric, bits: u32) -> f64 {
-    let half = cone::half_ratio(metric);
+    let half = encoding::cone::half_ratio(metric);
     let most = f64::from((1u32 << bits) - 1);
     let code = ((limit / (limit + half)).sqrt() * most).floor() + 1.0;
-    if code < most { cone::decode((code / most) as f32, half) } else { f64::MAX }
+    if code < most { encoding::cone::decode((code / most) as f32, half) } else { f64::MAX }
 }
 
 /// The frustum map in its two textures.

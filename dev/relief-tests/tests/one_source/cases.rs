@@ -1,11 +1,11 @@
 //! Maps, settings and stages to send rays through.
 
 use relief_core::registry::Entry;
-use relief_core::{HeightMap, Wrap};
-use relief_render::job::{Job, TexelMap};
+use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
+use relief_render::job::Job;
 use relief_shaders::cpu::{PixelIn, Probe, Resources, Settings, Shared};
-use relief_shaders::{REFINE, SEARCH, SearchMap, Selection};
-use relief_tests::baked::search_map;
+use relief_shaders::{REFINE, SEARCH, Selection};
+use relief_tests::baked::{maps_in, slots};
 use relief_tests::maps::NamedMap;
 use relief_tests::rng::Rng;
 
@@ -17,13 +17,14 @@ const LONGEST_LOOP: f32 = 16_384.0;
 pub struct Case {
     pub name: String,
     pub map: HeightMap,
-    settings: Settings,
-    search_map: Option<SearchMap>,
+    selection: Selection,
+    maps: Vec<BakedMap>,
 }
 
 impl Case {
     /// A case with displacement and parameters drawn at random.
-    pub fn new(search: &Entry, refine: &Entry, map: &NamedMap, wrap: Wrap, rng: &mut Rng) -> Self {
+    pub fn new(pair: [&Entry; 2], map: &NamedMap, wrap: Wrap, format: MapFormat, rng: &mut Rng) -> Self {
+        let [search, refine] = pair;
         let scale_m = rng.pick(&[1.0, 1.0, 0.1, 0.02, 3.0, 0.0]);
         let bias_m = rng.pick(&[-1.0, -1.0, 0.0, -0.3, 0.5]) * scale_m;
         let map_name = map.name;
@@ -37,12 +38,11 @@ impl Case {
             "{} {of_search:?}, {} {of_refine:?}, {map_name} {wrap}, scale {scale_m}, bias {bias_m}",
             search.name, refine.name
         );
-        Self::with(name, map, &selection)
+        Self::with(name, map, selection, format)
     }
 
-    fn with(name: String, map: HeightMap, selection: &Selection) -> Self {
-        let search_map = search_map(&map, selection);
-        Self { name, settings: Settings::tracing(&map, selection), map, search_map }
+    fn with(name: String, map: HeightMap, selection: Selection, format: MapFormat) -> Self {
+        Self { name, maps: maps_in(format, &map, &selection), map, selection }
     }
 
     /// A case of two stages by name, with default parameters.
@@ -52,21 +52,22 @@ impl Case {
             *value = value.min(LONGEST_LOOP);
         }
         let name = format!("{search}, {refine}, {}", map.wrap());
-        Self::with(name, map, &selection)
+        Self::with(name, map, selection, MapFormat::F32)
     }
 
     /// What the probe is given.
     pub fn job(&self) -> Job<'_> {
+        let maps = slots(&self.map, &self.selection, &self.maps);
         Job {
             width: 0,
             height: 0,
-            settings: self.settings,
+            settings: Settings::tracing(&self.map, &self.selection, &maps),
             triangles: &[],
             view_projection: [[0.0; 4]; 4],
             height_map: &self.map,
             color_map: None,
             normal_map: None,
-            search_map: self.search_map.as_ref().map(texel_map),
+            maps,
             two_sided: false,
         }
     }
@@ -77,12 +78,6 @@ impl Case {
         let resources = job.resources();
         rays.iter().map(|ray| probe(&resources, ray, 0.0)).collect()
     }
-}
-
-/// A baked map as a job has it.
-pub fn texel_map(map: &SearchMap) -> TexelMap<'_> {
-    let [width, height] = map.size();
-    TexelMap { width, height, texels: map.texels() }
 }
 
 /// The stages over a ray whose path lies `higher` heights above the ray's own, as the probe shader writes them down.

@@ -9,7 +9,7 @@ mod compare;
 mod picture;
 mod rays;
 
-use relief_core::{HeightMap, Wrap};
+use relief_core::{HeightMap, MapFormat, Wrap};
 use relief_render::gpu::{GpuError, Sampling};
 use relief_shaders::cpu::{PixelIn, PixelOut, Probe, Shared, write_all};
 use relief_shaders::{Selection, refine, search};
@@ -40,7 +40,8 @@ fn all_stages_have_the_same_bits() {
             for (m, map) in maps::ALL.iter().enumerate() {
                 // Every map in one wrap a pair, every wrap with each search and each refinement.
                 let wrap = Wrap::ALL[(s + r + m) % Wrap::ALL.len()];
-                let case = Case::new(search, refine, map, wrap, &mut rng);
+                let format = MapFormat::ALL[(s + m) % MapFormat::ALL.len()];
+                let case = Case::new([search, refine], map, wrap, format, &mut rng);
                 let rays = rays::pixels(&case.map, rays_a_case, rng.bits());
                 let cpu = case.on_cpu(&rays);
                 let gpu = gpu.probe(&case.job(), Sampling::Exact, &rays).expect("the probe runs");

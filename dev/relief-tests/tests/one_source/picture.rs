@@ -1,15 +1,13 @@
 //! A small scene, built by hand, and its picture by the translated shaders.
 
 use glam::{DVec3, Vec3};
-use relief_core::{HeightMap, Wrap};
+use relief_core::{BakedMap, HeightMap, Wrap};
 use relief_render::camera::Camera;
 use relief_render::job::{Job, Rendering, TexelMap};
+use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Light, PixelOut, Resources, Settings, Triangle};
-use relief_shaders::{SearchMap, Selection};
-use relief_tests::baked::search_map;
+use relief_tests::baked::{maps_for, slots};
 use relief_tests::maps;
-
-use crate::cases::texel_map;
 
 /// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds corners to a
 /// 256th of a pixel, which on the small triangles here is less than this. Larger would excuse more pixels.
@@ -22,7 +20,8 @@ pub struct Picture {
     map: HeightMap,
     colors: Vec<[f32; 4]>,
     normals: Option<Vec<[f32; 4]>>,
-    search_map: Option<SearchMap>,
+    selection: Selection,
+    maps: Vec<BakedMap>,
     triangles: Vec<Triangle>,
     settings: Settings,
     view_projection: [[f32; 4]; 4],
@@ -55,6 +54,7 @@ impl Picture {
         lights[0] = Light::new(four(DVec3::new(0.4, 0.7, 0.3), 0.0), [0.9, 0.8, 0.7, 0.0]);
         lights[1] = Light::new([-0.4, 0.5, 0.2, 1.0], [0.1, 0.2, 0.3, 0.0]);
         let selection = variation.selection;
+        let baked = maps_for(&map, selection);
         let settings = Settings {
             eye: four(eye, 1.0).into(),
             forward: four(forward, 0.0).into(),
@@ -71,7 +71,7 @@ impl Picture {
             shininess: 20,
             has_color: 1,
             has_normal: u32::from(variation.normal_map),
-            ..Settings::tracing(&map, selection)
+            ..Settings::tracing(&map, selection, &slots(&map, selection, &baked))
         };
         let aspect = f64::from(width) / f64::from(height);
         let view_projection = camera.view_projection(aspect, 0.05, 10.0).expect("proper planes");
@@ -85,7 +85,8 @@ impl Picture {
             normals: variation
                 .normal_map
                 .then(|| texels(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0])),
-            search_map: search_map(&map, selection),
+            maps: baked,
+            selection: *selection,
             map,
             triangles: triangles(),
             settings,
@@ -108,7 +109,7 @@ impl Picture {
                 let [width, height] = NORMALS;
                 TexelMap { width, height, texels }
             }),
-            search_map: self.search_map.as_ref().map(texel_map),
+            maps: slots(&self.map, &self.selection, &self.maps),
             two_sided: self.two_sided,
         }
     }

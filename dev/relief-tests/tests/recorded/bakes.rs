@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use relief_bake::{Collected, KINDS, Kind, Metric, Progress, bake};
-use relief_core::{HeightMap, Wrap};
+use relief_bake::{Collected, KINDS, Kind, Progress, bake};
+use relief_core::{HeightMap, Metric, Wrap};
 use relief_io::{HeightOptions, read_height};
 
 use crate::hash::Bits;

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use relief_maps::Maps;
 use relief_render::picture::aov;
 use relief_render::render;
 use relief_render::scene::{BackendChoice, SceneSpec, read_scene};
 use relief_shaders::METHODS;
-use relief_tests::baked::search_map;
 
 use crate::hash::Bits;
 
@@ -31,11 +31,7 @@ fn hashes(scene: &str, method: &str) -> String {
     };
     let scene =
         read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
-    let scene = match search_map(scene.height_map(), scene.selection()) {
-        Some(map) => scene.with_search_map(map),
-        None => scene,
-    };
-    let rendering = render(&scene, &|_| {}).expect("a picture").rendering;
+    let rendering = render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering;
     let pixels = rendering.pixels.iter();
     let colors = pixels.flat_map(|pixel| [pixel.color.x, pixel.color.y, pixel.color.z, pixel.color.w]);
     let mut said = vec![format!("color {}", Bits::default().floats(colors).short())];

@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
+use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::{FoundState, RayUse, Wrap};
-use relief_shaders::{MAX_LIGHTS, STAGES};
+use relief_shaders::{MAX_LIGHTS, MapSlot, STAGES};
 
 /// The module's source.
 pub fn module() -> String {
@@ -20,7 +21,12 @@ pub fn module() -> String {
     for ray in RayUse::ALL {
         constant(&format!("RAY_{}", ray.name()), ray as u32);
     }
+    for slot in MapSlot::ALL {
+        constant(&format!("SLOT_{}", slot.key().to_uppercase()), slot as u32);
+    }
+    constant("MAP_SLOTS", MapSlot::ALL.len() as u32);
     constant("MAX_LIGHTS", MAX_LIGHTS as u32);
     constant("STAGES", STAGES.len() as u32);
+    let _ = writeln!(text, "const CONE_HALF_RATIO = {HALF_RATIO:?};");
     text
 }

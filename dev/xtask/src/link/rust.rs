@@ -7,9 +7,8 @@ use naga_rust_back::{Config, Writer};
 /// Where the generated code finds the run-time library; shortened to `rt` afterwards.
 const RUNTIME: &str = "crate::cpu::runtime";
 
-/// How the translator declares a texture: any reader, behind a pointer that is called for each texel.
-const ANY_TEXTURE: &str =
-    "rt::texture::Texture2d<&'g dyn rt::texture::Read<Coordinates = rt::Vec2<i32>, Component = f32>>";
+/// How the translator declares a texture, after its name: any reader, behind a pointer that is called for each texel.
+const ANY_READER: &str = "<&'g dyn rt::texture::Read<Coordinates = rt::Vec2<i32>, Component = f32>>";
 
 /// The translation, as the text of a Rust module.
 pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
@@ -25,21 +24,25 @@ pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
     ))
 }
 
-/// Gives each texture its concrete type, which lets reads be inlined and the resources be shared between threads: one
-/// number a texel where only heights are read, four otherwise.
+/// Gives each texture its concrete type, which lets reads be inlined and the resources be shared between threads.
 fn concrete_textures(module: &Module, text: &str) -> Result<String, String> {
     let mut text = text.to_owned();
     for (_, global) in module.global_variables.iter() {
-        let is_texture = matches!(module.types[global.ty].inner, TypeInner::Image { .. });
-        if global.space != AddressSpace::Handle || !is_texture {
+        let TypeInner::Image { arrayed, .. } = module.types[global.ty].inner else { continue };
+        if global.space != AddressSpace::Handle {
             continue;
         }
         let name = global.name.as_deref().unwrap_or_default();
-        let declared = format!("pub {name}: {ANY_TEXTURE}");
+        let any = if arrayed { "Texture2dArray" } else { "Texture2d" };
+        let declared = format!("pub {name}: rt::texture::{any}{ANY_READER}");
         if !text.contains(&declared) {
             return Err(format!("the translation declares the texture {name} in another way than expected"));
         }
-        let concrete = if name == "height_map" { "HeightTexture" } else { "ColorTexture" };
+        let concrete = match name {
+            "height_map" => "HeightTexture",
+            "color_map" | "normal_map" => "ColorTexture",
+            _ => "MapTexture",
+        };
         text = text.replace(&declared, &format!("pub {name}: rt::{concrete}<'g>"));
     }
     Ok(text)

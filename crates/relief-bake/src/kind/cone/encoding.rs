@@ -1,8 +1,9 @@
 //! How cone ratios are stored.
 
-use relief_core::HeightMap;
+use relief_core::encoding::cone::{down, encode, half_ratio};
+use relief_core::{HeightMap, Metric, Rounding};
 
-use crate::{BakeError, Channel, Metric, Rounding, Sink, Texture, quantise};
+use crate::{BakeError, Channel, Sink, Texture, quantise};
 
 /// What rounding of the closed forms, of the stored value and of its decoding in `f32` may add to a slope, relatively.
 const RELATIVE: f64 = 1e-6;
@@ -15,33 +16,6 @@ const NEAREST: f64 = 0.25;
 pub fn ratio(slope2: f64, texel_m: [f64; 2]) -> f32 {
     let slope = slope2.sqrt() * (1.0 + RELATIVE) + RISE / (NEAREST * texel_m[0].min(texel_m[1]));
     down((1.0 / slope).min(f64::from(f32::MAX)))
-}
-
-fn down(value: f64) -> f32 {
-    let near = value as f32;
-    if f64::from(near) > value { near.next_down().max(0.0) } else { near }
-}
-
-/// The ratio that is stored as √½: an eighth of the shorter side of the tile, in metres for each unit of height.
-pub fn half_ratio(metric: &Metric) -> f64 {
-    metric.tile_m[0].min(metric.tile_m[1]) / 8.0
-}
-
-/// The stored value of a ratio `m`: `sqrt(m / (m + half))`, rounded down and below 1. It increases with the ratio, has no
-/// greatest ratio, and spends its steps on ratios from a hundredth of `half` to ten times `half`.
-pub fn encode(ratio: f32, half: f64) -> f32 {
-    let ratio = f64::from(ratio);
-    let mut value = down((ratio / (ratio + half)).sqrt()).min(1f32.next_down());
-    while value > 0.0 && decode(value, half) > ratio {
-        value = value.next_down();
-    }
-    value
-}
-
-/// The ratio that a stored value `v` below 1 stands for: `half v² / (1 - v²)`, metres for each unit of height.
-pub fn decode(value: f32, half: f64) -> f64 {
-    let squared = f64::from(value) * f64::from(value);
-    half * squared / (1.0 - squared)
 }
 
 /// Hands ratios, encoded and rounded down to so many bits, to the sink.
@@ -77,6 +51,8 @@ pub fn texture(
 
 #[cfg(test)]
 mod tests {
+    use relief_core::encoding::cone::decode;
+
     use super::*;
 
     #[test]

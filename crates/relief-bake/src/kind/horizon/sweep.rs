@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
-use relief_core::HeightMap;
+use relief_core::{HeightMap, Metric};
 
 use super::lines::{Direction, Lines, Rows};
 use super::sheared::{Band, Plane, SKEW, Slab};
 use super::{NEAR_STEPS, far, near};
-use crate::{Cancelled, Metric, Progress};
+use crate::{Cancelled, Progress};
 
 /// Into so many parts the lines are divided, which are worked on one after the other: more take less memory.
 const SLABS: usize = 4;

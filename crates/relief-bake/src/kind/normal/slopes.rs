@@ -1,8 +1,6 @@
 //! Slopes of a height map at its texel centres.
 
-use relief_core::HeightMap;
-
-use crate::Metric;
+use relief_core::{HeightMap, Metric};
 
 /// Slopes are cut off here, so that their squares fit `f32` in any metric.
 const STEEPEST: f64 = 1e18;

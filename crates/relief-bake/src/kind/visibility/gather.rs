@@ -1,10 +1,10 @@
 //! Light gathered through precomputed visibility.
 
 use rayon::prelude::*;
-use relief_core::HeightMap;
+use relief_core::{HeightMap, Metric};
 
 use super::views;
-use crate::{BakeError, Metric, Progress};
+use crate::{BakeError, Progress};
 
 /// No texel is seen: the ray leaves the relief.
 const SKY: u32 = u32::MAX;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use relief_bake::{Kind, Metric, Rounding, Settings, Texture};
-use relief_core::HeightMap;
+use relief_bake::{Kind, Settings, Texture};
+use relief_core::{HeightMap, Metric, Rounding};
 use relief_io::{Metadata, read_metadata};
 
 use super::storage::{FileFormat, Storage};
@@ -16,21 +16,6 @@ const FILES: &str = "relief.files";
 
 /// Names and values for a file's metadata.
 pub type Entries = Vec<(String, String)>;
-
-/// The hash of a height map's size and decoded texels: BLAKE3 of width and height as `u32` and the texels as `f32`, all
-/// little-endian.
-pub fn source_hash(map: &HeightMap) -> String {
-    let mut hasher = blake3::Hasher::new();
-    hasher.update(&map.width().to_le_bytes());
-    hasher.update(&map.height().to_le_bytes());
-    let mut bytes = Vec::with_capacity(1 << 16);
-    for texels in map.texels().chunks(1 << 14) {
-        bytes.clear();
-        bytes.extend(texels.iter().flat_map(|texel| texel.to_le_bytes()));
-        hasher.update(&bytes);
-    }
-    hasher.finalize().to_hex().to_string()
-}
 
 /// What decides a bake's values, and what all of its files say of them: of a kind's bake from a map with that hash.
 fn inputs(
@@ -69,18 +54,6 @@ fn hash_of<'a>(texts: impl Iterator<Item = &'a str>) -> blake3::Hash {
         hasher.update(text.as_bytes());
     }
     hasher.finalize()
-}
-
-/// The hash of everything that decides the values of a texture of a bake, whatever they are stored in.
-pub fn values_hash(
-    kind: &Kind,
-    texture: &str,
-    settings: &Settings,
-    map: &HeightMap,
-    metric: Metric,
-) -> blake3::Hash {
-    let inputs = inputs(kind, settings, map, &source_hash(map), metric);
-    hash_of(inputs.iter().flat_map(|(name, value)| [*name, value.as_str()]).chain(["texture", texture]))
 }
 
 /// What decides the bytes of a bake's files, and what all of them say.

@@ -1,8 +1,10 @@
 //! How texels are stored: the choice of bits, and rounding to the side that keeps a map's promise.
 
 use clap::ValueEnum;
-use relief_bake::{Channel, Rounding, Texture};
-use relief_io::{TexelFormat, half};
+use relief_bake::{Channel, Texture};
+use relief_core::Rounding;
+use relief_core::encoding::half;
+use relief_io::TexelFormat;
 
 /// A file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -192,12 +194,7 @@ impl Storage {
 }
 
 fn half_texel(value: f32, rounding: Rounding) -> Option<f32> {
-    let side = match rounding {
-        Rounding::Nearest => half::Side::Nearest,
-        Rounding::Down => half::Side::Down,
-        Rounding::Up => half::Side::Up,
-    };
-    let stored = half::round(value, side);
+    let stored = half::round(value, rounding);
     // A finite value must not become infinite.
     (!value.is_nan() && (stored.is_finite() || value.is_infinite())).then_some(stored)
 }

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use relief_bake::kind::{BITS, Reach};
-use relief_bake::{BakeInput, Channel, Rounding, Sink};
+use relief_bake::{BakeInput, Channel, Sink};
+use relief_core::Rounding;
 use relief_core::registry::{Param, Publication};
 use relief_io::{TexelFormat, read_ktx2, read_metadata, write_png16};
 
@@ -36,6 +37,7 @@ const fn kind(
         publication: Publication { paper: "Relief", section: "tests" },
         params,
         guarantee: "none",
+        shapes: |_, _| Vec::new(),
         reach: |_| Reach::Texels(0),
         bake,
     }

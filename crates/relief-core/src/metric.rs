@@ -1,6 +1,6 @@
 //! World lengths of texture units.
 
-use relief_core::HeightMap;
+use crate::HeightMap;
 
 /// The metric that a map is baked in: a step `(du, dv, dh)` in texture coordinates and texel height is
 /// `sqrt((tile_m[0] du)² + (tile_m[1] dv)² + (scale_m dh)²)` metres long.

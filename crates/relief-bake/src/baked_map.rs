@@ -1,0 +1,379 @@
+//! One texture of a bake as the value that shaders read.
+
+use rayon::prelude::*;
+use relief_core::encoding::{code::Codes, half};
+use relief_core::registry::MapLevels;
+use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels, Metric};
+
+use crate::{BakeError, Channel, Kind, Progress, Settings, Shape, Sink, SinkError, Texture, bake};
+
+/// Which map is wanted.
+#[derive(Clone)]
+pub struct WantedMap<'a> {
+    /// The kind.
+    pub kind: &'a Kind,
+    /// Name of the texture among those of the kind; empty for the only one.
+    pub texture: &'a str,
+    /// The kind's settings.
+    pub settings: Settings,
+    /// The metric to bake in.
+    pub metric: Metric,
+    /// The levels.
+    pub levels: MapLevels,
+    /// How values are stored. In fewer bits than they are baked in they are rounded to the side that keeps the kind's
+    /// promise.
+    pub format: MapFormat,
+}
+
+impl WantedMap<'_> {
+    /// What decides the values of the map made from those heights.
+    pub fn identity(&self, map: &HeightMap) -> MapIdentity {
+        MapIdentity {
+            kind: self.kind.name.to_owned(),
+            revision: self.kind.revision,
+            texture: self.texture.to_owned(),
+            settings: self.settings.iter().map(|(name, value)| (name.to_owned(), value)).collect(),
+            heights: map.heights_hash(),
+            wrap: map.wrap(),
+            metric: self.metric,
+            first_level: self.first_level(),
+        }
+    }
+
+    /// The shape of the map made from a height map of so many columns and rows: what memory it takes is known before it
+    /// is baked.
+    ///
+    /// # Errors
+    ///
+    /// When the kind has no texture of that name, or no map has the texture's shape.
+    pub fn layout(&self, size: [u32; 2]) -> Result<MapLayout, BakeError> {
+        let impossible = |reason: String| BakeError::Impossible { kind: self.kind.name, reason };
+        let shapes = (self.kind.shapes)(size, &self.settings);
+        let shape = shapes.iter().find(|shape| shape.name == self.texture);
+        let shape = shape.ok_or_else(|| impossible(format!("it has no texture '{}'", self.texture)))?;
+        let layout = self.layout_of(shape);
+        layout.check().map_err(|error| impossible(error.to_string()))?;
+        Ok(layout)
+    }
+
+    fn first_level(&self) -> u32 {
+        match self.levels {
+            MapLevels::One => 0,
+            MapLevels::ChainFrom(first) => first,
+        }
+    }
+
+    fn layout_of(&self, shape: &Shape) -> MapLayout {
+        // A texel of three channels takes the room of four.
+        let channels = if shape.channels == 3 { 4 } else { shape.channels };
+        let size = |level: u32| if level == 0 { shape.size } else { shape.mips[level as usize - 1] };
+        let (size, levels) = match self.levels {
+            MapLevels::One => ([shape.size[0], shape.size[1]], 1),
+            MapLevels::ChainFrom(first) => {
+                // Of a texture of a single level the chain is that level.
+                let last = shape.mips.len() as u32;
+                let first = first.min(last);
+                let sizes: Vec<[u32; 3]> = (first..=last).map(size).collect();
+                (padded(&sizes), sizes.len() as u32)
+            }
+        };
+        MapLayout { size, levels, layers: shape.size[2], channels, format: self.format }
+    }
+}
+
+/// The least size of a chain's finest level whose halves, rounded down but at least 1, have room for every level.
+fn padded(sizes: &[[u32; 3]]) -> [u32; 2] {
+    [0, 1].map(|axis| {
+        let room = |(level, size): (usize, &[u32; 3])| if size[axis] == 1 { 1 } else { size[axis] << level };
+        sizes.iter().enumerate().map(room).max().unwrap_or(1)
+    })
+}
+
+/// Bakes that map of a height map. Besides what the bake itself needs it takes the memory of the map.
+///
+/// # Errors
+///
+/// As [`bake`](crate::bake), and when the kind has no texture of that name, no map has its shape, or a value has no
+/// stored value on its safe side.
+pub fn baked_map(map: &HeightMap, wanted: &WantedMap, progress: &Progress) -> Result<BakedMap, BakeError> {
+    let layout = wanted.layout([map.width(), map.height()])?;
+    let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
+    let mut kept = Kept::new(wanted.texture, wanted.first_level(), layout).map_err(impossible)?;
+    bake(wanted.kind, map, wanted.metric, &wanted.settings, progress, &mut kept)?;
+    BakedMap::new(wanted.identity(map), layout, kept.codes, kept.texels)
+        .map_err(|error| impossible(error.to_string()))
+}
+
+/// The sink that keeps the levels of one texture.
+struct Kept<'a> {
+    wanted: &'a str,
+    first_level: u32,
+    layout: MapLayout,
+    codes: [Codes; 4],
+    texels: MapTexels,
+    /// Channels of the texture that comes, if it is the wanted one.
+    coming: Option<Coming>,
+    /// The texel at which the next level of the map begins.
+    start: usize,
+}
+
+/// The texture that comes.
+struct Coming {
+    texture: Texture,
+    level: usize,
+    slice: u32,
+}
+
+impl<'a> Kept<'a> {
+    fn new(wanted: &'a str, first_level: u32, layout: MapLayout) -> Result<Self, String> {
+        let values = layout.texels() * u64::from(layout.channels);
+        let texels = match layout.format {
+            MapFormat::F32 => MapTexels::F32(zeros(values)?),
+            MapFormat::F16 => MapTexels::F16(zeros(values)?),
+            MapFormat::Unorm8 => MapTexels::Unorm8(zeros(values)?),
+        };
+        let codes = [Codes { low: 0.0, step: 0.0 }; 4];
+        Ok(Self { wanted, first_level, layout, codes, texels, coming: None, start: 0 })
+    }
+
+    /// Stores a slice of a level of the map, at that layer.
+    fn store(
+        &mut self,
+        level: u32,
+        layer: u32,
+        width: usize,
+        planes: &[&[f32]],
+        channels: &[Channel],
+    ) -> bool {
+        let [columns, rows] = self.layout.level_size(level).map(|side| side as usize);
+        let count = self.layout.channels as usize;
+        let first = (self.start + layer as usize * columns * rows) * count;
+        let span = first..first + columns * rows * count;
+        let row = columns * count;
+        match &mut self.texels {
+            MapTexels::F32(values) => {
+                store(&mut values[span], row, count, width, planes, |_, value| Some(value))
+            }
+            MapTexels::F16(values) => {
+                store(&mut values[span], row, count, width, planes, |channel, value| {
+                    let bits = half::normal_bits(value, channels[channel].rounding);
+                    half::value(bits).is_finite().then_some(bits)
+                })
+            }
+            MapTexels::Unorm8(values) => {
+                store(&mut values[span], row, count, width, planes, |channel, value| {
+                    self.codes[channel].code(value, channels[channel].rounding)
+                })
+            }
+        }
+    }
+}
+
+/// A vector of zeros, or a text where there is no memory for it.
+fn zeros<T: Clone + Default>(count: u64) -> Result<Vec<T>, String> {
+    let mut values = Vec::new();
+    let refused = || format!("the map of {count} values does not fit into memory");
+    let length = usize::try_from(count).map_err(|_| refused())?;
+    values.try_reserve_exact(length).map_err(|_| refused())?;
+    values.resize(length, T::default());
+    Ok(values)
+}
+
+/// Stores planes of rows of `width` texels in rows of `row` values, `count` a texel. False when a value has no stored one.
+fn store<T: Send>(
+    values: &mut [T],
+    row: usize,
+    count: usize,
+    width: usize,
+    planes: &[&[f32]],
+    stored: impl Fn(usize, f32) -> Option<T> + Sync,
+) -> bool {
+    values.par_chunks_mut(row).enumerate().all(|(at, values)| {
+        planes.iter().enumerate().all(|(channel, plane)| {
+            let plane = plane.get(at * width..(at + 1) * width).unwrap_or(&[]);
+            values
+                .iter_mut()
+                .skip(channel)
+                .step_by(count)
+                .zip(plane)
+                .all(|(place, value)| stored(channel, *value).map(|value| *place = value).is_some())
+        })
+    })
+}
+
+impl Sink for Kept<'_> {
+    fn begin(&mut self, texture: &Texture) -> Result<(), SinkError> {
+        self.coming = None;
+        if texture.name == self.wanted {
+            for (codes, channel) in self.codes.iter_mut().zip(&texture.channels) {
+                *codes = Codes::of_range(channel.range);
+            }
+            self.coming = Some(Coming { texture: texture.clone(), level: 0, slice: 0 });
+        }
+        Ok(())
+    }
+
+    fn slice(&mut self, planes: &[&[f32]]) -> Result<(), SinkError> {
+        let Some(mut coming) = self.coming.take() else { return Ok(()) };
+        let [width, _, slices] = coming.texture.level_size(coming.level);
+        let last = coming.texture.mips.len();
+        let first = (self.first_level as usize).min(last);
+        if let Some(level) = coming.level.checked_sub(first).map(|level| level as u32)
+            && level < self.layout.levels
+        {
+            if !self.store(level, coming.slice, width as usize, planes, &coming.texture.channels) {
+                let name = coming.texture.name;
+                return Err(SinkError(format!(
+                    "a value of the texture '{name}' has no stored value of fewer bits on its safe side"
+                )));
+            }
+            if coming.slice + 1 == slices {
+                let size = self.layout.level_size(level).map(|side| side as usize);
+                self.start += size[0] * size[1] * self.layout.layers as usize;
+            }
+        }
+        coming.slice += 1;
+        if coming.slice == slices {
+            (coming.level, coming.slice) = (coming.level + 1, 0);
+        }
+        if coming.level <= last {
+            self.coming = Some(coming);
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use relief_core::{Rounding, Wrap};
+
+    use super::*;
+    use crate::{Collected, CollectedTexture, KINDS, kind};
+
+    fn map(width: u32, height: u32) -> HeightMap {
+        let texel = |i: u32, j: u32| ((i * 7 + j * 5) % 11) as f32 / 10.0;
+        HeightMap::from_fn(width, height, Wrap::Mirror, texel).expect("a valid map")
+    }
+
+    fn wanted<'a>(name: &str, texture: &'a str, levels: MapLevels, format: MapFormat) -> WantedMap<'a> {
+        let kind = kind(name).expect("a kind");
+        WantedMap { kind, texture, settings: kind.defaults(), metric: Metric::UNIT, levels, format }
+    }
+
+    fn collected(map: &HeightMap, wanted: &WantedMap) -> CollectedTexture {
+        let mut all = Collected::default();
+        bake(wanted.kind, map, wanted.metric, &wanted.settings, &Progress::none(), &mut all).expect("a bake");
+        all.textures.into_iter().find(|found| found.texture.name == wanted.texture).expect("the texture")
+    }
+
+    /// Every value of the map beside that of the bake, with the channel's rounding.
+    fn compare(map: &HeightMap, wanted: &WantedMap, each: impl Fn(f32, f32, Rounding)) {
+        let baked = baked_map(map, wanted, &Progress::none()).expect("a bake");
+        let found = collected(map, wanted);
+        let first = wanted.first_level();
+        for level in 0..baked.layout().levels {
+            let [width, height, slices] = found.texture.level_size((level + first) as usize);
+            let [columns, rows] = baked.layout().level_size(level);
+            assert!(width <= columns && height <= rows && slices == baked.layout().layers);
+            for (channel, texels) in found.levels[(level + first) as usize].iter().enumerate() {
+                for (at, value) in texels.iter().enumerate() {
+                    let at = at as u32;
+                    let place = [at % width, at / width % height];
+                    let stored = baked.value(level, at / (width * height), place, channel as u32);
+                    let rounding = found.texture.channels[channel].rounding;
+                    each(*value, stored.expect("a texel"), rounding);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn floats_are_those_of_the_bake() {
+        let cases = [
+            ("frustum", "slopes", MapLevels::One),
+            ("frustum", "top", MapLevels::One),
+            ("pyramid", "", MapLevels::One),
+            ("pyramid", "", MapLevels::ChainFrom(0)),
+            ("pyramid", "", MapLevels::ChainFrom(1)),
+            ("distance", "", MapLevels::One),
+            ("bent-normal", "", MapLevels::One),
+        ];
+        for (name, texture, levels) in cases {
+            for size in [[7, 5], [1, 1], [1, 13], [16, 16], [33, 4]] {
+                let wanted = wanted(name, texture, levels, MapFormat::F32);
+                compare(&map(size[0], size[1]), &wanted, |value, stored, _| assert_eq!(value, stored));
+            }
+        }
+    }
+
+    #[test]
+    fn fewer_bits_stay_on_the_safe_side_and_lose_little() {
+        let cases = [
+            ("cone", "", MapLevels::One),
+            ("frustum", "slopes", MapLevels::One),
+            ("pyramid", "", MapLevels::ChainFrom(1)),
+            ("dilation-erosion", "", MapLevels::One),
+            ("distance", "", MapLevels::One),
+            ("horizon", "", MapLevels::One),
+        ];
+        for (name, texture, levels) in cases {
+            for (format, lost) in [(MapFormat::F16, 1e-3), (MapFormat::Unorm8, 4.1e-3)] {
+                let wanted = wanted(name, texture, levels, format);
+                let map = map(37, 21);
+                let ranges: Vec<[f32; 2]> =
+                    collected(&map, &wanted).texture.channels.iter().map(|channel| channel.range).collect();
+                let span = ranges.iter().map(|range| range[1] - range[0]).fold(0.0, f32::max);
+                compare(&map, &wanted, |value, stored, rounding| {
+                    match rounding {
+                        Rounding::Down => assert!(stored <= value, "{name}: {stored} for {value}"),
+                        Rounding::Up => assert!(stored >= value, "{name}: {stored} for {value}"),
+                        Rounding::Nearest => {}
+                    }
+                    assert!((stored - value).abs() <= lost * span, "{name} {format:?}: {stored} for {value}");
+                });
+            }
+        }
+    }
+
+    #[test]
+    fn kinds_say_their_shapes_before_they_bake() {
+        for kind in KINDS {
+            for size in [[1, 1], [5, 3], [1, 9], [32, 8]] {
+                let map = map(size[0], size[1]);
+                let mut settings = kind.defaults();
+                for _ in 0..2 {
+                    let mut all = Collected::default();
+                    bake(kind, &map, Metric::UNIT, &settings, &Progress::none(), &mut all).expect("a bake");
+                    let baked: Vec<Shape> = all.textures.iter().map(|found| found.texture.shape()).collect();
+                    assert_eq!((kind.shapes)(size, &settings), baked, "{} {size:?}", kind.name);
+                    let values: usize =
+                        all.textures.iter().flat_map(|t| t.levels.iter().flatten()).map(Vec::len).sum();
+                    assert_eq!(values as u64, baked.iter().map(Shape::values).sum::<u64>());
+                    // Once more with other settings.
+                    for param in kind.params {
+                        if param.name != "bits" {
+                            settings
+                                .set(param.name, f64::from(param.min.max(1.0).min(param.max)))
+                                .expect("in range");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_no_slot_can_hold_is_refused_before_it_is_baked() {
+        let refused = |wanted: &WantedMap, size: [u32; 2]| match wanted.layout(size) {
+            Err(BakeError::Impossible { reason, .. }) => reason,
+            other => panic!("{other:?}"),
+        };
+        let missing = wanted("cone", "no such texture", MapLevels::One, MapFormat::F32);
+        assert!(refused(&missing, [4, 4]).contains("no such texture"));
+        let mut deep = wanted("distance", "", MapLevels::One, MapFormat::F32);
+        deep.settings.set("slices", 257.0).expect("in range");
+        assert!(refused(&deep, [4, 4]).contains("257 layers"));
+        let six = wanted("normal", "", MapLevels::One, MapFormat::F32);
+        assert!(refused(&six, [4, 4]).contains("6 channels"));
+    }
+}

@@ -1,0 +1,98 @@
+use relief_core::Wrap;
+
+use super::*;
+
+fn heights(step: u32) -> HeightMap {
+    let texel = |i: u32, j: u32| ((i * step + j * 3) % 17) as f32 / 16.0;
+    HeightMap::from_fn(19, 13, Wrap::Mirror, texel).expect("a valid map")
+}
+
+fn provided(maps: &mut Maps, method: &str, heights: &HeightMap) -> Provided {
+    let selection = Selection::method(method).expect("a method");
+    let provided = maps.provide(&selection, heights, Metric::UNIT, &Watch::none()).expect("a bake");
+    // What is provided is what the selection reads.
+    let given: Vec<&BakedMap> = provided.maps().iter().map(|(_, map)| &**map).collect();
+    selection.slot_maps(given, heights, Metric::UNIT).expect("the right maps");
+    provided
+}
+
+fn origins(provided: &Provided) -> Vec<Origin> {
+    provided.accounts().iter().map(|account| account.origin).collect()
+}
+
+#[test]
+fn a_map_is_baked_once_and_found_in_memory_and_in_the_folder_after_that() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let maps = || Maps::with_cache(Cache::new(folder.path(), ByteSize(1 << 20)));
+    let mut first = maps();
+    let baked = provided(&mut first, "cone", &heights(5));
+    assert_eq!(origins(&baked), [Origin::Bake]);
+    let file = baked.accounts()[0].file.clone().expect("it is kept");
+    assert_eq!(origins(&provided(&mut first, "cone", &heights(5))), [Origin::Memory]);
+    // Another scale or bias is no other map; other heights are, and another kind is.
+    let scaled = heights(5).with_displacement(0.3, 0.1).expect("proper numbers");
+    assert_eq!(origins(&provided(&mut first, "cone", &scaled)), [Origin::Memory]);
+    assert_eq!(origins(&provided(&mut first, "cone", &heights(7))), [Origin::Bake]);
+    assert_eq!(origins(&provided(&mut first, "frustum", &heights(5))), [Origin::Bake]);
+    assert!(origins(&provided(&mut first, "exact", &heights(5))).is_empty());
+
+    let mut second = maps();
+    let read = provided(&mut second, "cone", &heights(5));
+    assert_eq!((origins(&read), read.accounts()[0].file.as_ref()), (vec![Origin::Cache], Some(&file)));
+    assert_eq!(read.maps(), baked.maps());
+    std::fs::write(&file, "nothing of use").expect("the folder is writable");
+    let again = provided(&mut maps(), "cone", &heights(5));
+    assert!(origins(&again) == [Origin::Bake] && again.accounts()[0].was_damaged);
+    assert_eq!(origins(&provided(&mut maps(), "cone", &heights(5))), [Origin::Cache]);
+}
+
+#[test]
+fn formats_are_maps_of_their_own() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let cache = || Cache::new(folder.path(), ByteSize(1 << 20));
+    for (format, bytes) in [(MapFormat::F32, 4), (MapFormat::F16, 2), (MapFormat::Unorm8, 1)] {
+        let maps = || Maps::with_cache(cache()).with_format(format);
+        let baked = provided(&mut maps(), "cone", &heights(5));
+        assert_eq!(origins(&baked), [Origin::Bake]);
+        assert_eq!(baked.maps()[0].1.layout().bytes(), 19 * 13 * bytes);
+        let selection = Selection::method("cone").expect("a method");
+        assert_eq!(maps().bytes(&selection, [19, 13]).expect("a cone map"), 19 * 13 * bytes);
+        let read = provided(&mut maps(), "cone", &heights(5));
+        assert_eq!((origins(&read), read.maps()), (vec![Origin::Cache], baked.maps()));
+    }
+}
+
+#[test]
+fn memory_is_limited_and_the_last_maps_stay() {
+    let mut maps = Maps::in_memory().with_memory(ByteSize(19 * 13 * 4 * 2));
+    for step in [1, 2, 3] {
+        provided(&mut maps, "cone", &heights(step));
+    }
+    assert_eq!(origins(&provided(&mut maps, "cone", &heights(2))), [Origin::Memory]);
+    assert_eq!(origins(&provided(&mut maps, "cone", &heights(3))), [Origin::Memory]);
+    assert_eq!(origins(&provided(&mut maps, "cone", &heights(1))), [Origin::Bake]);
+    assert_eq!(origins(&provided(&mut maps, "cone", &heights(2))), [Origin::Bake]);
+    let mut none = Maps::in_memory().with_memory(ByteSize(0));
+    provided(&mut none, "cone", &heights(1));
+    assert_eq!(origins(&provided(&mut none, "cone", &heights(1))), [Origin::Memory]);
+}
+
+#[test]
+fn a_map_of_the_callers_own_is_taken() {
+    let baked = provided(&mut Maps::in_memory(), "frustum", &heights(5));
+    let mut maps = Maps::in_memory();
+    maps.insert(Arc::clone(&baked.maps()[0].1));
+    assert_eq!(origins(&provided(&mut maps, "frustum", &heights(5))), [Origin::Memory]);
+}
+
+#[test]
+fn a_cancelled_bake_is_an_error_and_keeps_nothing() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut maps = Maps::with_cache(Cache::new(folder.path(), ByteSize(1 << 20)));
+    let (report, cancel) = (|_: &'static str, _: f32| {}, AtomicBool::new(true));
+    let watch = Watch { baking: &report, cancel: &cancel };
+    let selection = Selection::method("cone").expect("a method");
+    let refused = maps.provide(&selection, &heights(5), Metric::UNIT, &watch);
+    assert!(matches!(refused, Err(MapsError::Bake(BakeError::Cancelled(_)))), "{refused:?}");
+    assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0);
+}

@@ -1,0 +1,289 @@
+//! The baked maps that a selection reads, and whether a map is the right one.
+
+use relief_core::registry::{MapInput, MapLevels, MapMetric, MapSetting};
+use relief_core::{BakedMap, HeightMap, Metric, Wrap};
+
+use crate::slots::MapSlot;
+use crate::stages::STAGES;
+use crate::{Choice, Selection};
+
+/// A baked map that a chosen variant reads.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapNeed {
+    /// Where the shaders read it.
+    pub slot: MapSlot,
+    /// What reads it: the title of its stage, and its name.
+    pub reader: (&'static str, &'static str),
+    /// The map.
+    pub input: MapInput,
+    /// The kind's settings that it needs, with their values. Of the others it takes the defaults.
+    pub settings: Vec<(&'static str, f32)>,
+}
+
+/// Why a selection has no map to read.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("the {} '{}' reads a baked map of the kind '{kind}': {problem}", .reader.0, .reader.1)]
+pub struct MapError {
+    /// What reads it: the title of its stage, and its name.
+    pub reader: (&'static str, &'static str),
+    /// The kind of map.
+    pub kind: &'static str,
+    /// What is wrong.
+    pub problem: MapProblem,
+}
+
+/// Why a map is not the one that is read.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MapProblem {
+    /// There is no map of that kind and texture.
+    #[error("there is none: bake it first")]
+    Missing,
+    /// It was baked from other heights.
+    #[error("the one given was baked from other heights: bake it from this height map")]
+    Heights,
+    /// It was baked for another wrap.
+    #[error("the one given was baked for the wrap '{given}', the height map's is '{wanted}'")]
+    Wrap {
+        /// The map's.
+        given: Wrap,
+        /// The height map's.
+        wanted: Wrap,
+    },
+    /// It was baked in another metric.
+    #[error("the one given was baked in another metric, {given:?}; it must be {wanted:?}")]
+    Metric {
+        /// The map's.
+        given: Metric,
+        /// The one that is read.
+        wanted: Metric,
+    },
+    /// It was baked with another setting.
+    #[error("the one given was baked with {name} = {}; it must be {wanted}", given.map_or("none".to_owned(), |given| given.to_string()))]
+    Setting {
+        /// The setting.
+        name: &'static str,
+        /// The map's; none where the kind has no such setting.
+        given: Option<f32>,
+        /// The one that is read.
+        wanted: f32,
+    },
+    /// It has other levels.
+    #[error("the one given begins with level {given} of its texture and has {levels}; it must be {wanted:?}")]
+    Levels {
+        /// The level of the kind's texture that is the map's finest.
+        given: u32,
+        /// How many levels it has.
+        levels: u32,
+        /// What is read.
+        wanted: MapLevels,
+    },
+}
+
+impl MapNeed {
+    /// The metric that the map is to be baked in, on a surface of that metric.
+    pub fn metric(&self, surface: Metric) -> Metric {
+        match self.input.metric {
+            MapMetric::Texture => Metric::UNIT,
+            MapMetric::Scene => surface,
+        }
+    }
+
+    /// The level of the kind's texture that is the map's finest.
+    pub fn first_level(&self) -> u32 {
+        match self.input.levels {
+            MapLevels::One => 0,
+            MapLevels::ChainFrom(first) => first,
+        }
+    }
+
+    /// Whether that map is the one that is read, over that height map on a surface of that metric.
+    ///
+    /// # Errors
+    ///
+    /// When it is another one; the error says in what.
+    pub fn check(&self, map: &BakedMap, heights: &HeightMap, surface: Metric) -> Result<(), MapError> {
+        self.problem(map, heights, surface).map_or(Ok(()), |problem| Err(self.error(problem)))
+    }
+
+    fn problem(&self, map: &BakedMap, heights: &HeightMap, surface: Metric) -> Option<MapProblem> {
+        let about = map.identity();
+        if about.kind != self.input.kind || about.texture != self.input.texture {
+            return Some(MapProblem::Missing);
+        }
+        if about.heights != heights.heights_hash() {
+            return Some(MapProblem::Heights);
+        }
+        if about.wrap != heights.wrap() {
+            return Some(MapProblem::Wrap { given: about.wrap, wanted: heights.wrap() });
+        }
+        let wanted = self.metric(surface);
+        if about.metric != wanted {
+            return Some(MapProblem::Metric { given: about.metric, wanted });
+        }
+        for &(name, wanted) in &self.settings {
+            let given = about.settings.iter().find(|(of, _)| of == name).map(|(_, value)| *value);
+            if given != Some(wanted) {
+                return Some(MapProblem::Setting { name, given, wanted });
+            }
+        }
+        let levels = map.layout().levels;
+        let right = match self.input.levels {
+            MapLevels::One => levels == 1 && about.first_level == 0,
+            MapLevels::ChainFrom(first) => about.first_level == first,
+        };
+        let wanted = self.input.levels;
+        (!right).then_some(MapProblem::Levels { given: about.first_level, levels, wanted })
+    }
+
+    fn error(&self, problem: MapProblem) -> MapError {
+        MapError { reader: self.reader, kind: self.input.kind, problem }
+    }
+}
+
+/// The maps that a selection reads, each in its slot.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SlotMaps<'a>([Option<&'a BakedMap>; MapSlot::ALL.len()]);
+
+impl<'a> FromIterator<(MapSlot, &'a BakedMap)> for SlotMaps<'a> {
+    /// Nothing is checked: see [`Selection::slot_maps`].
+    fn from_iter<T: IntoIterator<Item = (MapSlot, &'a BakedMap)>>(maps: T) -> Self {
+        let mut slots = Self::default();
+        for (slot, map) in maps {
+            slots.0[slot as usize] = Some(map);
+        }
+        slots
+    }
+}
+
+impl<'a> SlotMaps<'a> {
+    /// The map of a slot, if one is read there.
+    pub fn get(&self, slot: MapSlot) -> Option<&'a BakedMap> {
+        self.0[slot as usize]
+    }
+}
+
+impl Selection {
+    /// The baked maps that the chosen variants read.
+    pub fn map_needs(&self) -> Vec<MapNeed> {
+        let mut needs = Vec::new();
+        for (stage, choice) in STAGES.iter().zip(&self.choices) {
+            if let Some(slot) = stage.slot {
+                let reader = (stage.title, choice.entry.name);
+                needs.extend(choice.entry.maps.iter().map(|input| MapNeed {
+                    slot,
+                    reader,
+                    input: *input,
+                    settings:
+                        input.settings.iter().map(|(name, value)| (*name, choice.value(value))).collect(),
+                }));
+            }
+        }
+        needs
+    }
+
+    /// Of the maps given, those that the chosen variants read over that height map on a surface of that metric, each in its
+    /// slot.
+    ///
+    /// # Errors
+    ///
+    /// When one is missing or is another one than is read; the error says in what.
+    pub fn slot_maps<'a>(
+        &self,
+        given: impl IntoIterator<Item = &'a BakedMap> + Clone,
+        heights: &HeightMap,
+        surface: Metric,
+    ) -> Result<SlotMaps<'a>, MapError> {
+        let mut maps = SlotMaps::default();
+        for need in self.map_needs() {
+            let mut problem = MapProblem::Missing;
+            for map in given.clone() {
+                match need.problem(map, heights, surface) {
+                    None => maps.0[need.slot as usize] = Some(map),
+                    // What is wrong with a map of that kind says more than that there is none.
+                    Some(MapProblem::Missing) => {}
+                    Some(other) => problem = other,
+                }
+            }
+            if maps.get(need.slot).is_none() {
+                return Err(need.error(problem));
+            }
+        }
+        Ok(maps)
+    }
+}
+
+impl Choice {
+    /// The value of a map's setting.
+    fn value(&self, setting: &MapSetting) -> f32 {
+        match setting {
+            MapSetting::Fixed(value) => *value,
+            MapSetting::Param(name) => self.entry.param(name).map_or(0.0, |(place, _)| self.params[place]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use relief_core::encoding::code::Codes;
+    use relief_core::{MapFormat, MapIdentity, MapLayout, MapTexels};
+
+    use super::*;
+
+    fn heights(wrap: Wrap) -> HeightMap {
+        HeightMap::from_fn(3, 2, wrap, |i, _| i as f32 / 2.0).expect("a valid map")
+    }
+
+    fn identity() -> MapIdentity {
+        MapIdentity {
+            kind: "cone".to_owned(),
+            revision: 1,
+            texture: String::new(),
+            settings: vec![("apex".to_owned(), 0.0), ("bits".to_owned(), 0.0)],
+            heights: heights(Wrap::Repeat).heights_hash(),
+            wrap: Wrap::Repeat,
+            metric: Metric::UNIT,
+            first_level: 0,
+        }
+    }
+
+    fn baked(identity: MapIdentity, levels: u32) -> BakedMap {
+        let layout = MapLayout { size: [3, 2], levels, layers: 1, channels: 1, format: MapFormat::F32 };
+        let texels = MapTexels::F32(vec![0.5; layout.texels() as usize]);
+        BakedMap::new(identity, layout, [Codes { low: 0.0, step: 0.0 }; 4], texels).expect("a valid map")
+    }
+
+    #[test]
+    fn a_search_gets_its_own_map_or_the_reason_why_not() {
+        let cone = Selection::method("cone").expect("a method");
+        let surface = Metric { tile_m: [2.0, 2.0], scale_m: 0.1 };
+        let map = heights(Wrap::Repeat);
+        let right = baked(identity(), 1);
+        let found = cone.slot_maps([&right], &map, surface).expect("the right map");
+        assert_eq!(found.get(MapSlot::Search), Some(&right));
+        assert_eq!(found.get(MapSlot::Shadow), None);
+
+        let problem = |given: &[BakedMap], map: &HeightMap| {
+            let error = cone.slot_maps(given, map, surface).expect_err("a wrong map");
+            assert_eq!((error.reader, error.kind), (("search", "cone"), "cone"));
+            error.problem
+        };
+        assert_eq!(problem(&[], &map), MapProblem::Missing);
+        let other_kind = baked(MapIdentity { kind: "frustum".to_owned(), ..identity() }, 1);
+        assert_eq!(problem(&[other_kind], &map), MapProblem::Missing);
+        let flat = HeightMap::from_fn(3, 2, Wrap::Repeat, |_, _| 0.5).expect("a valid map");
+        assert_eq!(problem(std::slice::from_ref(&right), &flat), MapProblem::Heights);
+        let wraps = MapProblem::Wrap { given: Wrap::Repeat, wanted: Wrap::Mirror };
+        assert_eq!(problem(std::slice::from_ref(&right), &heights(Wrap::Mirror)), wraps);
+        let metric = baked(MapIdentity { metric: surface, ..identity() }, 1);
+        assert!(matches!(problem(&[metric], &map), MapProblem::Metric { .. }));
+        let settings = vec![("apex".to_owned(), 1.0)];
+        let apex = baked(MapIdentity { settings, ..identity() }, 1);
+        let setting = MapProblem::Setting { name: "apex", given: Some(1.0), wanted: 0.0 };
+        assert_eq!(problem(&[apex], &map), setting);
+        assert!(matches!(problem(&[baked(identity(), 2)], &map), MapProblem::Levels { .. }));
+        let exact = Selection::method("exact").expect("a method");
+        assert!(
+            exact.slot_maps([&right], &map, surface).is_ok_and(|maps| maps.get(MapSlot::Search).is_none())
+        );
+    }
+}
