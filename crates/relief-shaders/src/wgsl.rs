@@ -2,7 +2,7 @@
 //!
 //! Written by `cargo xtask link`. Each comes in two samplings: *exact* loads texels and interpolates in plain arithmetic,
 //! which gives the same bits on every machine; *fast* uses the GPU's sampler. What a search reads besides the heights is
-//! bound as `search_map`, a texture of one texel where it reads nothing: see [`SearchMap`](crate::SearchMap).
+//! bound as `search_map`, a texture of one texel where it reads nothing: see [`MapSlot`](crate::MapSlot).
 
 /// Rasterises and traces the base mesh (`vertex_main`, `fragment_main`), then shades every pixel (`shade_main`).
 pub const RENDER_EXACT: &str = include_str!("../generated/render_exact.wgsl");
