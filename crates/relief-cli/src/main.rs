@@ -6,6 +6,7 @@ use clap::{Parser, Subcommand};
 
 use failure::Failure;
 
+mod advice;
 mod commands;
 mod failure;
 mod progress;

@@ -43,7 +43,8 @@ fn flags_override_the_scene_and_paths_start_where_they_are_written() {
     );
     let from_scene = json(&folder.relief("render scenes/s.toml -o a.png --aov a.exr --json").fine());
     assert_eq!((&from_scene["width"], &from_scene["height"]), (&20.into(), &10.into()));
-    assert_eq!((&from_scene["search"], &from_scene["refine"]), (&"linear".into(), &"secant".into()));
+    let surface = &from_scene["surfaces"][0];
+    assert_eq!((&surface["search"], &surface["refine"]), (&"linear".into(), &"secant".into()));
     assert_eq!(only_height(&folder), 0.0);
     let level = |folder: &Folder| Aov::read(&folder.path("a.exr")).pixel(6, 5).position.y;
     assert_near(level(&folder), -0.2);
@@ -59,11 +60,34 @@ fn flags_override_the_scene_and_paths_start_where_they_are_written() {
 
     let named = |flags: &str| {
         let about = json(&folder.relief(&format!("render scenes/s.toml -o a.png --json {flags}")).fine());
-        format!("{} {}", about["search"].as_str().expect("a name"), about["refine"].as_str().expect("a name"))
+        let name = |stage: &str| about["surfaces"][0][stage].as_str().expect("a name").to_owned();
+        format!("{} {}", name("search"), name("refine"))
     };
     assert_eq!(named("--method exact"), "cells patch");
     assert_eq!(named("--search none"), "none secant");
     assert_eq!(named("--refine binary"), "linear binary");
+}
+
+#[test]
+fn surfaces_of_a_scene_are_rendered_together_and_reported_each() {
+    let folder = Folder::new();
+    folder.write("map.png", Map::constant(1.0).png());
+    let shared = "height = 'map.png'\neye = [0, 3, 0.01]\nsize = [24, 24]\nbackend = 'cpu'\n";
+    let two =
+        "[[surfaces]]\nposition = [-0.6, 0, 0]\n[[surfaces]]\nposition = [0.6, 0, 0]\nmethod = 'cone'\n";
+    folder.write("one.toml", shared);
+    folder.write("two.toml", format!("{shared}{two}"));
+    let of = |line: &str| json(&folder.relief(&format!("render {line} -o a.png --json")).fine());
+    let (one, both) = (of("one.toml"), of("two.toml"));
+    let surfaces = both["surfaces"].as_array().expect("a list");
+    let searches: Vec<&Value> = surfaces.iter().map(|surface| &surface["search"]).collect();
+    assert_eq!(searches, [&Value::from("cells"), &Value::from("cone")]);
+    let covered = |about: &Value| about["covered"].as_u64().expect("a number");
+    assert!(covered(&both) > covered(&one) * 3 / 2, "{both}");
+    // A flag holds for each of them.
+    let over = of("two.toml --method relief");
+    let surfaces = over["surfaces"].as_array().expect("a list");
+    assert!(surfaces.iter().all(|surface| surface["search"] == "linear"), "{over}");
 }
 
 #[test]
@@ -155,7 +179,8 @@ fn every_listed_name_renders() {
         |flags: &str| json(&folder.relief(&format!("render --height map.png {SMALL} --json {flags}")).fine());
     for method in listed["methods"].as_array().expect("a list") {
         let about = render(&format!("--method {}", method["name"].as_str().expect("a name")));
-        assert_eq!((&about["search"], &about["refine"]), (&method["search"], &method["refine"]));
+        let surface = &about["surfaces"][0];
+        assert_eq!((&surface["search"], &surface["refine"]), (&method["search"], &method["refine"]));
         assert!(about["covered"].as_u64() > Some(50), "{about}");
     }
     for search in names("search") {

@@ -358,7 +358,8 @@ fn a_picture_is_true_to_the_metres_of_the_file() {
     let of = |flags: &str| {
         let line = format!("render --height heights.exr --size 40x30 --backend cpu -o out.png {flags}");
         let said = json_of(&folder.relief(&format!("{line} --json")).fine());
-        let [scale_m, bias_m] = ["scale_m", "bias_m"].map(|key| said[key].as_f64().expect("a number"));
+        let [scale_m, bias_m] =
+            ["scale_m", "bias_m"].map(|key| said["surfaces"][0][key].as_f64().expect("a number"));
         assert_eq!(bias_m, -scale_m, "{flags}");
         (scale_m, folder.relief(&line).fine().stdout.contains("--scale"))
     };
@@ -371,5 +372,5 @@ fn a_picture_is_true_to_the_metres_of_the_file() {
     // A file that states nothing.
     let folder_map =
         folder.relief("render --height map.png --size 40x30 --backend cpu -o out.png --json").fine();
-    assert_eq!(json_of(&folder_map)["scale_m"], 0.05);
+    assert_eq!(json_of(&folder_map)["surfaces"][0]["scale_m"], 0.05);
 }

@@ -1,6 +1,6 @@
 //! The height map: the one input that everything else is derived from.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use crate::{HeightsHash, Wrap};
 
@@ -21,26 +21,31 @@ pub const MAX_TEXELS: u64 = 1 << 30;
 ///   Umenhoffer 2008, eq. 8).
 /// * [`Wrap`] says how the map goes on beyond its edges.
 /// * `texel_size_m` and `physical_range` are metadata: slopes are set by the tangent frame alone.
+///
+/// Clones share their texels, with another wrap or displacement too.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMap {
     width: u32,
     height: u32,
-    texels: Vec<f32>,
+    heights: Arc<Heights>,
     wrap: Wrap,
     scale_m: f64,
     bias_m: f64,
     texel_size_m: Option<[f64; 2]>,
     physical_range: Option<[f64; 2]>,
-    hash: Memo,
 }
 
-/// The hash of the heights once it was asked for. Maps are as equal with it as without.
-#[derive(Clone, Debug, Default)]
-struct Memo(OnceLock<HeightsHash>);
+/// What clones of a map share.
+#[derive(Debug)]
+struct Heights {
+    texels: Vec<f32>,
+    /// Once it was asked for.
+    hash: OnceLock<HeightsHash>,
+}
 
-impl PartialEq for Memo {
-    fn eq(&self, _: &Self) -> bool {
-        true
+impl PartialEq for Heights {
+    fn eq(&self, other: &Self) -> bool {
+        self.texels == other.texels
     }
 }
 
@@ -115,13 +120,12 @@ impl HeightMap {
         Ok(Self {
             width,
             height,
-            texels,
+            heights: Arc::new(Heights { texels, hash: OnceLock::new() }),
             wrap,
             scale_m: 1.0,
             bias_m: 0.0,
             texel_size_m: None,
             physical_range: None,
-            hash: Memo::default(),
         })
     }
 
@@ -230,17 +234,22 @@ impl HeightMap {
     /// All texels, row by row from the top.
     #[inline]
     pub fn texels(&self) -> &[f32] {
-        &self.texels
+        &self.heights.texels
     }
 
-    /// All texels, when nothing else of the map is needed any more.
+    /// All texels, when nothing else of the map is needed any more. They are copied where a clone of the map still has them.
     pub fn into_texels(self) -> Vec<f32> {
-        self.texels
+        Arc::try_unwrap(self.heights).map_or_else(|shared| shared.texels.clone(), |own| own.texels)
+    }
+
+    /// Whether the two have the same texels in memory, as clones do.
+    pub fn shares_texels(&self, other: &HeightMap) -> bool {
+        Arc::ptr_eq(&self.heights, &other.heights)
     }
 
     /// What tells these heights from those of other maps. The first call hashes all texels.
     pub fn heights_hash(&self) -> HeightsHash {
-        *self.hash.0.get_or_init(|| HeightsHash::of(self.width, self.height, &self.texels))
+        *self.heights.hash.get_or_init(|| HeightsHash::of(self.width, self.height, self.texels()))
     }
 
     /// How the map goes on beyond its edges.
@@ -292,7 +301,7 @@ impl HeightMap {
     pub fn texel(&self, column: i64, row: i64) -> f32 {
         let i = self.wrap.index(column, self.width) as usize;
         let j = self.wrap.index(row, self.height) as usize;
-        self.texels[j * self.width as usize + i]
+        self.heights.texels[j * self.width as usize + i]
     }
 
     /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`, `(i + 1, j)`, `(i, j + 1)`
@@ -302,7 +311,8 @@ impl HeightMap {
         let (i0, i1) = (self.wrap.index(i, self.width) as usize, self.wrap.index(i + 1, self.width) as usize);
         let j0 = self.wrap.index(j, self.height) as usize * self.width as usize;
         let j1 = self.wrap.index(j + 1, self.height) as usize * self.width as usize;
-        [self.texels[j0 + i0], self.texels[j0 + i1], self.texels[j1 + i0], self.texels[j1 + i1]]
+        let texels = self.texels();
+        [texels[j0 + i0], texels[j0 + i1], texels[j1 + i0], texels[j1 + i1]]
     }
 
     /// The bilinear surface at texture coordinates `(u, v)`, in `[0, 1]`.
@@ -359,6 +369,16 @@ mod tests {
         assert!(matches!(HeightMap::check_size(100_000, 100_000), Err(HeightMapError::TooLarge { .. })));
         assert!(ramp(Wrap::Clamp).with_displacement(f64::NAN, 0.0).is_err());
         assert!(ramp(Wrap::Clamp).with_texel_size_m([1.0, 0.0]).is_err());
+    }
+
+    #[test]
+    fn clones_share_their_texels() {
+        let map = ramp(Wrap::Clamp);
+        let other = map.clone().with_wrap(Wrap::Mirror);
+        assert!(map.shares_texels(&other) && !map.shares_texels(&ramp(Wrap::Clamp)));
+        assert_eq!(map, ramp(Wrap::Clamp));
+        let texels = map.texels().to_vec();
+        assert_eq!((map.into_texels(), other.into_texels()), (texels.clone(), texels));
     }
 
     #[test]

@@ -1,74 +1,72 @@
 //! A scene made ready for a backend: what the shaders bind, and nothing else.
 
-use relief_core::HeightMap;
-use relief_shaders::cpu::{ColorTexture, HeightTexture, MapTexture, PixelOut, Resources, Settings, Triangle};
-use relief_shaders::{MapSlot, SlotMaps};
+use std::sync::Arc;
 
-/// A map of four numbers a texel, row by row from the top: linear colour, or normals in tangent space.
-#[derive(Clone, Copy, Debug)]
-pub struct TexelMap<'a> {
-    /// Columns.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// `width * height` texels.
-    pub texels: &'a [[f32; 4]],
-}
+use relief_core::{BakedMap, HeightMap};
+use relief_io::Picture;
+use relief_shaders::cpu::{
+    Bound, ColorTexture, Frame, HeightTexture, PixelOut, Resources, SurfaceSettings, Triangle,
+};
+use relief_shaders::{MapSlot, Selection, SlotMaps};
 
 /// What both backends are given. The same job gives the same picture on either.
-pub struct Job<'a> {
+#[derive(Clone, Debug)]
+pub struct Job {
     /// Columns of the picture.
     pub width: u32,
     /// Rows of the picture.
     pub height: u32,
-    /// What is the same for all pixels.
-    pub settings: Settings,
+    /// What changes with the frame.
+    pub frame: Frame,
+    /// The surfaces. Of several the nearest is seen; of equally near ones the first.
+    pub surfaces: Vec<JobSurface>,
+}
+
+/// A surface of a job. Renderers keep what they have made of its parts as long as they are given the same ones again: the
+/// same by their address.
+#[derive(Clone, Debug)]
+pub struct JobSurface {
+    /// What is the same for all of its pixels.
+    pub settings: SurfaceSettings,
+    /// What is run.
+    pub selection: Selection,
     /// The base mesh, in the world.
-    pub triangles: &'a [Triangle],
-    /// World to clip space, `z` from 0 to 1, column by column.
-    pub view_projection: [[f32; 4]; 4],
+    pub triangles: Arc<[Triangle]>,
     /// The height map.
-    pub height_map: &'a HeightMap,
+    pub height_map: Arc<HeightMap>,
     /// The colour map, if any.
-    pub color_map: Option<TexelMap<'a>>,
+    pub color: Option<Arc<Picture>>,
     /// The normal map, if any.
-    pub normal_map: Option<TexelMap<'a>>,
-    /// The baked maps that the stages of the settings read.
-    pub maps: SlotMaps<'a>,
+    pub normal_map: Option<Arc<Picture>>,
+    /// The baked maps that the selection reads.
+    pub maps: Vec<(MapSlot, Arc<BakedMap>)>,
     /// Whether back faces are rendered, turned over.
     pub two_sided: bool,
 }
 
-/// What stands in for a map that a job lacks; the settings say that it is not to be read.
-const BLANK: &[[f32; 4]] = &[[0.0; 4]];
-
-impl<'a> Job<'a> {
-    /// The colour map, or a single texel.
-    pub fn color_map_or_blank(&self) -> TexelMap<'a> {
-        self.color_map.unwrap_or(TexelMap { width: 1, height: 1, texels: BLANK })
+impl JobSurface {
+    /// The baked maps in their slots.
+    pub fn slots(&self) -> SlotMaps<'_> {
+        self.maps.iter().map(|(slot, map)| (*slot, &**map)).collect()
     }
 
-    /// The normal map, or a single texel.
-    pub fn normal_map_or_blank(&self) -> TexelMap<'a> {
-        self.normal_map.unwrap_or(TexelMap { width: 1, height: 1, texels: BLANK })
-    }
-
-    /// What the translated shaders are called on.
-    pub fn resources(&self) -> Resources<'a> {
-        let texture = |map: TexelMap<'a>| ColorTexture::new(map.width, map.texels);
-        let baked = |slot| MapTexture::new(self.maps.get(slot));
-        Resources {
-            color_map: texture(self.color_map_or_blank()),
+    /// What the translated shaders are called on in a frame.
+    pub fn resources(&self, frame: Frame) -> Resources<'_> {
+        let color_map = self.color.as_deref().map_or(ColorTexture::BLANK, of_picture);
+        let normal_map = self.normal_map.as_deref().map_or(ColorTexture::BLANK, of_picture);
+        Resources::of(&Bound {
+            frame,
+            surface_settings: self.settings,
             height_map: HeightTexture::new(self.height_map.width(), self.height_map.texels()),
-            normal_map: texture(self.normal_map_or_blank()),
-            search_map: baked(MapSlot::Search),
-            shadow_search_map: baked(MapSlot::ShadowSearch),
-            shadow_texels: baked(MapSlot::Shadow),
-            ambient_map: baked(MapSlot::Ambient),
-            environment_map: baked(MapSlot::Environment),
-            settings: self.settings,
-        }
+            color_map,
+            normal_map,
+            maps: self.slots(),
+        })
     }
+}
+
+fn of_picture(picture: &Picture) -> ColorTexture<'_> {
+    ColorTexture::new(picture.width, &picture.texels)
 }
 
 /// The result of a job: every pixel, row by row from the top. A pixel that nothing covers has `hit` 0 and zeros.
@@ -80,4 +78,9 @@ pub struct Rendering {
     pub height: u32,
     /// `width * height` pixels.
     pub pixels: Vec<PixelOut>,
+}
+
+/// A pixel that nothing covers.
+pub fn uncovered() -> PixelOut {
+    PixelOut::new([0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32)
 }

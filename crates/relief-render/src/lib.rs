@@ -8,13 +8,14 @@ pub mod cpu;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod job;
+mod kept;
 pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod picture;
-pub mod prepare;
+mod prepare;
 pub mod raycast;
-mod render;
+mod renderer;
 pub mod scene;
 
-pub use render::{Progress, RenderError, Rendered, Task, render};
+pub use renderer::{Progress, Reason, RenderError, Rendered, Renderer, Task, render};

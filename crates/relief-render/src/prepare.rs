@@ -1,76 +1,105 @@
-//! A scene to a job: the shaders' settings, the triangles in the world and the camera's matrices.
+//! Scenes to jobs: the shaders' settings, the triangles in the world and the camera's matrix.
+
+use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
+use relief_core::BakedMap;
 use relief_io::Picture;
-use relief_shaders::SlotMaps;
-use relief_shaders::cpu::{Choice, Corner, Light as ShaderLight, Settings, Triangle};
+use relief_maps::{Account, Maps, MapsError, Watch};
+use relief_shaders::cpu::{Choice, Corner, Frame, Light as ShaderLight, SurfaceSettings, Triangle};
+use relief_shaders::{MAX_LIGHTS, MapSlot, SlotMaps};
 
 use crate::camera::Camera;
-use crate::job::{Job, TexelMap};
+use crate::job::{Job, JobSurface};
+use crate::kept::kept;
 use crate::light::Light;
 use crate::mesh::{Mesh, Vertex};
-use crate::scene::Scene;
+use crate::scene::{Scene, Surface};
 
 /// The least distance of the near plane, as a part of the far plane's: depths have 24 bits, of which such a ratio leaves
 /// ten at the far end. Smaller and distant surfaces flicker; larger and the eye cannot come close to a surface.
 const NEAR_OVER_FAR: f64 = 1e-4;
 
-/// What a job needs beyond the scene's own maps.
-pub struct Prepared<'a> {
-    scene: &'a Scene,
-    maps: SlotMaps<'a>,
-    settings: Settings,
-    triangles: Vec<Triangle>,
-    view_projection: [[f32; 4]; 4],
+/// Makes jobs of scenes, and keeps what they have in common from one to the next.
+#[derive(Debug, Default)]
+pub struct Preparer {
+    /// The triangles of the last scene's meshes.
+    triangles: Vec<(Arc<Mesh>, Arc<[Triangle]>)>,
+    /// The baked maps of each of the last scene's surfaces.
+    maps: Vec<Vec<(MapSlot, Arc<BakedMap>)>>,
 }
 
-impl<'a> Prepared<'a> {
-    /// Prepares a scene, with the baked maps that its stages read.
-    pub fn new(scene: &'a Scene, maps: SlotMaps<'a>) -> Self {
-        let mesh = scene.mesh();
-        Self {
-            scene,
-            maps,
-            settings: settings(scene, &maps),
-            triangles: (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number)).collect(),
-            view_projection: view_projection(scene.camera(), mesh, scene.size()).as_mat4().to_cols_array_2d(),
+impl Preparer {
+    /// Takes the baked maps that a scene's surfaces read from a provider, and says how these came about.
+    ///
+    /// # Errors
+    ///
+    /// When a baked map cannot be provided.
+    pub fn provide(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        watch: &Watch,
+    ) -> Result<Vec<Account>, MapsError> {
+        let mut accounts = Vec::new();
+        self.maps.clear();
+        for surface in scene.surfaces() {
+            let provided =
+                maps.provide(surface.selection(), surface.height_map(), surface.metric(), watch)?;
+            let (maps, of_surface) = provided.into_parts();
+            self.maps.push(maps);
+            accounts.extend(of_surface);
         }
+        Ok(accounts)
     }
 
-    /// The job of the scene.
-    pub fn job(&self) -> Job<'_> {
-        let scene = self.scene;
+    /// The job of the scene whose maps were taken last.
+    pub fn job(&mut self, scene: &Scene) -> Job {
+        let mut triangles = Vec::new();
+        let none = Vec::new();
+        let maps = self.maps.iter().chain(std::iter::repeat(&none));
+        let surfaces = scene.surfaces().iter().zip(maps).map(|(surface, maps)| {
+            let of_surface = kept(&mut triangles, &self.triangles, surface.mesh(), || {
+                let mesh = surface.mesh();
+                (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number)).collect()
+            });
+            JobSurface {
+                settings: surface_settings(
+                    surface,
+                    &maps.iter().map(|(slot, map)| (*slot, &**map)).collect(),
+                ),
+                selection: *surface.selection(),
+                triangles: of_surface,
+                height_map: Arc::clone(surface.height_map()),
+                color: surface.color().cloned(),
+                normal_map: surface.normal_map().cloned(),
+                maps: maps.clone(),
+                two_sided: surface.two_sided(),
+            }
+        });
+        let surfaces = surfaces.collect();
+        self.triangles = triangles;
         let [width, height] = scene.size();
-        let map = |picture: &'a Picture| TexelMap {
-            width: picture.width,
-            height: picture.height,
-            texels: &picture.texels,
-        };
-        Job {
-            width,
-            height,
-            settings: self.settings,
-            triangles: &self.triangles,
-            view_projection: self.view_projection,
-            height_map: scene.height_map(),
-            color_map: scene.color().map(map),
-            normal_map: scene.normal_map().map(map),
-            maps: self.maps,
-            two_sided: scene.two_sided(),
-        }
+        Job { width, height, frame: frame(scene), surfaces }
     }
 }
 
-fn settings(scene: &Scene, maps: &SlotMaps) -> Settings {
-    let four = |v: Vec3| [v.x, v.y, v.z, 0.0];
-    let place = |v: DVec3, w: f32| [v.x as f32, v.y as f32, v.z as f32, w];
-    let (camera, material, height) = (scene.camera(), scene.material(), scene.height_map());
+fn four(v: Vec3) -> [f32; 4] {
+    [v.x, v.y, v.z, 0.0]
+}
+
+fn place(v: DVec3, w: f32) -> [f32; 4] {
+    [v.x as f32, v.y as f32, v.z as f32, w]
+}
+
+/// What changes with the frame: camera and lights.
+fn frame(scene: &Scene) -> Frame {
+    let camera = scene.camera();
     let [columns, rows] = scene.size();
     let across = 2.0 * (camera.fov_degrees().to_radians() / 2.0).tan() / f64::from(rows);
     let (right, down) = (camera.right() * across, camera.up() * -across);
     let corner = camera.forward() - right * (f64::from(columns) / 2.0) - down * (f64::from(rows) / 2.0);
-
-    let mut lights = [ShaderLight::new([0.0; 4], [0.0; 4]); relief_shaders::MAX_LIGHTS];
+    let mut lights = [ShaderLight::new([0.0; 4], [0.0; 4]); MAX_LIGHTS];
     for (slot, light) in lights.iter_mut().zip(scene.lights()) {
         *slot = match *light {
             Light::Directional { toward, irradiance } => {
@@ -81,27 +110,37 @@ fn settings(scene: &Scene, maps: &SlotMaps) -> Settings {
             }
         };
     }
-    let size = |map: Option<&Picture>| map.map_or([1, 1], |map| [map.width, map.height]);
-    Settings {
-        choices: scene.selection().choices.map(|choice| Choice::from(&choice)),
-        maps: maps.settings(),
+    let view_projection = view_projection(camera, scene.surfaces(), scene.size());
+    Frame {
+        view_projection: view_projection.as_mat4().to_cols_array_2d().map(Into::into),
         eye: place(camera.eye(), 1.0).into(),
         forward: place(camera.forward(), 0.0).into(),
         corner: place(corner, 0.0).into(),
         right: place(right, 0.0).into(),
         down: place(down, 0.0).into(),
         ambient: four(scene.ambient()).into(),
+        background: four(scene.background()).into(),
+        lights,
+        light_count: scene.lights().len() as u32,
+    }
+}
+
+/// What belongs to a surface: its maps, displacement, material and method.
+fn surface_settings(surface: &Surface, maps: &SlotMaps) -> SurfaceSettings {
+    let (material, height) = (surface.material(), surface.height_map());
+    let size = |map: Option<&Arc<Picture>>| map.map_or([1, 1], |map| [map.width, map.height]);
+    SurfaceSettings {
+        choices: surface.selection().choices.map(|choice| Choice::from(&choice)),
+        maps: maps.settings(),
         diffuse: four(material.diffuse()).into(),
         specular: four(material.specular()).into(),
-        lights,
         height_size: [height.width(), height.height()].into(),
-        color_size: size(scene.color()).into(),
-        normal_size: size(scene.normal_map()).into(),
+        color_size: size(surface.color()).into(),
+        normal_size: size(surface.normal_map()).into(),
         wrap: height.wrap() as u32,
-        light_count: scene.lights().len() as u32,
         shininess: material.shininess(),
-        has_color: u32::from(scene.color().is_some()),
-        has_normal: u32::from(scene.normal_map().is_some()),
+        has_color: u32::from(surface.color().is_some()),
+        has_normal: u32::from(surface.normal_map().is_some()),
         scale_m: height.scale_m() as f32,
         bias_m: height.bias_m() as f32,
     }
@@ -121,11 +160,12 @@ fn triangle(mesh: &Mesh, number: u32) -> Triangle {
     Triangle { a, b, c }
 }
 
-/// The matrix for the rasteriser, with planes that hold the whole mesh.
-fn view_projection(camera: &Camera, mesh: &Mesh, size: [u32; 2]) -> DMat4 {
+/// The matrix for the rasteriser, with planes that hold all meshes.
+fn view_projection(camera: &Camera, surfaces: &[Surface], size: [u32; 2]) -> DMat4 {
+    let vertices = || surfaces.iter().flat_map(|surface| surface.mesh().vertices());
     let depth = |vertex: &Vertex| camera.forward().dot(vertex.position.as_dvec3() - camera.eye());
-    let farthest = mesh.vertices().iter().map(depth).fold(0.0, f64::max);
-    let nearest = mesh.vertices().iter().map(depth).fold(f64::INFINITY, f64::min);
+    let farthest = vertices().map(depth).fold(0.0, f64::max);
+    let nearest = vertices().map(depth).fold(f64::INFINITY, f64::min);
     // A mesh behind the eye shows nothing, whatever the planes.
     let far = if farthest > 0.0 { farthest * 1.01 } else { 1.0 };
     let near = (nearest * 0.99).clamp(far * NEAR_OVER_FAR, far * 0.5);

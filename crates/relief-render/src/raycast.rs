@@ -8,10 +8,11 @@
 
 use crate::camera::Ray;
 use crate::mesh::Mesh;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::{Bvh2, builder::build_bvh2_from_tris};
 use obvhs::triangle::Triangle;
+use std::fmt;
 
 /// How far boxes are grown, relative to the largest coordinate in play. It must exceed the triangle test's rounding
 /// (a few 1e-16), or a box could reject what the test would accept; larger costs visits only.
@@ -47,6 +48,7 @@ pub struct SurfaceHit {
 ///
 /// Answers depend on the mesh and the ray alone, not on the hierarchy: hits are ordered by `(t, triangle)`, and where a
 /// ray meets an edge or a corner, every triangle there is hit.
+#[derive(Clone)]
 pub struct RayCaster {
     corners: Vec<[DVec3; 3]>,
     bvh: Bvh2,
@@ -55,16 +57,26 @@ pub struct RayCaster {
     extent: f64,
 }
 
+impl fmt::Debug for RayCaster {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "RayCaster({} triangles)", self.corners.len())
+    }
+}
+
 impl RayCaster {
     /// Prepares a mesh; takes about 300 bytes a triangle.
     pub fn new(mesh: &Mesh) -> Self {
         let numbers = 0..mesh.triangles().len() as u32;
-        let triangles: Vec<Triangle> = numbers
-            .map(|triangle| {
-                let [v0, v1, v2] = mesh.corners(triangle).map(|corner| corner.position.into());
-                Triangle { v0, v1, v2 }
-            })
-            .collect();
+        Self::of_corners(numbers.map(|triangle| mesh.corners(triangle).map(|corner| corner.position)))
+    }
+
+    /// Prepares triangles by their corners.
+    pub fn of_corners(corners: impl Iterator<Item = [Vec3; 3]>) -> Self {
+        let triangle = |corners: [Vec3; 3]| {
+            let [v0, v1, v2] = corners.map(Into::into);
+            Triangle { v0, v1, v2 }
+        };
+        let triangles: Vec<Triangle> = corners.map(triangle).collect();
         let bvh = if triangles.is_empty() {
             Bvh2::default()
         } else {

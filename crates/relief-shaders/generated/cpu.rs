@@ -5,6 +5,22 @@ use crate::cpu::runtime::SquareRoot as _;
 
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+pub struct Around {
+    pub columns: rt::Vec2<i32>,
+    pub rows: rt::Vec2<i32>,
+    pub part: rt::Vec2<f32>,
+}
+impl Around {
+    pub fn new(
+        columns: impl rt::Into<rt::Vec2<i32>>,
+        rows: impl rt::Into<rt::Vec2<i32>>,
+        part: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Self {
+        Self { columns: rt::into(columns), rows: rt::into(rows), part: rt::into(part) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 pub struct Choice {
     pub number: u32,
     pub params: rt::Vec4<f32>,
@@ -111,6 +127,50 @@ impl Found {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+pub struct Light {
+    pub place: rt::Vec4<f32>,
+    pub color: rt::Vec4<f32>,
+}
+impl Light {
+    pub fn new(
+        place: impl rt::Into<rt::Vec4<f32>>,
+        color: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { place: rt::into(place), color: rt::into(color) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+pub struct Frame {
+    pub view_projection: [rt::Vec4<f32>; 4],
+    pub eye: rt::Vec4<f32>,
+    pub forward: rt::Vec4<f32>,
+    pub corner: rt::Vec4<f32>,
+    pub right: rt::Vec4<f32>,
+    pub down: rt::Vec4<f32>,
+    pub ambient: rt::Vec4<f32>,
+    pub background: rt::Vec4<f32>,
+    pub lights: [Light; 8],
+    pub light_count: u32,
+}
+impl Frame {
+    pub fn new(
+        view_projection: impl rt::Into<[rt::Vec4<f32>; 4]>,
+        eye: impl rt::Into<rt::Vec4<f32>>,
+        forward: impl rt::Into<rt::Vec4<f32>>,
+        corner: impl rt::Into<rt::Vec4<f32>>,
+        right: impl rt::Into<rt::Vec4<f32>>,
+        down: impl rt::Into<rt::Vec4<f32>>,
+        ambient: impl rt::Into<rt::Vec4<f32>>,
+        background: impl rt::Into<rt::Vec4<f32>>,
+        lights: impl rt::Into<[Light; 8]>,
+        light_count: impl rt::Into<u32>,
+    ) -> Self {
+        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 pub struct Grid {
     pub origin: rt::Vec2<f32>,
     pub step: rt::Vec2<f32>,
@@ -143,20 +203,6 @@ impl Hit {
         reads: impl rt::Into<u32>,
     ) -> Self {
         Self { found: rt::into(found), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), t: rt::into(t), reads: rt::into(reads) }
-    }
-}
-#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
-#[repr(C)]
-pub struct Light {
-    pub place: rt::Vec4<f32>,
-    pub color: rt::Vec4<f32>,
-}
-impl Light {
-    pub fn new(
-        place: impl rt::Into<rt::Vec4<f32>>,
-        color: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Self {
-        Self { place: rt::into(place), color: rt::into(color) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -233,54 +279,38 @@ impl PixelOut {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-pub struct Settings {
+pub struct SurfaceSettings {
     pub choices: [Choice; 4],
     pub maps: [MapSettings; 5],
-    pub eye: rt::Vec4<f32>,
-    pub forward: rt::Vec4<f32>,
-    pub corner: rt::Vec4<f32>,
-    pub right: rt::Vec4<f32>,
-    pub down: rt::Vec4<f32>,
-    pub ambient: rt::Vec4<f32>,
     pub diffuse: rt::Vec4<f32>,
     pub specular: rt::Vec4<f32>,
-    pub lights: [Light; 8],
     pub height_size: rt::Vec2<u32>,
     pub color_size: rt::Vec2<u32>,
     pub normal_size: rt::Vec2<u32>,
     pub wrap: u32,
-    pub light_count: u32,
     pub shininess: u32,
     pub has_color: u32,
     pub has_normal: u32,
     pub scale_m: f32,
     pub bias_m: f32,
 }
-impl Settings {
+impl SurfaceSettings {
     pub fn new(
         choices: impl rt::Into<[Choice; 4]>,
         maps: impl rt::Into<[MapSettings; 5]>,
-        eye: impl rt::Into<rt::Vec4<f32>>,
-        forward: impl rt::Into<rt::Vec4<f32>>,
-        corner: impl rt::Into<rt::Vec4<f32>>,
-        right: impl rt::Into<rt::Vec4<f32>>,
-        down: impl rt::Into<rt::Vec4<f32>>,
-        ambient: impl rt::Into<rt::Vec4<f32>>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
-        lights: impl rt::Into<[Light; 8]>,
         height_size: impl rt::Into<rt::Vec2<u32>>,
         color_size: impl rt::Into<rt::Vec2<u32>>,
         normal_size: impl rt::Into<rt::Vec2<u32>>,
         wrap: impl rt::Into<u32>,
-        light_count: impl rt::Into<u32>,
         shininess: impl rt::Into<u32>,
         has_color: impl rt::Into<u32>,
         has_normal: impl rt::Into<u32>,
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), eye: rt::into(eye), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), diffuse: rt::into(diffuse), specular: rt::into(specular), lights: rt::into(lights), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), wrap: rt::into(wrap), light_count: rt::into(light_count), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -320,13 +350,7 @@ pub const RAY_SHADOW: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
-pub const SLOT_AMBIENT: rt::Scalar<u32> = rt::Scalar(3u32);
-#[allow(non_upper_case_globals)]
-pub const SLOT_ENVIRONMENT: rt::Scalar<u32> = rt::Scalar(4u32);
-#[allow(non_upper_case_globals)]
 pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
-#[allow(non_upper_case_globals)]
-pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -338,63 +362,44 @@ pub const WRAP_MIRROR: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_REPEAT: rt::Scalar<u32> = rt::Scalar(0u32);
 pub struct Resources<'g> {
-    #[doc = "group(0) binding(8)"]
-    pub ambient_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(2)"]
     pub color_map: rt::ColorTexture<'g>,
-    #[doc = "group(0) binding(9)"]
-    pub environment_map: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(10)"]
+    pub frame: Frame,
     #[doc = "group(0) binding(1)"]
     pub height_map: rt::HeightTexture<'g>,
     #[doc = "group(0) binding(3)"]
     pub normal_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(5)"]
     pub search_map: rt::MapTexture<'g>,
-    #[doc = "group(0) binding(0)"]
-    pub settings: Settings,
     #[doc = "group(0) binding(6)"]
     pub shadow_search_map: rt::MapTexture<'g>,
-    #[doc = "group(0) binding(7)"]
-    pub shadow_texels: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(0)"]
+    pub surface_settings: SurfaceSettings,
 }
 impl<'g> Resources<'g> {
-    pub fn decoded(
+    pub fn bilinear(
         &self,
-        texel: impl rt::Into<rt::Vec4<f32>>,
-        map: MapSettings,
+        h00_: impl rt::Into<rt::Vec4<f32>>,
+        h10_: impl rt::Into<rt::Vec4<f32>>,
+        h01_: impl rt::Into<rt::Vec4<f32>>,
+        h11_: impl rt::Into<rt::Vec4<f32>>,
+        part: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_decoded(rt::into(texel), map))
+        rt::into(self.v_bilinear(rt::into(h00_), rt::into(h10_), rt::into(h01_), rt::into(h11_), rt::into(part)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_decoded(
+    fn v_bilinear(
         &self,
-        texel: rt::Vec4<f32>,
-        map: MapSettings,
+        h00_: rt::Vec4<f32>,
+        h10_: rt::Vec4<f32>,
+        h01_: rt::Vec4<f32>,
+        h11_: rt::Vec4<f32>,
+        part: rt::Vec2<f32>,
     ) -> rt::Vec4<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(map.coded).elementwise_eq(rt::Scalar(1u32))) {
-            return (map.low + (map.step * ((texel * rt::Scalar(255f32)) + <rt::Vec4<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor()));
-        }
-        return texel;
-    }
-    pub fn ambient_texel(
-        &self,
-        place: impl rt::Into<rt::Vec2<i32>>,
-        layer: impl rt::Into<rt::Scalar<i32>>,
-        level: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_ambient_texel(rt::into(place), rt::into(layer), rt::into(level)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_ambient_texel(
-        &self,
-        place: rt::Vec2<i32>,
-        layer: rt::Scalar<i32>,
-        level: rt::Scalar<i32>,
-    ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.ambient_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
-        let _e8 = self.settings.maps[3usize];
-        let _e9 = self.v_decoded(_e4, _e8);
-        return _e9;
+        let top = (h00_ + ((h10_ - h00_) * part.x()));
+        let bottom = (h01_ + ((h11_ - h01_) * part.x()));
+        return (top + ((bottom - top) * part.y()));
     }
     pub fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
@@ -478,11 +483,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e8) {
             return i;
         }
-        let _e11 = rt::Scalar(self.settings.wrap);
+        let _e11 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e11.elementwise_eq(WRAP_CLAMP)) {
             return i.clamp(rt::Scalar(0i32), (n - rt::Scalar(1i32)));
         }
-        let _e20 = rt::Scalar(self.settings.wrap);
+        let _e20 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e20.elementwise_eq(WRAP_REPEAT)) {
             return (((i % n) + n) % n);
         }
@@ -495,7 +500,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_cell(&self, cell_2: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e3 = self.settings.height_size;
+        let _e3 = self.surface_settings.height_size;
         let n_2 = _e3.cast_elem_as_i32();
         let _e7 = self.v_wrap_index(cell_2.x(), n_2.x());
         let _e12 = self.v_wrap_index((cell_2.x() + rt::Scalar(1i32)), n_2.x());
@@ -584,99 +589,98 @@ impl<'g> Resources<'g> {
         let _e27 = next;
         return _e27;
     }
-    pub fn chosen_refine(&self) -> u32 {
-        rt::into(self.v_chosen_refine())
+    pub fn texels_around(
+        &self,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        size: impl rt::Into<rt::Vec2<u32>>,
+    ) -> Around {
+        rt::into(self.v_texels_around(rt::into(uv), rt::into(size)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_chosen_refine(&self) -> rt::Scalar<u32> {
-        let _e4 = rt::Scalar(self.settings.choices[2usize].number);
-        return _e4;
+    fn v_texels_around(
+        &self,
+        uv: rt::Vec2<f32>,
+        size: rt::Vec2<u32>,
+    ) -> Around {
+        let n_3 = size.cast_elem_as_i32();
+        let point_2 = ((uv * size.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_2);
+        let i_2 = _e9.cast_elem_as_i32();
+        let _e13 = self.v_wrap_index(i_2.x(), n_3.x());
+        let _e18 = self.v_wrap_index((i_2.x() + rt::Scalar(1i32)), n_3.x());
+        let _e22 = self.v_wrap_index(i_2.y(), n_3.y());
+        let _e27 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_3.y());
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e13, _e18), <rt::Vec2<i32>>::from_scalars(_e22, _e27), (point_2 - _e9));
     }
-    pub fn chosen_search(&self) -> u32 {
-        rt::into(self.v_chosen_search())
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_chosen_search(&self) -> rt::Scalar<u32> {
-        let _e4 = rt::Scalar(self.settings.choices[1usize].number);
-        return _e4;
-    }
-    pub fn chosen_shade(&self) -> u32 {
-        rt::into(self.v_chosen_shade())
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_chosen_shade(&self) -> rt::Scalar<u32> {
-        let _e4 = rt::Scalar(self.settings.choices[3usize].number);
-        return _e4;
-    }
-    pub fn chosen_surface(&self) -> u32 {
-        rt::into(self.v_chosen_surface())
+    pub fn color_at(&self, uv_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_color_at(rt::into(uv_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_chosen_surface(&self) -> rt::Scalar<u32> {
-        let _e4 = rt::Scalar(self.settings.choices[0usize].number);
-        return _e4;
+    fn v_color_at(&self, uv_1: rt::Vec2<f32>) -> rt::Vec4<f32> {
+        let _e3 = self.surface_settings.color_size;
+        let _e4 = self.v_texels_around(uv_1, _e3);
+        let _e12 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e20 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e36 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e38 = self.v_bilinear(_e12, _e20, _e28, _e36, _e4.part);
+        return _e38;
     }
-    pub fn color_at(&self, uv: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_at(&self, uv: rt::Vec2<f32>) -> rt::Vec4<f32> {
-        let _e3 = self.settings.color_size;
-        let n_3 = _e3.cast_elem_as_i32();
-        let _e7 = self.settings.color_size;
-        let point_2 = ((uv * _e7.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e14 = self.v_cell_of(point_2);
-        let f = (point_2 - _e14);
-        let i_2 = _e14.cast_elem_as_i32();
-        let _e19 = self.v_wrap_index(i_2.x(), n_3.x());
-        let _e24 = self.v_wrap_index((i_2.x() + rt::Scalar(1i32)), n_3.x());
-        let _e27 = self.v_wrap_index(i_2.y(), n_3.y());
-        let _e32 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_3.y());
-        let h00_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h10_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h01_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h11_ = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e24, _e32), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let top = (h00_ + ((h10_ - h00_) * f.x()));
-        let bottom = (h01_ + ((h11_ - h01_) * f.x()));
-        return (top + ((bottom - top) * f.y()));
-    }
-    pub fn color_or_white(&self, uv_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_color_or_white(rt::into(uv_1)))
+    pub fn color_or_white(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_color_or_white(rt::into(uv_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_or_white(&self, uv_1: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e3 = rt::Scalar(self.settings.has_color);
+    fn v_color_or_white(&self, uv_2: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.has_color);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
-            let _e6 = self.v_color_at(uv_1);
+            let _e6 = self.v_color_at(uv_2);
             return _e6.xyz();
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
     }
+    pub fn decoded(
+        &self,
+        texel: impl rt::Into<rt::Vec4<f32>>,
+        map: MapSettings,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_decoded(rt::into(texel), map))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_decoded(
+        &self,
+        texel: rt::Vec4<f32>,
+        map: MapSettings,
+    ) -> rt::Vec4<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(map.coded).elementwise_eq(rt::Scalar(1u32))) {
+            return (map.low + (map.step * ((texel * rt::Scalar(255f32)) + <rt::Vec4<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor()));
+        }
+        return texel;
+    }
     pub fn search_texel(
         &self,
         path_2: Path,
-        place_1: impl rt::Into<rt::Vec2<i32>>,
-        layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_1: impl rt::Into<rt::Scalar<i32>>,
+        place: impl rt::Into<rt::Vec2<i32>>,
+        layer: impl rt::Into<rt::Scalar<i32>>,
+        level: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_2, rt::into(place_1), rt::into(layer_1), rt::into(level_1)))
+        rt::into(self.v_search_texel(path_2, rt::into(place), rt::into(layer), rt::into(level)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel(
         &self,
         path_2: Path,
-        place_1: rt::Vec2<i32>,
-        layer_1: rt::Scalar<i32>,
-        level_1: rt::Scalar<i32>,
+        place: rt::Vec2<i32>,
+        layer: rt::Scalar<i32>,
+        level: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_2.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_2 = rt::texture::Read::read_texel((&self.shadow_search_map), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_1));
-            let _e12 = self.settings.maps[1usize];
+            let texel_2 = rt::texture::Read::read_texel((&self.shadow_search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
+            let _e12 = self.surface_settings.maps[1usize];
             let _e13 = self.v_decoded(texel_2, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_1));
-        let _e19 = self.settings.maps[0usize];
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
+        let _e19 = self.surface_settings.maps[0usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
     }
@@ -693,11 +697,11 @@ impl<'g> Resources<'g> {
         path_3: Path,
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.settings.height_size;
+        let _e4 = self.surface_settings.height_size;
         let n_4 = _e4.cast_elem_as_i32();
-        let place_4 = texel_1.cast_elem_as_i32();
-        let _e9 = self.v_wrap_index(place_4.x(), n_4.x());
-        let _e12 = self.v_wrap_index(place_4.y(), n_4.y());
+        let place_1 = texel_1.cast_elem_as_i32();
+        let _e9 = self.v_wrap_index(place_1.x(), n_4.x());
+        let _e12 = self.v_wrap_index(place_1.y(), n_4.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e9, _e12);
         let _e17 = self.v_search_texel(path_3, wrapped, rt::Scalar(0i32), rt::Scalar(path_3.level).cast_elem_as_i32());
         let value = _e17.x();
@@ -706,26 +710,6 @@ impl<'g> Resources<'g> {
             return (((rt::Scalar(1f32) - value) * (rt::Scalar(1f32) + value)) / squared);
         }
         return rt::Scalar(-1f32);
-    }
-    pub fn environment_texel(
-        &self,
-        place_2: impl rt::Into<rt::Vec2<i32>>,
-        face: impl rt::Into<rt::Scalar<i32>>,
-        level_2: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_environment_texel(rt::into(place_2), rt::into(face), rt::into(level_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_environment_texel(
-        &self,
-        place_2: rt::Vec2<i32>,
-        face: rt::Scalar<i32>,
-        level_2: rt::Scalar<i32>,
-    ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.environment_map), place_2, rt::Scalar::into_inner(face), 0i32, rt::Scalar::into_inner(level_2));
-        let _e8 = self.settings.maps[4usize];
-        let _e9 = self.v_decoded(_e4, _e8);
-        return _e9;
     }
     pub fn quadratic(
         &self,
@@ -811,11 +795,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(i_1, rt::Scalar(0i32));
         }
-        let _e13 = rt::Scalar(self.settings.wrap);
+        let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_REPEAT)) {
             return <rt::Vec2<i32>>::from_scalars((((i_1 % n_1) + n_1) % n_1), rt::Scalar(0i32));
         }
-        let _e23 = rt::Scalar(self.settings.wrap);
+        let _e23 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(WRAP_MIRROR)) {
             let period_1 = (rt::Scalar(2i32) * n_1);
             let folded_1 = (((i_1 % period_1) + period_1) % period_1);
@@ -902,9 +886,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let mut local_3: rt::Scalar<bool>;
 
-        let _e7 = self.settings.height_size.x();
+        let _e7 = self.surface_settings.height_size.x();
         let _e9 = self.v_folded_cell(cell_6.x(), _e7.cast_elem_as_i32());
-        let _e14 = self.settings.height_size.y();
+        let _e14 = self.surface_settings.height_size.y();
         let _e16 = self.v_folded_cell(cell_6.y(), _e14.cast_elem_as_i32());
         if rt::Scalar::into_branch_condition((!_e9.x().elementwise_lt(rt::Scalar(0i32)))) {
             local_3 = _e16.x().elementwise_lt(rt::Scalar(0i32));
@@ -925,7 +909,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_size(&self) -> rt::Vec2<f32> {
-        let _e2 = self.settings.height_size;
+        let _e2 = self.surface_settings.height_size;
         return _e2.cast_elem_as_f32();
     }
     pub fn grid_of(&self, path_5: Path) -> Grid {
@@ -965,35 +949,35 @@ impl<'g> Resources<'g> {
         let _e26 = local_4;
         return _e26;
     }
-    pub fn height_and_slope(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_2)))
+    pub fn height_and_slope(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_height_and_slope(rt::into(uv_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_and_slope(&self, uv_2: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_height_and_slope(&self, uv_3: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e1 = self.v_height_size();
-        let point_3 = ((uv_2 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_3 = ((uv_3 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e7 = self.v_cell_of(point_3);
-        let f_1 = (point_3 - _e7);
+        let f = (point_3 - _e7);
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_1 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
-        let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
-        let left_1 = (_e10.x() + ((_e10.z() - _e10.x()) * f_1.y()));
-        let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f_1.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
+        let top_1 = (_e10.x() + ((_e10.y() - _e10.x()) * f.x()));
+        let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f.x()));
+        let left_1 = (_e10.x() + ((_e10.z() - _e10.x()) * f.y()));
+        let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
     }
-    pub fn height_at(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> f32 {
-        rt::into(self.v_height_at(rt::into(uv_3)))
+    pub fn height_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_height_at(rt::into(uv_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_at(&self, uv_3: rt::Vec2<f32>) -> rt::Scalar<f32> {
+    fn v_height_at(&self, uv_4: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let _e1 = self.v_height_size();
-        let point_4 = ((uv_3 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_4 = ((uv_4 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e7 = self.v_cell_of(point_4);
-        let f_2 = (point_4 - _e7);
+        let f_1 = (point_4 - _e7);
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f_2.x()));
-        let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_2.x()));
-        return (top_2 + ((bottom_2 - top_2) * f_2.y()));
+        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
+        let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
+        return (top_2 + ((bottom_2 - top_2) * f_1.y()));
     }
     pub fn path_height(
         &self,
@@ -1100,44 +1084,34 @@ impl<'g> Resources<'g> {
         let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
         return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
     }
-    pub fn normal_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_4)))
+    pub fn normal_at(&self, uv_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_at(&self, uv_4: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e3 = self.settings.normal_size;
-        let n_5 = _e3.cast_elem_as_i32();
-        let _e7 = self.settings.normal_size;
-        let point_5 = ((uv_4 * _e7.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e14 = self.v_cell_of(point_5);
-        let f_3 = (point_5 - _e14);
-        let i_3 = _e14.cast_elem_as_i32();
-        let _e19 = self.v_wrap_index(i_3.x(), n_5.x());
-        let _e24 = self.v_wrap_index((i_3.x() + rt::Scalar(1i32)), n_5.x());
-        let _e27 = self.v_wrap_index(i_3.y(), n_5.y());
-        let _e32 = self.v_wrap_index((i_3.y() + rt::Scalar(1i32)), n_5.y());
-        let h00_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e27), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h10_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e27), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h01_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e19, _e32), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let h11_1 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e24, _e32), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let top_3 = (h00_1 + ((h10_1 - h00_1) * f_3.x()));
-        let bottom_3 = (h01_1 + ((h11_1 - h01_1) * f_3.x()));
-        return (top_3 + ((bottom_3 - top_3) * f_3.y())).xyz();
+    fn v_normal_at(&self, uv_5: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = self.surface_settings.normal_size;
+        let _e4 = self.v_texels_around(uv_5, _e3);
+        let _e13 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e40 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+        let _e42 = self.v_bilinear(_e13, _e22, _e31, _e40, _e4.part);
+        return _e42.xyz();
     }
     pub fn normal_from_map(
         &self,
         at: Entered,
-        uv_5: impl rt::Into<rt::Vec2<f32>>,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_map(at, rt::into(uv_5)))
+        rt::into(self.v_normal_from_map(at, rt::into(uv_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_map(
         &self,
         at: Entered,
-        uv_5: rt::Vec2<f32>,
+        uv_6: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_normal_at(uv_5);
+        let _e2 = self.v_normal_at(uv_6);
         let along_u = at.tangent.normalize();
         let along_v = at.bitangent.normalize();
         return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at.normal * _e2.z())).normalize();
@@ -1145,26 +1119,26 @@ impl<'g> Resources<'g> {
     pub fn normal_from_height(
         &self,
         at_1: Entered,
-        uv_6: impl rt::Into<rt::Vec2<f32>>,
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_1, rt::into(uv_6)))
+        rt::into(self.v_normal_from_height(at_1, rt::into(uv_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_1: Entered,
-        uv_6: rt::Vec2<f32>,
+        uv_7: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size();
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e2.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e2.y()));
-        let _e14 = self.v_height_at((uv_6 + du));
-        let _e16 = self.v_height_at((uv_6 - du));
-        let _e23 = rt::Scalar(self.settings.scale_m);
+        let _e14 = self.v_height_at((uv_7 + du));
+        let _e16 = self.v_height_at((uv_7 - du));
+        let _e23 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u = ((_e14 - _e16) * ((rt::Scalar(0.5f32) * _e2.x()) * _e23));
-        let _e27 = self.v_height_at((uv_6 + dv));
-        let _e29 = self.v_height_at((uv_6 - dv));
-        let _e36 = rt::Scalar(self.settings.scale_m);
+        let _e27 = self.v_height_at((uv_7 + dv));
+        let _e29 = self.v_height_at((uv_7 - dv));
+        let _e36 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = ((_e27 - _e29) * ((rt::Scalar(0.5f32) * _e2.y()) * _e36));
         let along_u_1 = (at_1.tangent + (at_1.normal * slope_u));
         let along_v_1 = (at_1.bitangent + (at_1.normal * slope_v));
@@ -1174,22 +1148,22 @@ impl<'g> Resources<'g> {
     pub fn mesostructure_normal(
         &self,
         at_2: Entered,
-        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_mesostructure_normal(at_2, rt::into(uv_7)))
+        rt::into(self.v_mesostructure_normal(at_2, rt::into(uv_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normal(
         &self,
         at_2: Entered,
-        uv_7: rt::Vec2<f32>,
+        uv_8: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
-        let _e4 = rt::Scalar(self.settings.has_normal);
+        let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e7 = self.v_normal_from_map(at_2, uv_7);
+            let _e7 = self.v_normal_from_map(at_2, uv_8);
             return _e7;
         }
-        let _e8 = self.v_normal_from_height(at_2, uv_7);
+        let _e8 = self.v_normal_from_height(at_2, uv_8);
         return _e8;
     }
     pub fn normal_z(
@@ -1248,9 +1222,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_pixel_direction(&self, pixel: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e3 = self.settings.corner;
-        let _e7 = self.settings.right;
-        let _e14 = self.settings.down;
+        let _e3 = self.frame.corner;
+        let _e7 = self.frame.right;
+        let _e14 = self.frame.down;
         return ((_e3.xyz() + (_e7.xyz() * pixel.x())) + (_e14.xyz() * pixel.y()));
     }
     pub fn pixel_of(
@@ -1272,7 +1246,7 @@ impl<'g> Resources<'g> {
         side: rt::Scalar<f32>,
         point_1: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e7 = self.settings.eye;
+        let _e7 = self.frame.eye;
         let _e9 = self.v_pixel_direction(point_1);
         return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_4);
     }
@@ -1864,52 +1838,52 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_stage(&self, path_22: Path, found_11: Found) -> Hit {
-        let _e2 = self.v_chosen_refine();
-        match rt::Scalar::into_inner(_e2) {
+        let _e6 = rt::Scalar(self.surface_settings.choices[2usize].number);
+        match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e7 = self.settings.choices[2usize].params;
-                let _e8 = self.v_refine_none(path_22, found_11, _e7);
-                return _e8;
+                let _e11 = self.surface_settings.choices[2usize].params;
+                let _e12 = self.v_refine_none(path_22, found_11, _e11);
+                return _e12;
             }
             1u32 => {
-                let _e13 = self.settings.choices[2usize].params;
-                let _e14 = self.v_refine_offset(path_22, found_11, _e13);
-                return _e14;
+                let _e17 = self.surface_settings.choices[2usize].params;
+                let _e18 = self.v_refine_offset(path_22, found_11, _e17);
+                return _e18;
             }
             2u32 => {
-                let _e19 = self.settings.choices[2usize].params;
-                let _e20 = self.v_refine_offset_limited(path_22, found_11, _e19);
-                return _e20;
+                let _e23 = self.surface_settings.choices[2usize].params;
+                let _e24 = self.v_refine_offset_limited(path_22, found_11, _e23);
+                return _e24;
             }
             3u32 => {
-                let _e25 = self.settings.choices[2usize].params;
-                let _e26 = self.v_refine_slope(path_22, found_11, _e25);
-                return _e26;
+                let _e29 = self.surface_settings.choices[2usize].params;
+                let _e30 = self.v_refine_slope(path_22, found_11, _e29);
+                return _e30;
             }
             4u32 => {
-                let _e31 = self.settings.choices[2usize].params;
-                let _e32 = self.v_refine_slope_iterative(path_22, found_11, _e31);
-                return _e32;
+                let _e35 = self.surface_settings.choices[2usize].params;
+                let _e36 = self.v_refine_slope_iterative(path_22, found_11, _e35);
+                return _e36;
             }
             5u32 => {
-                let _e37 = self.settings.choices[2usize].params;
-                let _e38 = self.v_refine_binary(path_22, found_11, _e37);
-                return _e38;
+                let _e41 = self.surface_settings.choices[2usize].params;
+                let _e42 = self.v_refine_binary(path_22, found_11, _e41);
+                return _e42;
             }
             6u32 => {
-                let _e43 = self.settings.choices[2usize].params;
-                let _e44 = self.v_refine_secant(path_22, found_11, _e43);
-                return _e44;
+                let _e47 = self.surface_settings.choices[2usize].params;
+                let _e48 = self.v_refine_secant(path_22, found_11, _e47);
+                return _e48;
             }
             7u32 => {
-                let _e49 = self.settings.choices[2usize].params;
-                let _e50 = self.v_refine_true_secant(path_22, found_11, _e49);
-                return _e50;
+                let _e53 = self.surface_settings.choices[2usize].params;
+                let _e54 = self.v_refine_true_secant(path_22, found_11, _e53);
+                return _e54;
             }
             _ => {
-                let _e55 = self.settings.choices[2usize].params;
-                let _e56 = self.v_refine_patch(path_22, found_11, _e55);
-                return _e56;
+                let _e59 = self.surface_settings.choices[2usize].params;
+                let _e60 = self.v_refine_patch(path_22, found_11, _e59);
+                return _e60;
             }
         }
     }
@@ -1998,8 +1972,8 @@ impl<'g> Resources<'g> {
         let cosine = normal.dot(toward);
         if rt::Scalar::into_branch_condition(cosine.elementwise_gt(rt::Scalar(0f32))) {
             let lobe = normal.dot((toward + view).normalize()).max(rt::Scalar(0f32));
-            let _e15 = self.settings.specular;
-            let _e19 = rt::Scalar(self.settings.shininess);
+            let _e15 = self.surface_settings.specular;
+            let _e19 = rt::Scalar(self.surface_settings.shininess);
             let _e20 = self.v_whole_power(lobe, _e19);
             let specular = (_e15.xyz() * _e20);
             return ((color * cosine) + specular);
@@ -2023,12 +1997,12 @@ impl<'g> Resources<'g> {
         toward_1: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e4 = self.v_chosen_shade();
-        match rt::Scalar::into_inner(_e4) {
+        let _e8 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        match rt::Scalar::into_inner(_e8) {
             _ => {
-                let _e9 = self.settings.choices[3usize].params;
-                let _e10 = self.v_shade_blinn_phong(normal_1, view_1, toward_1, color_1, _e9);
-                return _e10;
+                let _e13 = self.surface_settings.choices[3usize].params;
+                let _e14 = self.v_shade_blinn_phong(normal_1, view_1, toward_1, color_1, _e13);
+                return _e14;
             }
         }
     }
@@ -2052,26 +2026,26 @@ impl<'g> Resources<'g> {
         let mut light_1: rt::Vec3<f32>;
         let mut k_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e6 = self.settings.diffuse;
+        let _e6 = self.surface_settings.diffuse;
         let diffuse = (_e6.xyz() * color_2);
-        let _e11 = self.settings.ambient;
+        let _e11 = self.frame.ambient;
         light_1 = (_e11.xyz() * diffuse);
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = k_4;
-                let _e20 = rt::Scalar(self.settings.light_count);
+                let _e20 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e17.elementwise_lt(_e20)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e24 = k_4;
-                    let _e26 = self.settings.lights[rt::Scalar::into_array_index(_e24)];
+                    let _e26 = self.frame.lights[rt::Scalar::into_array_index(_e24)];
                     let _e27 = self.v_toward_light(_e26, position_1);
                     let _e29 = self.v_shade_stage(normal_2, view_2, _e27.direction, diffuse);
                     let _e30 = light_1;
                     let _e33 = k_4;
-                    let _e36 = self.settings.lights[rt::Scalar::into_array_index(_e33)].color;
+                    let _e36 = self.frame.lights[rt::Scalar::into_array_index(_e33)].color;
                     light_1 = (_e30 + ((_e29 * _e36.xyz()) * rt::Scalar(_e27.falloff)));
                     let _e42 = k_4;
                     k_4 = (_e42 + rt::Scalar(1u32));
@@ -2402,12 +2376,12 @@ impl<'g> Resources<'g> {
                     let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_26.exit));
                     let _e35 = t_17;
                     let span_7 = (end_4 - _e35).max(rt::Scalar(0f32));
-                    let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
+                    let top_3 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
                     let _e46 = t_17;
                     let _e47 = self.v_path_height(path_26, _e46);
                     let _e49 = t_17;
                     let _e50 = self.v_path_slope(path_26, _e49);
-                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_26.h.z());
+                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_3), _e50, path_26.h.z());
                     let _e57 = t_17;
                     let _e61 = t_17;
                     let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_26.h.x().abs() + (_e57 * (path_26.h.y().abs() + (_e61 * path_26.h.z().abs())))));
@@ -2570,32 +2544,32 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_stage(&self, path_29: Path) -> Found {
-        let _e1 = self.v_chosen_search();
-        match rt::Scalar::into_inner(_e1) {
+        let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
+        match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e6 = self.settings.choices[1usize].params;
-                let _e7 = self.v_search_none(path_29, _e6);
-                return _e7;
+                let _e10 = self.surface_settings.choices[1usize].params;
+                let _e11 = self.v_search_none(path_29, _e10);
+                return _e11;
             }
             1u32 => {
-                let _e12 = self.settings.choices[1usize].params;
-                let _e13 = self.v_search_linear(path_29, _e12);
-                return _e13;
+                let _e16 = self.surface_settings.choices[1usize].params;
+                let _e17 = self.v_search_linear(path_29, _e16);
+                return _e17;
             }
             2u32 => {
-                let _e18 = self.settings.choices[1usize].params;
-                let _e19 = self.v_search_cells(path_29, _e18);
-                return _e19;
+                let _e22 = self.surface_settings.choices[1usize].params;
+                let _e23 = self.v_search_cells(path_29, _e22);
+                return _e23;
             }
             3u32 => {
-                let _e24 = self.settings.choices[1usize].params;
-                let _e25 = self.v_search_frustum(path_29, _e24);
-                return _e25;
+                let _e28 = self.surface_settings.choices[1usize].params;
+                let _e29 = self.v_search_frustum(path_29, _e28);
+                return _e29;
             }
             _ => {
-                let _e30 = self.settings.choices[1usize].params;
-                let _e31 = self.v_search_cone(path_29, _e30);
-                return _e31;
+                let _e34 = self.surface_settings.choices[1usize].params;
+                let _e35 = self.v_search_cone(path_29, _e34);
+                return _e35;
             }
         }
     }
@@ -2617,16 +2591,16 @@ impl<'g> Resources<'g> {
         }
         let _e41 = self.v_height_at(hit_1.uv);
         let aside_1 = (hit_1.uv - at_3.uv);
-        let _e57 = rt::Scalar(self.settings.bias_m);
-        let _e60 = rt::Scalar(self.settings.scale_m);
+        let _e57 = rt::Scalar(self.surface_settings.bias_m);
+        let _e60 = rt::Scalar(self.surface_settings.scale_m);
         let position_2 = (((at_3.point + (at_3.tangent * aside_1.x())) + (at_3.bitangent * aside_1.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
         let _e66 = self.v_mesostructure_normal(at_3, hit_1.uv);
-        let _e69 = self.settings.eye;
+        let _e69 = self.frame.eye;
         let view_3 = (_e69.xyz() - position_2).normalize();
         let _e74 = self.v_color_or_white(hit_1.uv);
         let _e75 = self.v_reflected_light(position_2, _e66, view_3, _e74);
-        let _e78 = self.settings.eye;
-        let _e83 = self.settings.forward;
+        let _e78 = self.frame.eye;
+        let _e83 = self.frame.forward;
         let depth = (position_2 - _e78.xyz()).dot(_e83.xyz());
         let _e87 = self.v_height_size();
         let _e93 = self.v_cell_of(((hit_1.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
@@ -2654,16 +2628,16 @@ impl<'g> Resources<'g> {
         let a_4 = pixel_2.a.position;
         let e1_ = (pixel_2.b.position - a_4);
         let e2_ = (pixel_2.c.position - a_4);
-        let n_6 = e1_.cross(e2_);
-        let nn = n_6.dot(n_6);
-        let toward_3 = n_6.dot(pixel_2.direction);
-        let distance = (n_6.dot((a_4 - pixel_2.origin)) / toward_3);
-        let point_6 = (pixel_2.origin + (pixel_2.direction * distance));
-        let from_a = (point_6 - a_4);
-        let wb = (from_a.cross(e2_).dot(n_6) / nn);
-        let wc = (e1_.cross(from_a).dot(n_6) / nn);
+        let n_5 = e1_.cross(e2_);
+        let nn = n_5.dot(n_5);
+        let toward_3 = n_5.dot(pixel_2.direction);
+        let distance = (n_5.dot((a_4 - pixel_2.origin)) / toward_3);
+        let point_5 = (pixel_2.origin + (pixel_2.direction * distance));
+        let from_a = (point_5 - a_4);
+        let wb = (from_a.cross(e2_).dot(n_5) / nn);
+        let wc = (e1_.cross(from_a).dot(n_5) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_8 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
+        let uv_9 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
         let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
         let bitangent = (((pixel_2.a.bitangent * wa) + (pixel_2.b.bitangent * wb)) + (pixel_2.c.bitangent * wc));
         let normal_3 = ((((pixel_2.a.normal * wa) + (pixel_2.b.normal * wb)) + (pixel_2.c.normal * wc)).normalize() * rt::Scalar(pixel_2.side));
@@ -2686,26 +2660,26 @@ impl<'g> Resources<'g> {
             valid = rt::Scalar(0u32);
         }
         let duv = (<rt::Vec2<f32>>::from_scalars(((td * bb) - (bd * tb)), ((bd * tt) - (td * tb))) / rt::Vec2::splat_from_scalar(area_1));
-        let _e120 = rt::Scalar(self.settings.scale_m);
+        let _e120 = rt::Scalar(self.surface_settings.scale_m);
         let scale = _e120.max(rt::Scalar(0.000000001f32));
-        let _e125 = rt::Scalar(self.settings.bias_m);
+        let _e125 = rt::Scalar(self.surface_settings.bias_m);
         let base_height = ((rt::Scalar(0f32) - _e125) / scale);
         let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
         let eye = ((rt::Scalar(0f32) - distance) * along);
-        let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
-        enter = top_5.max(eye);
+        let top_4 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
+        enter = top_4.max(eye);
         leave_4 = ((base_height * scale) / descent);
         let _e144 = leave_4;
         let _e145 = leave_4;
-        leave_4 = (_e144 + ((_e145 - top_5) * rt::Scalar(0.000001f32)));
-        let _e152 = rt::Scalar(self.settings.wrap);
+        leave_4 = (_e144 + ((_e145 - top_4) * rt::Scalar(0.000001f32)));
+        let _e152 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
             let _e157 = enter;
             let _e158 = leave_4;
-            let _e160 = self.v_inside_unit(uv_8.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
+            let _e160 = self.v_inside_unit(uv_9.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
             interval_1 = _e160;
             let _e164 = interval_1;
-            let _e165 = self.v_inside_unit(uv_8.y(), duv.y(), _e164);
+            let _e165 = self.v_inside_unit(uv_9.y(), duv.y(), _e164);
             interval_1 = _e165;
             let _e167 = interval_1.x();
             enter = _e167;
@@ -2719,28 +2693,28 @@ impl<'g> Resources<'g> {
         }
         let _e175 = enter;
         let _e178 = enter;
-        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
+        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_4));
         let _e182 = enter;
         let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e188 = enter;
         let _e193 = leave_4;
         let _e194 = enter;
-        let _e198 = rt::Scalar(self.settings.scale_m);
-        let path_31 = <Path>::new((uv_8 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let _e198 = rt::Scalar(self.surface_settings.scale_m);
+        let path_31 = <Path>::new((uv_9 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_31, point_6, uv_8, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_31, point_5, uv_9, tangent, bitangent, normal_3);
     }
     pub fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_stage(&self, pixel_3: PixelIn) -> Entered {
-        let _e1 = self.v_chosen_surface();
-        match rt::Scalar::into_inner(_e1) {
+        let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
+        match rt::Scalar::into_inner(_e5) {
             _ => {
-                let _e6 = self.settings.choices[0usize].params;
-                let _e7 = self.v_surface_plane(pixel_3, _e6);
-                return _e7;
+                let _e10 = self.surface_settings.choices[0usize].params;
+                let _e11 = self.v_surface_plane(pixel_3, _e10);
+                return _e11;
             }
         }
     }
@@ -2768,24 +2742,19 @@ impl<'g> Resources<'g> {
         let _e10 = self.v_shade_hit(pixel_4, _e1, _e9);
         return _e10;
     }
-    pub fn shadow_texel(
-        &self,
-        place_3: impl rt::Into<rt::Vec2<i32>>,
-        layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_3: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_3), rt::into(layer_2), rt::into(level_3)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_texel(
-        &self,
-        place_3: rt::Vec2<i32>,
-        layer_2: rt::Scalar<i32>,
-        level_3: rt::Scalar<i32>,
-    ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_3, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_3));
-        let _e8 = self.settings.maps[2usize];
-        let _e9 = self.v_decoded(_e4, _e8);
-        return _e9;
+}
+
+impl<'g> Resources<'g> {
+    /// What the stages are called on.
+    pub fn of(bound: &crate::cpu::Bound<'g>) -> Self {
+        Self {
+            color_map: bound.color_map,
+            frame: bound.frame,
+            height_map: bound.height_map,
+            normal_map: bound.normal_map,
+            search_map: bound.slot(crate::MapSlot::Search),
+            shadow_search_map: bound.slot(crate::MapSlot::ShadowSearch),
+            surface_settings: bound.surface_settings,
+        }
     }
 }

@@ -4,24 +4,196 @@ use super::bytes::Shared;
 use super::generated::*;
 use super::runtime as rt;
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Band {
-    pub first_row: u32,
-    pub rows: u32,
-}
-
-impl Shared for Band {
-    const SIZE: usize = 8;
+impl Shared for Light {
+    const SIZE: usize = 32;
 
     fn write(&self, bytes: &mut [u8]) {
-        self.first_row.write(&mut bytes[0..]);
-        self.rows.write(&mut bytes[4..]);
+        self.place.write(&mut bytes[0..]);
+        self.color.write(&mut bytes[16..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
-            first_row: Shared::read(&bytes[0..]),
-            rows: Shared::read(&bytes[4..]),
+            place: Shared::read(&bytes[0..]),
+            color: Shared::read(&bytes[16..]),
+        }
+    }
+}
+
+impl Shared for Frame {
+    const SIZE: usize = 448;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.view_projection.write(&mut bytes[0..]);
+        self.eye.write(&mut bytes[64..]);
+        self.forward.write(&mut bytes[80..]);
+        self.corner.write(&mut bytes[96..]);
+        self.right.write(&mut bytes[112..]);
+        self.down.write(&mut bytes[128..]);
+        self.ambient.write(&mut bytes[144..]);
+        self.background.write(&mut bytes[160..]);
+        self.lights.write(&mut bytes[176..]);
+        self.light_count.write(&mut bytes[432..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            view_projection: Shared::read(&bytes[0..]),
+            eye: Shared::read(&bytes[64..]),
+            forward: Shared::read(&bytes[80..]),
+            corner: Shared::read(&bytes[96..]),
+            right: Shared::read(&bytes[112..]),
+            down: Shared::read(&bytes[128..]),
+            ambient: Shared::read(&bytes[144..]),
+            background: Shared::read(&bytes[160..]),
+            lights: Shared::read(&bytes[176..]),
+            light_count: Shared::read(&bytes[432..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PassSettings {
+    pub offset: rt::Vec2<f32>,
+    pub first_row: u32,
+    pub rows: u32,
+}
+
+impl Shared for PassSettings {
+    const SIZE: usize = 16;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.offset.write(&mut bytes[0..]);
+        self.first_row.write(&mut bytes[8..]);
+        self.rows.write(&mut bytes[12..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            offset: Shared::read(&bytes[0..]),
+            first_row: Shared::read(&bytes[8..]),
+            rows: Shared::read(&bytes[12..]),
+        }
+    }
+}
+
+impl Shared for Choice {
+    const SIZE: usize = 32;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.number.write(&mut bytes[0..]);
+        self.params.write(&mut bytes[16..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            number: Shared::read(&bytes[0..]),
+            params: Shared::read(&bytes[16..]),
+        }
+    }
+}
+
+impl Shared for MapSettings {
+    const SIZE: usize = 48;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.coded.write(&mut bytes[0..]);
+        self.layers.write(&mut bytes[4..]);
+        self.low.write(&mut bytes[16..]);
+        self.step.write(&mut bytes[32..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            coded: Shared::read(&bytes[0..]),
+            layers: Shared::read(&bytes[4..]),
+            low: Shared::read(&bytes[16..]),
+            step: Shared::read(&bytes[32..]),
+        }
+    }
+}
+
+impl Shared for SurfaceSettings {
+    const SIZE: usize = 448;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.choices.write(&mut bytes[0..]);
+        self.maps.write(&mut bytes[128..]);
+        self.diffuse.write(&mut bytes[368..]);
+        self.specular.write(&mut bytes[384..]);
+        self.height_size.write(&mut bytes[400..]);
+        self.color_size.write(&mut bytes[408..]);
+        self.normal_size.write(&mut bytes[416..]);
+        self.wrap.write(&mut bytes[424..]);
+        self.shininess.write(&mut bytes[428..]);
+        self.has_color.write(&mut bytes[432..]);
+        self.has_normal.write(&mut bytes[436..]);
+        self.scale_m.write(&mut bytes[440..]);
+        self.bias_m.write(&mut bytes[444..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            choices: Shared::read(&bytes[0..]),
+            maps: Shared::read(&bytes[128..]),
+            diffuse: Shared::read(&bytes[368..]),
+            specular: Shared::read(&bytes[384..]),
+            height_size: Shared::read(&bytes[400..]),
+            color_size: Shared::read(&bytes[408..]),
+            normal_size: Shared::read(&bytes[416..]),
+            wrap: Shared::read(&bytes[424..]),
+            shininess: Shared::read(&bytes[428..]),
+            has_color: Shared::read(&bytes[432..]),
+            has_normal: Shared::read(&bytes[436..]),
+            scale_m: Shared::read(&bytes[440..]),
+            bias_m: Shared::read(&bytes[444..]),
+        }
+    }
+}
+
+impl Shared for Corner {
+    const SIZE: usize = 80;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.position.write(&mut bytes[0..]);
+        self.normal.write(&mut bytes[16..]);
+        self.tangent.write(&mut bytes[32..]);
+        self.bitangent.write(&mut bytes[48..]);
+        self.uv.write(&mut bytes[64..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            position: Shared::read(&bytes[0..]),
+            normal: Shared::read(&bytes[16..]),
+            tangent: Shared::read(&bytes[32..]),
+            bitangent: Shared::read(&bytes[48..]),
+            uv: Shared::read(&bytes[64..]),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    pub a: Corner,
+    pub b: Corner,
+    pub c: Corner,
+}
+
+impl Shared for Triangle {
+    const SIZE: usize = 240;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.a.write(&mut bytes[0..]);
+        self.b.write(&mut bytes[80..]);
+        self.c.write(&mut bytes[160..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            a: Shared::read(&bytes[0..]),
+            b: Shared::read(&bytes[80..]),
+            c: Shared::read(&bytes[160..]),
         }
     }
 }
@@ -71,159 +243,6 @@ impl Shared for Record {
             cell: Shared::read(&bytes[64..]),
             reads: Shared::read(&bytes[72..]),
             exhausted: Shared::read(&bytes[76..]),
-        }
-    }
-}
-
-impl Shared for Choice {
-    const SIZE: usize = 32;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.number.write(&mut bytes[0..]);
-        self.params.write(&mut bytes[16..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            number: Shared::read(&bytes[0..]),
-            params: Shared::read(&bytes[16..]),
-        }
-    }
-}
-
-impl Shared for MapSettings {
-    const SIZE: usize = 48;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.coded.write(&mut bytes[0..]);
-        self.layers.write(&mut bytes[4..]);
-        self.low.write(&mut bytes[16..]);
-        self.step.write(&mut bytes[32..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            coded: Shared::read(&bytes[0..]),
-            layers: Shared::read(&bytes[4..]),
-            low: Shared::read(&bytes[16..]),
-            step: Shared::read(&bytes[32..]),
-        }
-    }
-}
-
-impl Shared for Light {
-    const SIZE: usize = 32;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.place.write(&mut bytes[0..]);
-        self.color.write(&mut bytes[16..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            place: Shared::read(&bytes[0..]),
-            color: Shared::read(&bytes[16..]),
-        }
-    }
-}
-
-impl Shared for Settings {
-    const SIZE: usize = 816;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.choices.write(&mut bytes[0..]);
-        self.maps.write(&mut bytes[128..]);
-        self.eye.write(&mut bytes[368..]);
-        self.forward.write(&mut bytes[384..]);
-        self.corner.write(&mut bytes[400..]);
-        self.right.write(&mut bytes[416..]);
-        self.down.write(&mut bytes[432..]);
-        self.ambient.write(&mut bytes[448..]);
-        self.diffuse.write(&mut bytes[464..]);
-        self.specular.write(&mut bytes[480..]);
-        self.lights.write(&mut bytes[496..]);
-        self.height_size.write(&mut bytes[752..]);
-        self.color_size.write(&mut bytes[760..]);
-        self.normal_size.write(&mut bytes[768..]);
-        self.wrap.write(&mut bytes[776..]);
-        self.light_count.write(&mut bytes[780..]);
-        self.shininess.write(&mut bytes[784..]);
-        self.has_color.write(&mut bytes[788..]);
-        self.has_normal.write(&mut bytes[792..]);
-        self.scale_m.write(&mut bytes[796..]);
-        self.bias_m.write(&mut bytes[800..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            choices: Shared::read(&bytes[0..]),
-            maps: Shared::read(&bytes[128..]),
-            eye: Shared::read(&bytes[368..]),
-            forward: Shared::read(&bytes[384..]),
-            corner: Shared::read(&bytes[400..]),
-            right: Shared::read(&bytes[416..]),
-            down: Shared::read(&bytes[432..]),
-            ambient: Shared::read(&bytes[448..]),
-            diffuse: Shared::read(&bytes[464..]),
-            specular: Shared::read(&bytes[480..]),
-            lights: Shared::read(&bytes[496..]),
-            height_size: Shared::read(&bytes[752..]),
-            color_size: Shared::read(&bytes[760..]),
-            normal_size: Shared::read(&bytes[768..]),
-            wrap: Shared::read(&bytes[776..]),
-            light_count: Shared::read(&bytes[780..]),
-            shininess: Shared::read(&bytes[784..]),
-            has_color: Shared::read(&bytes[788..]),
-            has_normal: Shared::read(&bytes[792..]),
-            scale_m: Shared::read(&bytes[796..]),
-            bias_m: Shared::read(&bytes[800..]),
-        }
-    }
-}
-
-impl Shared for Corner {
-    const SIZE: usize = 80;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.position.write(&mut bytes[0..]);
-        self.normal.write(&mut bytes[16..]);
-        self.tangent.write(&mut bytes[32..]);
-        self.bitangent.write(&mut bytes[48..]);
-        self.uv.write(&mut bytes[64..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            position: Shared::read(&bytes[0..]),
-            normal: Shared::read(&bytes[16..]),
-            tangent: Shared::read(&bytes[32..]),
-            bitangent: Shared::read(&bytes[48..]),
-            uv: Shared::read(&bytes[64..]),
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Triangle {
-    pub a: Corner,
-    pub b: Corner,
-    pub c: Corner,
-}
-
-impl Shared for Triangle {
-    const SIZE: usize = 240;
-
-    fn write(&self, bytes: &mut [u8]) {
-        self.a.write(&mut bytes[0..]);
-        self.b.write(&mut bytes[80..]);
-        self.c.write(&mut bytes[160..]);
-    }
-
-    fn read(bytes: &[u8]) -> Self {
-        Self {
-            a: Shared::read(&bytes[0..]),
-            b: Shared::read(&bytes[80..]),
-            c: Shared::read(&bytes[160..]),
         }
     }
 }

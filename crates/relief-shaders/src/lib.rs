@@ -4,11 +4,16 @@
 //! * [`STAGES`] is the table of the stages; [`surface`], [`search`], [`refine`] and [`shade`] list their variants, one file
 //!   each beside its shader.
 //! * [`METHODS`] names pairs of search and refinement.
-//! * [`wgsl`] holds the linked shaders as text for any engine.
+//! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.
 
+pub mod bindings;
 #[cfg(feature = "cpu")]
 pub mod cpu;
+#[path = "../generated/declarations.rs"]
+#[rustfmt::skip]
+#[allow(clippy::all)]
+mod generated;
 mod maps;
 mod methods;
 pub mod refine;

@@ -3,7 +3,7 @@
 use relief_core::registry::{self, Entry, Guarantee, MAX_PARAMS, Param, RayClass, UnknownName};
 
 use crate::Method;
-use crate::stages::{REFINE, SEARCH, STAGES, Stage, stage};
+use crate::stages::{REFINE, SEARCH, STAGES, Stage, entry_place, stage};
 
 /// A stage's variant, and its parameters.
 #[derive(Clone, Copy, Debug)]
@@ -113,6 +113,14 @@ impl Selection {
         Ok(selection)
     }
 
+    /// The pair that has the exact answer without a baked map.
+    pub fn exact() -> Self {
+        let mut selection = Self::default();
+        selection.choices[SEARCH] = Choice::new(&STAGES[SEARCH], CELLS);
+        selection.choices[REFINE] = Choice::new(&STAGES[REFINE], PATCH);
+        selection
+    }
+
     /// A method by name, with its settings.
     ///
     /// # Errors
@@ -198,9 +206,16 @@ impl Selection {
 
     /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
     pub fn is_exact(&self) -> bool {
-        self.search().name == "cells" && self.refine().name == "patch"
+        let numbers = [SEARCH, REFINE].map(|stage| self.choices[stage].number as usize);
+        numbers == [CELLS, PATCH]
     }
 }
+
+/// The number of the search `cells`.
+const CELLS: usize = entry_place(STAGES[SEARCH].entries, "cells");
+
+/// The number of the refinement `patch`.
+const PATCH: usize = entry_place(STAGES[REFINE].entries, "patch");
 
 fn checked(key: &str, param: &Param, value: f64) -> Result<f32, SelectionError> {
     let (min, max) = (f64::from(param.min), f64::from(param.max));
@@ -223,6 +238,8 @@ mod tests {
             assert_eq!(selection.check(), Ok(()), "{}", method.name);
         }
         assert!(Selection::method("exact").is_ok_and(|selection| selection.is_exact()));
+        let exact = Selection::exact();
+        assert_eq!((exact.search().name, exact.refine().name), ("cells", "patch"));
     }
 
     #[test]

@@ -94,6 +94,15 @@ const fn place(key: &str) -> usize {
     place
 }
 
+/// The place of an entry that is known to be there.
+pub(crate) const fn entry_place(entries: &[Entry], name: &str) -> usize {
+    let mut place = 0;
+    while !is_same(entries[place].name.as_bytes(), name.as_bytes()) {
+        place += 1;
+    }
+    place
+}
+
 const fn is_same(a: &[u8], b: &[u8]) -> bool {
     let mut at = 0;
     while at < a.len() && at < b.len() && a[at] == b[at] {

@@ -1,8 +1,10 @@
 //! The baked maps that selections read, where tests and benchmarks need them.
 
+use std::sync::Arc;
+
 use relief_bake::{Progress, WantedMap, baked_map, kind};
 use relief_core::{BakedMap, HeightMap, MapFormat, Metric};
-use relief_shaders::{Selection, SlotMaps};
+use relief_shaders::{MapSlot, Selection, SlotMaps};
 
 /// The maps that a selection reads over that height map, on a surface of the unit metric.
 ///
@@ -40,4 +42,10 @@ pub fn maps_in(format: MapFormat, map: &HeightMap, selection: &Selection) -> Vec
 /// When one of them is not the selection's.
 pub fn slots<'a>(map: &HeightMap, selection: &Selection, maps: &'a [BakedMap]) -> SlotMaps<'a> {
     selection.slot_maps(maps, map, Metric::UNIT).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Those maps as a surface has them.
+pub fn in_slots(selection: &Selection, maps: Vec<BakedMap>) -> Vec<(MapSlot, Arc<BakedMap>)> {
+    let slots = selection.map_needs().into_iter().map(|need| need.slot);
+    slots.zip(maps.into_iter().map(Arc::new)).collect()
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use relief_maps::Maps;
 use relief_render::gpu::{AdapterChoice, Gpu};
-use relief_render::scene::{BackendChoice, Scene, SceneSpec, read_scene};
+use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_render::{Rendered, render};
 use relief_shaders::METHODS;
 use relief_shaders::cpu::PixelOut;
@@ -39,12 +39,8 @@ fn has_adapter() -> bool {
 /// A shipped scene with another method.
 fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(file);
-    let over = SceneSpec {
-        method: Some(method.to_owned()),
-        backend: Some(backend),
-        size: Some(SIZE),
-        ..SceneSpec::default()
-    };
+    let surface = SurfaceSpec { method: Some(method.to_owned()), ..SurfaceSpec::default() };
+    let over = SceneSpec { backend: Some(backend), size: Some(SIZE), ..SceneSpec::of_surface(surface) };
     read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map")
 }
 
@@ -97,7 +93,8 @@ fn every_method_gives_the_same_picture_on_both_backends() {
             let gpu = picture(file, method.name, BackendChoice::Gpu);
             assert_eq!((cpu.backend, gpu.backend), ("cpu", "gpu"));
             let map = scene(file, method.name, BackendChoice::Cpu);
-            let size = [map.height_map().width(), map.height_map().height()];
+            let map = map.surfaces()[0].height_map();
+            let size = [map.width(), map.height()];
             let comparison = Comparison::new(&cpu.rendering.pixels, &gpu.rendering.pixels, size);
             let wanted = if method.name == "exact" { OTHER_CODE } else { SAME_CODE };
             println!("{file} {}: {comparison:?} {:.5}", method.name, comparison.share());

@@ -1,6 +1,7 @@
 //! `relief render`: a scene to a picture. A baked map that the method reads is baked first and kept in a cache.
 
 mod baked_maps;
+mod stages;
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -12,14 +13,17 @@ use relief_io::{GreenSign, PngColour};
 use relief_render::mesh::Builtin;
 use relief_render::picture;
 use relief_render::scene::{
-    BackendChoice, Sampling, Scene, SceneError, SceneSpec, ValueError, ValueProblem, read_scene,
+    BackendChoice, Sampling, Scene, SceneError, SceneSpec, Surface, SurfaceSpec, ValueError, ValueProblem,
+    read_scene,
 };
 use relief_render::{RenderError, Rendered};
 use relief_shaders::METHODS;
 use serde_json::json;
 
 use self::baked_maps::CacheArguments;
+use self::stages::StageArguments;
 use super::maps::HeightArguments;
+use crate::advice;
 use crate::failure::Failure;
 use crate::progress::{Progress, TaskProgress};
 use crate::values;
@@ -80,12 +84,8 @@ pub struct Arguments {
 
     #[arg(long, value_name = "NAME", conflicts_with_all = ["search", "refine"], help_heading = "Method", help = method_help())]
     method: Option<String>,
-    /// Search, together with --refine in place of a method
-    #[arg(long, value_name = "NAME", help_heading = "Method")]
-    search: Option<String>,
-    /// Refinement, together with --search in place of a method
-    #[arg(long, value_name = "NAME", help_heading = "Method")]
-    refine: Option<String>,
+    #[command(flatten)]
+    stages: StageArguments,
     /// Setting of the search or the refinement, as in search.steps=64; may be repeated
     #[arg(long, value_name = "STAGE.NAME=VALUE", value_parser = values::setting, help_heading = "Method")]
     set: Vec<(String, f64)>,
@@ -126,7 +126,7 @@ fn method_help() -> String {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let flags = arguments.flags();
     let spec = match &arguments.scene {
-        Some(path) => read_scene(path).map_err(Failure::work)?.overridden_by(flags),
+        Some(path) => read_scene(path).map_err(of_scene)?.overridden_by(flags),
         None => flags,
     };
     check_outputs(arguments, &spec)?;
@@ -155,7 +155,7 @@ impl Arguments {
     /// The flags as a description that overrides the scene file's.
     fn flags(&self) -> SceneSpec {
         let given = |flag: bool| flag.then_some(true);
-        SceneSpec {
+        let surface = SurfaceSpec {
             height: self.height.clone(),
             channel: self.reading.file.channel.clone(),
             depth: given(self.reading.depth),
@@ -171,9 +171,12 @@ impl Arguments {
             mesh: self.mesh,
             tile: self.tile.map(|tile| tile.map(|count| count as f32)),
             method: self.method.clone(),
-            search: self.search.clone(),
-            refine: self.refine.clone(),
+            stages: self.stages.0.clone(),
             set: BTreeMap::from_iter(self.set.iter().cloned()),
+            two_sided: given(self.two_sided),
+            ..SurfaceSpec::default()
+        };
+        SceneSpec {
             eye: self.eye,
             target: self.target,
             fov: self.fov,
@@ -181,19 +184,18 @@ impl Arguments {
             light: self.light,
             backend: self.backend,
             sampling: self.sampling,
-            two_sided: given(self.two_sided),
             max_memory: self.max_memory,
-            ..SceneSpec::default()
+            ..SceneSpec::of_surface(surface)
         }
     }
 
     /// A sampling that the backend does not have is the command line's fault when the command line named one of them.
     fn of_render(&self, error: RenderError) -> Failure {
         match error {
-            RenderError::FastOnCpu(_) if self.sampling.is_some() || self.backend.is_some() => {
-                Failure::usage(error)
+            RenderError::FastOnCpu { .. } if self.sampling.is_some() || self.backend.is_some() => {
+                Failure::Usage(advice::with(&error, advice::of_render(&error)))
             }
-            other => Failure::work(other),
+            other => Failure::Work(advice::with(&other, advice::of_render(&other))),
         }
     }
 }
@@ -201,19 +203,22 @@ impl Arguments {
 /// A value that cannot be used came from the flags, since a scene file's values are checked when it is read.
 fn of_scene(error: SceneError) -> Failure {
     match error {
-        SceneError::Value(ValueError { key, problem: ValueProblem::Needs(other) }) => {
+        SceneError::Value(ValueError { key, problem: ValueProblem::Needs(other), .. }) => {
             Failure::Usage(format!("--{key}: needs --{other} as well"))
         }
-        SceneError::Value(error) => Failure::Usage(format!("--{error}")),
-        SceneError::NoHeightMap => Failure::usage(error),
-        other => Failure::work(other),
+        // A flag holds for every surface: which of them it fails by first says nothing.
+        SceneError::Value(ValueError { key, problem, .. }) => Failure::Usage(format!("--{key}: {problem}")),
+        SceneError::NoHeightMap(_) => Failure::Usage(advice::with(&error, advice::of_scene(&error))),
+        other => Failure::Work(advice::with(&other, advice::of_scene(&other))),
     }
 }
 
 /// Outputs that cannot be written, and those that would replace what is read, are found before the work, not after it.
 fn check_outputs(arguments: &Arguments, spec: &SceneSpec) -> Result<(), Failure> {
     let outputs = [(Some(&arguments.output), "png", "--output"), (arguments.aov.as_ref(), "exr", "--aov")];
-    let inputs = [&arguments.scene, &spec.height, &spec.color, &spec.normal];
+    let surfaces = spec.each_surface();
+    let maps = surfaces.iter().flat_map(|surface| [&surface.height, &surface.color, &surface.normal]);
+    let inputs: Vec<&PathBuf> = maps.chain([&arguments.scene]).flatten().collect();
     for (path, extension, flag) in outputs {
         let Some(path) = path else { continue };
         let name = path.display();
@@ -232,7 +237,7 @@ fn check_outputs(arguments: &Arguments, spec: &SceneSpec) -> Result<(), Failure>
         // A path that does not exist has no canonical form, and is no input.
         let place = path.canonicalize().ok();
         let is_same = |input: &&PathBuf| place.is_some() && input.canonicalize().ok() == place;
-        if let Some(input) = inputs.into_iter().flatten().find(is_same) {
+        if let Some(input) = inputs.iter().copied().find(is_same) {
             let input = input.display();
             return Err(Failure::Usage(format!("{flag} {name}: would replace {input}, which is read")));
         }
@@ -259,42 +264,54 @@ fn report(
     scene: &Scene,
     rendered: &Rendered,
 ) -> Result<(), Failure> {
-    let Rendered { rendering, backend, device, reason, selection, elapsed, .. } = rendered;
+    let Rendered { rendering, backend, device, reason, elapsed, .. } = rendered;
+    let reason = reason.as_ref().map(|reason| advice::with(reason, advice::of_reason(reason)));
     let covered = rendering.pixels.iter().filter(|pixel| pixel.hit == 1);
     let exhausted = covered.clone().filter(|pixel| pixel.exhausted == 1).count();
     let reads: u64 = covered.clone().map(|pixel| u64::from(pixel.reads)).sum();
     let covered = covered.count();
     let mean = if covered == 0 { 0.0 } else { reads as f64 / covered as f64 };
     let seconds = elapsed.as_secs_f64();
-    let map = scene.height_map();
     let mut out = io::stdout().lock();
     if arguments.json {
         // Names that are no Unicode have no exact form in JSON.
         let name = |path: &Path| path.display().to_string();
+        let surface = |surface: &Surface| {
+            let (selection, map) = (surface.selection(), surface.height_map());
+            json!({
+                "search": selection.search().name, "refine": selection.refine().name,
+                "scale_m": map.scale_m(), "bias_m": map.bias_m(),
+            })
+        };
         let about = json!({
             "output": name(&arguments.output), "aov": arguments.aov.as_deref().map(name), "width": rendering.width, "height": rendering.height,
             "backend": backend, "device": device, "reason": reason, "seconds": seconds,
-            "search": selection.search().name, "refine": selection.refine().name,
+            "surfaces": scene.surfaces().iter().map(surface).collect::<Vec<_>>(),
             "covered": covered, "exhausted": exhausted, "mean_reads": mean,
-            "scale_m": map.scale_m(), "bias_m": map.bias_m(),
             "maps": rendered.maps.iter().map(baked_maps::as_json).collect::<Vec<_>>(),
         });
         writeln!(out, "{about:#}")?;
         return Ok(());
     }
     let (width, height) = (rendering.width, rendering.height);
-    let (search, refine) = (selection.search().name, selection.refine().name);
+    let run = match scene.surfaces() {
+        [surface] => format!("{} + {}", surface.selection().search().name, surface.selection().refine().name),
+        surfaces => format!("{} surfaces", surfaces.len()),
+    };
     writeln!(
         out,
-        "{}: {width}x{height}, {search} + {refine}, on the {backend} ({device}) in {seconds:.2} s, {mean:.1} reads a pixel",
+        "{}: {width}x{height}, {run}, on the {backend} ({device}) in {seconds:.2} s, {mean:.1} reads a pixel",
         arguments.output.display()
     )?;
-    if spec.scale.is_none() && map.stated_lengths_m().is_some() {
-        let scale_m = values::six_digits(map.scale_m());
-        writeln!(
-            out,
-            "scale {scale_m} m: true to the metres that the height map's file states; --scale exaggerates"
-        )?;
+    for (described, surface) in spec.each_surface().iter().zip(scene.surfaces()) {
+        let map = surface.height_map();
+        if described.scale.is_none() && map.stated_lengths_m().is_some() {
+            let scale_m = values::six_digits(map.scale_m());
+            writeln!(
+                out,
+                "scale {scale_m} m: true to the metres that the height map's file states; --scale exaggerates"
+            )?;
+        }
     }
     for account in &rendered.maps {
         writeln!(out, "{}", baked_maps::line(account))?;

@@ -35,12 +35,12 @@ impl AdapterChoice {
     }
 
     /// The best adapter of that kind.
-    pub(super) fn find(self) -> Result<Adapter, GpuError> {
+    pub(super) async fn find(self) -> Result<Adapter, GpuError> {
         let instance = Instance::new(InstanceDescriptor {
             backends: Backends::VULKAN | Backends::METAL | Backends::DX12,
             ..InstanceDescriptor::new_without_display_handle()
         });
-        let adapters = pollster::block_on(instance.enumerate_adapters(Backends::all()));
+        let adapters = instance.enumerate_adapters(Backends::all()).await;
         let found = adapters.iter().map(|adapter| described(&adapter.get_info())).collect();
         adapters
             .into_iter()

@@ -1,79 +1,33 @@
 //! A GPU that is ready to work, and the few things that every task does with it.
 
-use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use relief_shaders::STAGES;
-use relief_shaders::cpu::{Settings, Shared, write_all};
+use relief_shaders::cpu::{Shared, write_all};
 use wgpu::{Buffer, BufferDescriptor, BufferUsages, DeviceDescriptor, ErrorFilter, MapMode, PollType};
 
-use super::probe::ProbeProgram;
-use super::render::RenderProgram;
-use super::{AdapterChoice, GpuError, Sampling, adapter};
+use super::textures::STAGING_BYTES;
+use super::wait::{block_on, promise};
+use super::{AdapterChoice, GpuError, adapter};
 
-/// Bytes that are handed to the driver at once; as many wait in its staging memory. Smaller uploads wait more often.
-pub(super) const STAGING_BYTES: usize = 16 << 20;
-
-/// A GPU. Pipelines are compiled when a method is first used and kept, so one `Gpu` should serve many pictures.
+/// A GPU: a device and its queue. Clones share them.
+#[derive(Clone, Debug)]
 pub struct Gpu {
-    pub(super) device: wgpu::Device,
-    pub(super) queue: wgpu::Queue,
-    pub(super) render_programs: Programs<RenderProgram>,
-    pub(super) probe_programs: Programs<ProbeProgram>,
+    device: wgpu::Device,
+    queue: wgpu::Queue,
     description: String,
-    filterable: bool,
-    troubles: Arc<Mutex<Troubles>>,
+    filters_f32: bool,
+    /// What the driver reports outside of any call; nothing of a device that a caller keeps handlers of.
+    troubles: Option<Arc<Mutex<Troubles>>>,
+    uploaded: Arc<AtomicU64>,
 }
 
 /// What the driver reported outside of any call.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Troubles {
     lost: Option<String>,
     stray: Option<GpuError>,
-}
-
-/// What a program is compiled for.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) struct Variant {
-    pub sampling: Sampling,
-    pub two_sided: bool,
-    /// The number of each stage's variant.
-    numbers: [u32; STAGES.len()],
-}
-
-impl Variant {
-    pub fn new(settings: &Settings, sampling: Sampling, two_sided: bool) -> Self {
-        Self { sampling, two_sided, numbers: settings.choices.map(|choice| choice.number) }
-    }
-
-    /// The values of a shader's overridable constants: of the stages that it reaches.
-    pub fn constants(&self, source: &str) -> Vec<(String, f64)> {
-        let named = STAGES.iter().zip(self.numbers);
-        named
-            .map(|(stage, number)| (stage.key.to_uppercase(), f64::from(number)))
-            .filter(|(name, _)| source.contains(&format!("override {name}:")))
-            .collect()
-    }
-}
-
-/// Compiled programs by variant.
-pub(super) struct Programs<T>(Mutex<HashMap<Variant, T>>);
-
-impl<T: Clone> Programs<T> {
-    fn new() -> Self {
-        Self(Mutex::new(HashMap::new()))
-    }
-
-    /// The program of a variant, compiled unless it is there. A program that the driver refused is not kept.
-    pub fn get(&self, gpu: &Gpu, variant: Variant, compile: impl FnOnce() -> T) -> Result<T, GpuError> {
-        if let Some(program) = locked(&self.0).get(&variant) {
-            return Ok(program.clone());
-        }
-        let program = gpu.guarded(|| Ok(compile()))?;
-        locked(&self.0).insert(variant, program.clone());
-        Ok(program)
-    }
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -81,22 +35,32 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl Gpu {
-    /// Opens the best adapter of a kind.
+    /// Opens the best adapter of a kind. Waits for it, which the web does not allow: see [`Self::open`].
     ///
     /// # Errors
     ///
     /// When there is no such adapter, or when its driver refuses to open it.
     pub fn new(choice: AdapterChoice) -> Result<Self, GpuError> {
-        let adapter = choice.find()?;
+        block_on(Self::open(choice))
+    }
+
+    /// Opens the best adapter of a kind.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such adapter, or when its driver refuses to open it.
+    pub async fn open(choice: AdapterChoice) -> Result<Self, GpuError> {
+        let adapter = choice.find().await?;
         let info = adapter.get_info();
-        let features = adapter::features(&adapter);
         let descriptor = DeviceDescriptor {
             label: Some("relief"),
-            required_features: features,
+            required_features: adapter::features(&adapter),
             required_limits: adapter::limits(&adapter),
             ..Default::default()
         };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+        let (device, queue) = adapter
+            .request_device(&descriptor)
+            .await
             .map_err(|error| GpuError::Device { adapter: info.name.clone(), reason: error.to_string() })?;
         let troubles = Arc::new(Mutex::new(Troubles::default()));
         let noted = Arc::clone(&troubles);
@@ -108,36 +72,69 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error| {
             locked(&noted).stray.get_or_insert(refusal(&error));
         }));
-        Ok(Self {
+        let gpu = Self::of_device(device, queue, &adapter::described(&info));
+        Ok(Self { troubles: Some(troubles), ..gpu })
+    }
+
+    /// A device and queue of the caller's own, who keeps his own error handlers: errors of what is done here are caught, and
+    /// given as results. `name` is how errors call it.
+    ///
+    /// Any limits will do that hold WebGPU's reduced ones, `Limits::downlevel_defaults()`. With the feature
+    /// `FLOAT32_FILTERABLE` fast sampling reads maps in 32-bit floats, without in 16-bit ones.
+    pub fn of_device(device: wgpu::Device, queue: wgpu::Queue, name: &str) -> Self {
+        Self {
+            filters_f32: device.features().contains(wgpu::Features::FLOAT32_FILTERABLE),
             device,
             queue,
-            render_programs: Programs::new(),
-            probe_programs: Programs::new(),
-            description: adapter::described(&info),
-            filterable: features.contains(wgpu::Features::FLOAT32_FILTERABLE),
-            troubles,
-        })
+            description: name.to_owned(),
+            troubles: None,
+            uploaded: Arc::default(),
+        }
     }
 
     /// The adapter's name, its backend and its driver.
-    pub fn description(&self) -> String {
-        self.description.clone()
+    pub fn description(&self) -> &str {
+        &self.description
+    }
+
+    /// The device.
+    pub fn device(&self) -> &wgpu::Device {
+        &self.device
+    }
+
+    /// The device's queue.
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.queue
+    }
+
+    /// Whether samplers filter 32-bit floats.
+    pub(super) fn filters_f32(&self) -> bool {
+        self.filters_f32
+    }
+
+    /// Bytes uploaded so far, by all clones.
+    pub(super) fn uploaded(&self) -> u64 {
+        self.uploaded.load(Ordering::Relaxed)
+    }
+
+    /// Counts bytes that are uploaded.
+    pub(super) fn count(&self, bytes: usize) {
+        self.uploaded.fetch_add(bytes as u64, Ordering::Relaxed);
     }
 
     /// Runs commands and turns whatever the driver says of them into an error: lack of memory first, then a loss of the
     /// device, from both of which other errors follow, then the first refusal.
-    pub(super) fn guarded<T>(&self, work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
+    pub(super) async fn guarded<T>(&self, work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
         self.check()?;
         let refused = self.device.push_error_scope(ErrorFilter::Validation);
         let failed = self.device.push_error_scope(ErrorFilter::Internal);
         let memory = self.device.push_error_scope(ErrorFilter::OutOfMemory);
         let result = work();
-        let [memory, failed, refused] =
-            [memory, failed, refused].map(|scope| pollster::block_on(scope.pop()));
-        if memory.is_some() {
+        let [memory, failed, refused] = [memory.pop(), failed.pop(), refused.pop()];
+        if memory.await.is_some() {
             return Err(GpuError::OutOfMemory);
         }
-        match failed.or(refused) {
+        match failed.await.or(refused.await) {
             Some(error) => {
                 // A loss is reported when the device is asked.
                 self.wait()?;
@@ -152,14 +149,15 @@ impl Gpu {
 
     /// The error that was reported since the last call, if any. A loss stays.
     fn check(&self) -> Result<(), GpuError> {
-        let mut troubles = locked(&self.troubles);
+        let Some(troubles) = &self.troubles else { return Ok(()) };
+        let mut troubles = locked(troubles);
         if let Some(reason) = &troubles.lost {
             return Err(GpuError::Lost(reason.clone()));
         }
         troubles.stray.take().map_or(Ok(()), Err)
     }
 
-    /// Waits until the GPU has done all that it was given.
+    /// Waits until the GPU has done all that it was given. On the web nothing is waited for.
     pub(super) fn wait(&self) -> Result<(), GpuError> {
         // wgpu panics here when the driver reports a loss; its message is all that is known then.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(PollType::wait_indefinitely())));
@@ -168,8 +166,11 @@ impl Gpu {
             Ok(Err(error)) => Err(GpuError::Refused(error.to_string())),
             Err(panic) => {
                 let reason = panic.downcast_ref::<String>().map_or("the driver reset it", String::as_str);
-                let mut troubles = locked(&self.troubles);
-                Err(GpuError::Lost(troubles.lost.get_or_insert(reason.trim().to_owned()).clone()))
+                let reason = reason.trim().to_owned();
+                Err(GpuError::Lost(match &self.troubles {
+                    Some(troubles) => locked(troubles).lost.get_or_insert(reason).clone(),
+                    None => reason,
+                }))
             }
         }
     }
@@ -180,16 +181,12 @@ impl Gpu {
         self.wait()
     }
 
-    /// Refuses a sampling that the adapter cannot do.
-    pub(super) fn check_sampling(&self, sampling: Sampling) -> Result<(), GpuError> {
-        if sampling == Sampling::Fast && !self.filterable {
-            return Err(GpuError::NotFilterable { adapter: self.description.clone() });
-        }
-        Ok(())
-    }
-
     /// Refuses a texture that the adapter cannot hold.
-    pub(super) fn check_texture(&self, what: &'static str, width: u32, height: u32) -> Result<(), GpuError> {
+    pub(super) fn check_texture(
+        &self,
+        what: &'static str,
+        [width, height]: [u32; 2],
+    ) -> Result<(), GpuError> {
         let limit = self.device.limits().max_texture_dimension_2d;
         if width > limit || height > limit {
             return Err(GpuError::TooLarge { what, width, height, limit });
@@ -209,6 +206,12 @@ impl Gpu {
         self.device.create_buffer(&BufferDescriptor { label, size: bytes, usage, mapped_at_creation: false })
     }
 
+    /// Writes bytes into a buffer.
+    pub(super) fn write(&self, buffer: &Buffer, offset: u64, bytes: &[u8]) {
+        self.count(bytes.len());
+        self.queue.write_buffer(buffer, offset, bytes);
+    }
+
     /// A buffer of values. It holds one value of zeros when there are none, because buffers cannot be empty.
     pub(super) fn filled<T: Shared>(
         &self,
@@ -223,24 +226,23 @@ impl Gpu {
             if number > 0 {
                 self.flush()?;
             }
-            self.queue.write_buffer(&buffer, (number * count * T::SIZE) as u64, &write_all(chunk));
+            self.write(&buffer, (number * count * T::SIZE) as u64, &write_all(chunk));
         }
         Ok(buffer)
     }
 
     /// Waits for the first bytes of a buffer and shows them to `each`.
-    pub(super) fn read(&self, buffer: &Buffer, bytes: u64, each: impl FnOnce(&[u8])) -> Result<(), GpuError> {
-        let (sender, receiver) = mpsc::channel();
-        buffer.map_async(MapMode::Read, ..bytes, move |mapped| {
-            // The receiver is gone only when waiting failed, which is reported then.
-            let _ = sender.send(mapped);
-        });
+    pub(super) async fn read(
+        &self,
+        buffer: &Buffer,
+        bytes: u64,
+        each: impl FnOnce(&[u8]),
+    ) -> Result<(), GpuError> {
+        let (giver, taker) = promise();
+        buffer.map_async(MapMode::Read, ..bytes, move |mapped| giver.give(mapped));
         self.wait()?;
         let failed = |reason: String| self.check().err().unwrap_or(GpuError::Refused(reason));
-        receiver
-            .recv()
-            .map_err(|error| failed(error.to_string()))?
-            .map_err(|error| failed(error.to_string()))?;
+        taker.await.map_err(|error| failed(error.to_string()))?;
         let view = buffer.get_mapped_range(..bytes).map_err(|error| failed(error.to_string()))?;
         each(&view);
         drop(view);

@@ -61,12 +61,9 @@ pub enum GpuError {
         /// Texels given.
         given: usize,
     },
-    /// Fast sampling needs a sampler that filters 32-bit floats.
-    #[error("the GPU {adapter} cannot filter 32-bit floats, which fast sampling needs; use exact sampling")]
-    NotFilterable {
-        /// Name of the adapter.
-        adapter: String,
-    },
+    /// A picture without pixels, or of nothing, cannot stay on the GPU.
+    #[error("a picture without pixels, or that shows no surface, cannot stay on the GPU")]
+    EmptyPicture,
     /// The driver or wgpu refused a command; a defect, of Relief or of the driver.
     #[error("the GPU refused a command: {0}")]
     Refused(String),

@@ -8,13 +8,20 @@
 mod adapter;
 mod device;
 mod error;
-mod maps;
+mod layouts;
 mod probe;
-mod render;
+mod programs;
+mod renderer;
+mod resident;
+mod targets;
 #[cfg(test)]
 mod tests;
+mod textures;
+mod wait;
 
-pub use crate::scene::Sampling;
 pub use adapter::AdapterChoice;
 pub use device::Gpu;
 pub use error::GpuError;
+pub use probe::Prober;
+pub use renderer::{GpuRenderer, Work};
+pub use wait::block_on;

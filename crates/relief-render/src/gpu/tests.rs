@@ -1,14 +1,22 @@
-//! What does not go well, on a software adapter.
+//! What does not go well, what is kept from frame to frame, and the least limits, on a software adapter.
 
 use std::cell::RefCell;
+use std::sync::Arc;
 
 use relief_core::{HeightMap, Wrap};
-use relief_shaders::cpu::{Corner, PixelIn, Settings, Triangle};
-use relief_shaders::{Selection, SlotMaps};
-use wgpu::BufferUsages;
+use relief_io::Picture;
+use relief_maps::Maps;
+use relief_shaders::cpu::{Corner, Frame, PixelIn, SurfaceSettings};
+use relief_shaders::wgsl::Sampling;
+use relief_shaders::{METHODS, Selection, SlotMaps};
+use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
 
-use super::{AdapterChoice, Gpu, GpuError, Sampling};
-use crate::job::{Job, TexelMap};
+use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
+use crate::camera::Camera;
+use crate::job::{Job, JobSurface, Rendering};
+use crate::mesh::{Mesh, Placement, plane, torus};
+use crate::scene::{BackendChoice, Scene, Surface};
+use crate::{Renderer, cpu::CpuRenderer};
 
 /// A software GPU of the test's own. Without one the test says that it skips, unless the environment variable
 /// `RELIEF_REQUIRE_GPU` is 1: then it fails.
@@ -25,24 +33,39 @@ fn software() -> Option<Gpu> {
     }
 }
 
-fn level_map() -> HeightMap {
-    HeightMap::from_fn(4, 4, Wrap::Repeat, |_, _| 0.5).expect("a valid map")
+/// The same opened by the caller, with exactly those limits and no feature.
+fn own(limits: Limits) -> Option<Gpu> {
+    software()?;
+    let adapter = block_on(AdapterChoice::Software.find()).expect("there is one");
+    let descriptor = DeviceDescriptor {
+        required_features: Features::empty(),
+        required_limits: limits,
+        ..Default::default()
+    };
+    let (device, queue) = block_on(adapter.request_device(&descriptor)).expect("a device");
+    Some(Gpu::of_device(device, queue, "the caller's own"))
 }
 
-fn job<'a>(map: &'a HeightMap, triangles: &'a [Triangle]) -> Job<'a> {
+fn level_map() -> Arc<HeightMap> {
+    Arc::new(HeightMap::from_fn(4, 4, Wrap::Repeat, |_, _| 0.5).expect("a valid map"))
+}
+
+fn surface(map: &Arc<HeightMap>) -> JobSurface {
     let selection = Selection::method("relief").expect("a method");
-    Job {
-        width: 16,
-        height: 8,
-        settings: Settings::tracing(map, &selection, &SlotMaps::default()),
-        triangles,
-        view_projection: [[0.0; 4]; 4],
-        height_map: map,
-        color_map: None,
+    JobSurface {
+        settings: SurfaceSettings::tracing(map, &selection, &SlotMaps::default()),
+        selection,
+        triangles: Arc::new([]),
+        height_map: Arc::clone(map),
+        color: None,
         normal_map: None,
-        maps: SlotMaps::default(),
+        maps: Vec::new(),
         two_sided: false,
     }
+}
+
+fn job(surface: JobSurface) -> Job {
+    Job { width: 16, height: 8, frame: Frame::none(), surfaces: vec![surface] }
 }
 
 fn ray() -> PixelIn {
@@ -61,14 +84,17 @@ fn ray() -> PixelIn {
 #[test]
 fn a_lost_device_is_an_error_from_then_on() {
     let Some(gpu) = software() else { return };
-    let map = level_map();
-    let job = job(&map, &[]);
-    assert_eq!(gpu.probe(&job, Sampling::Exact, &[ray()]).map(|probes| probes[0].found), Ok(1));
-    gpu.device.destroy();
+    let surface = surface(&level_map());
+    let (mut prober, mut renderer) = (Prober::new(gpu.clone()), GpuRenderer::new(gpu.clone()));
+    assert_eq!(prober.probe(&surface, Sampling::Exact, &[ray()]).map(|probes| probes[0].found), Ok(1));
+    gpu.device().destroy();
+    let job = job(surface.clone());
     for _ in 0..2 {
-        let rendered = gpu.render(&job, Sampling::Exact, &|_| ()).map(|_| ());
+        let rendered = renderer.render(&job, Sampling::Exact, &|_| ()).map(|_| ());
         assert!(matches!(rendered, Err(GpuError::Lost(_))), "{rendered:?}");
-        let probed = gpu.probe(&job, Sampling::Exact, &[ray()]).map(|_| ());
+        let drawn = block_on(renderer.draw(&job, Sampling::Exact)).map(|_| ());
+        assert!(matches!(drawn, Err(GpuError::Lost(_))), "{drawn:?}");
+        let probed = prober.probe(&surface, Sampling::Exact, &[ray()]).map(|_| ());
         assert!(matches!(probed, Err(GpuError::Lost(_))), "{probed:?}");
     }
 }
@@ -77,73 +103,76 @@ fn a_lost_device_is_an_error_from_then_on() {
 fn what_does_not_fit_is_refused_by_name() {
     let Some(gpu) = software() else { return };
     let map = level_map();
-    let fits = job(&map, &[]);
-    let render = |job: &Job| gpu.render(job, Sampling::Exact, &|_| ()).map(|_| ());
-    let limit = gpu.device.limits().max_texture_dimension_2d;
-    let wide = Job { width: limit + 1, ..job(&map, &[]) };
+    let limit = gpu.device().limits().max_texture_dimension_2d;
+    let mut renderer = GpuRenderer::new(gpu);
+    let mut render = |job: &Job| renderer.render(job, Sampling::Exact, &|_| ()).map(|_| ());
+    let wide = Job { width: limit + 1, ..job(surface(&map)) };
     let what = "picture";
     assert_eq!(render(&wide), Err(GpuError::TooLarge { what, width: limit + 1, height: 8, limit }));
 
-    let texels = vec![[0.0; 4]; limit as usize + 1];
-    let long = TexelMap { width: 1, height: limit + 1, texels: &texels };
+    let picture = |width: u32, height: u32, texels: usize| {
+        Some(Arc::new(Picture { width, height, texels: vec![[0.0; 4]; texels] }))
+    };
     let what = "colour map";
-    let colored = Job { color_map: Some(long), ..job(&map, &[]) };
+    let long = picture(1, limit + 1, limit as usize + 1);
+    let colored = job(JobSurface { color: long, ..surface(&map) });
     assert_eq!(render(&colored), Err(GpuError::TooLarge { what, width: 1, height: limit + 1, limit }));
 
-    let short = TexelMap { width: 3, height: 2, texels: &texels[..5] };
     let what = "normal map";
-    let bent = Job { normal_map: Some(short), ..job(&map, &[]) };
+    let bent = job(JobSurface { normal_map: picture(3, 2, 5), ..surface(&map) });
     assert_eq!(render(&bent), Err(GpuError::WrongLength { what, width: 3, height: 2, given: 5 }));
-    let empty = Job { normal_map: Some(TexelMap { width: 0, height: 0, texels: &[] }), ..job(&map, &[]) };
+    let empty = job(JobSurface { normal_map: picture(0, 0, 0), ..surface(&map) });
     assert_eq!(render(&empty), Err(GpuError::WrongLength { what, width: 0, height: 0, given: 0 }));
 
-    assert_eq!(render(&fits), Ok(()));
+    assert_eq!(render(&job(surface(&map))), Ok(()));
 }
 
 #[test]
 fn refused_commands_are_errors_and_the_gpu_goes_on() {
     let Some(gpu) = software() else { return };
-    let map = level_map();
-    let too_large = gpu.device.limits().max_buffer_size + 4;
-    let refused = gpu.guarded(|| Ok(gpu.buffer("too large", too_large, BufferUsages::STORAGE)));
+    let surface = surface(&level_map());
+    let too_large = gpu.device().limits().max_buffer_size + 4;
+    let refused = block_on(gpu.guarded(|| Ok(gpu.buffer("too large", too_large, BufferUsages::STORAGE))));
     assert!(matches!(refused, Err(GpuError::Refused(_))), "{refused:?}");
     // What is reported outside of any scope is kept for the next call.
     gpu.buffer("too large", too_large, BufferUsages::STORAGE);
-    let next = gpu.probe(&job(&map, &[]), Sampling::Exact, &[ray()]);
+    let mut prober = Prober::new(gpu);
+    let next = prober.probe(&surface, Sampling::Exact, &[ray()]);
     assert!(matches!(next, Err(GpuError::Refused(_))), "{next:?}");
-    assert!(gpu.probe(&job(&map, &[]), Sampling::Exact, &[ray()]).is_ok());
+    assert!(prober.probe(&surface, Sampling::Exact, &[ray()]).is_ok());
 }
 
 #[test]
 fn nothing_to_draw_gives_an_empty_picture() {
     let Some(gpu) = software() else { return };
     let map = level_map();
-    let told = RefCell::new(Vec::new());
-    let picture = gpu.render(&job(&map, &[]), Sampling::Exact, &|part| {
-        told.borrow_mut().push(part);
-    });
-    let picture = picture.expect("a picture");
-    assert_eq!(picture.pixels.len(), 16 * 8);
-    assert!(picture.pixels.iter().all(|pixel| pixel.hit == 0 && pixel.color.w == 0.0));
-    assert_eq!(told.into_inner().last(), Some(&1.0));
-    for (width, height) in [(0, 8), (16, 0), (0, 0)] {
-        let nothing = Job { width, height, ..job(&map, &[]) };
-        let picture = gpu.render(&nothing, Sampling::Exact, &|_| ()).expect("a picture");
-        assert!(picture.pixels.is_empty() && [picture.width, picture.height] == [width, height]);
+    let mut renderer = GpuRenderer::new(gpu.clone());
+    for job in [job(surface(&map)), Job { surfaces: Vec::new(), ..job(surface(&map)) }] {
+        let told = RefCell::new(Vec::new());
+        let picture = renderer.render(&job, Sampling::Exact, &|part| told.borrow_mut().push(part));
+        let picture = picture.expect("a picture");
+        assert_eq!(picture.pixels.len(), 16 * 8);
+        assert!(picture.pixels.iter().all(|pixel| pixel.hit == 0 && pixel.color.w == 0.0));
+        assert_eq!(told.into_inner().last(), Some(&1.0));
     }
-    assert_eq!(gpu.probe(&job(&map, &[]), Sampling::Exact, &[]), Ok(Vec::new()));
+    for (width, height) in [(0, 8), (16, 0), (0, 0)] {
+        let nothing = Job { width, height, ..job(surface(&map)) };
+        let picture = renderer.render(&nothing, Sampling::Exact, &|_| ()).expect("a picture");
+        assert!(picture.pixels.is_empty() && [picture.width, picture.height] == [width, height]);
+        let drawn = block_on(renderer.draw(&nothing, Sampling::Exact)).map(|_| ());
+        assert_eq!(drawn, Err(GpuError::EmptyPicture));
+    }
+    assert_eq!(Prober::new(gpu).probe(&surface(&map), Sampling::Exact, &[]), Ok(Vec::new()));
 }
 
 #[test]
 fn progress_grows_to_one_over_several_bands() {
     let Some(gpu) = software() else { return };
-    let map = level_map();
-    let tall = Job { width: 700, height: 1000, ..job(&map, &[]) };
+    let tall = Job { width: 700, height: 1000, ..job(surface(&level_map())) };
     let told = RefCell::new(Vec::new());
-    let picture =
-        gpu.render(&tall, Sampling::Exact, &|part| told.borrow_mut().push(part)).expect("a picture");
+    let picture = GpuRenderer::new(gpu).render(&tall, Sampling::Exact, &|part| told.borrow_mut().push(part));
     let told = told.into_inner();
-    assert_eq!(picture.pixels.len(), 700 * 1000);
+    assert_eq!(picture.expect("a picture").pixels.len(), 700 * 1000);
     assert!(told.len() > 1 && told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
 }
 
@@ -154,4 +183,258 @@ fn a_real_gpu_is_hardware_or_there_is_none() {
         Err(GpuError::NoAdapter { wanted, .. }) => assert_eq!(wanted, AdapterChoice::Real),
         Err(error) => println!("skipped: {error}"),
     }
+}
+
+fn hills(width: u32, height: u32, wrap: Wrap) -> Arc<HeightMap> {
+    let texel = |i: u32, j: u32| ((i * 5 + j * 3) % 23) as f32 / 22.0;
+    let map = HeightMap::from_fn(width, height, wrap, texel).expect("a valid map");
+    Arc::new(map.with_displacement(0.06, -0.05).expect("proper numbers"))
+}
+
+fn mesh(mesh: Result<Mesh, crate::mesh::MeshError>, placement: Placement) -> Arc<Mesh> {
+    Arc::new(mesh.and_then(|mesh| mesh.placed(&placement)).expect("a proper mesh"))
+}
+
+/// Three surfaces that pass through each other, of two maps and three methods, one of them seen from both sides.
+fn three_surfaces() -> Vec<Surface> {
+    let (one, other) = (hills(37, 21, Wrap::Repeat), hills(16, 24, Wrap::Mirror));
+    let leaning = Placement { rotation_degrees: [70.0, 20.0, 0.0].into(), ..Placement::default() };
+    let small = Placement { position_m: [0.2, 0.05, 0.1].into(), size: 0.8, ..Placement::default() };
+    let with =
+        |surface: Surface, method: &str| surface.with_selection(Selection::method(method).expect("a method"));
+    vec![
+        with(Surface::new(mesh(plane(1), Placement::default()), Arc::clone(&one)), "relief"),
+        with(Surface::new(mesh(plane(1), leaning), other), "cone").with_two_sided(true),
+        with(Surface::new(mesh(torus(32, 16), small), one), "frustum"),
+    ]
+}
+
+fn scene(surfaces: Vec<Surface>) -> Scene {
+    let mut builder = Scene::builder(surfaces[0].clone()).size(90, 70);
+    builder = builder.surfaces(surfaces).backend(BackendChoice::Cpu);
+    builder.build().expect("a proper scene")
+}
+
+fn rendered(renderer: &mut Renderer, scene: &Scene, maps: &mut Maps) -> Rendering {
+    renderer.render(scene, maps, &|_, _| ()).expect("a picture").rendering
+}
+
+/// The pictures of the surfaces apart, merged by depth; the first of equally near ones counts.
+fn merged(pictures: &[Rendering]) -> Rendering {
+    let mut all = pictures[0].clone();
+    for picture in &pictures[1..] {
+        for (pixel, other) in all.pixels.iter_mut().zip(&picture.pixels) {
+            if other.hit == 1 && (pixel.hit == 0 || other.depth < pixel.depth) {
+                *pixel = *other;
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn several_surfaces_are_those_rendered_apart_and_merged_by_depth() {
+    let gpu = software();
+    let renderers = [Some(Renderer::on_cpu()), gpu.map(|gpu| Renderer::on_gpu(gpu, Sampling::Exact))];
+    let mut pictures = Vec::new();
+    for mut renderer in renderers.into_iter().flatten() {
+        let mut maps = Maps::in_memory();
+        let surfaces = three_surfaces();
+        let together = rendered(&mut renderer, &scene(surfaces.clone()), &mut maps);
+        let one_by_one: Vec<Rendering> = surfaces
+            .iter()
+            .map(|surface| rendered(&mut renderer, &scene(vec![surface.clone()]), &mut maps))
+            .collect();
+        let shown = one_by_one.iter().enumerate().map(|(number, picture)| {
+            let same = together.pixels.iter().zip(&picture.pixels);
+            (number, same.filter(|(all, one)| one.hit == 1 && all == one).count())
+        });
+        for (number, pixels) in shown {
+            assert!(pixels > 300, "surface {number} is seen in {pixels} pixels");
+        }
+        // The rasteriser's planes are those of the whole scene, which moves its depths, not the hits.
+        let merged = merged(&one_by_one);
+        let other = together.pixels.iter().zip(&merged.pixels).filter(|(a, b)| a != b).count();
+        assert!(other * 1000 <= merged.pixels.len(), "{other} pixels differ");
+        pictures.push(together);
+    }
+    if let [cpu, gpu] = pictures.as_slice() {
+        let other =
+            cpu.pixels.iter().zip(&gpu.pixels).filter(|(a, b)| a.hit != b.hit || (a.t - b.t).abs() > 1e-5);
+        let other = other.count();
+        assert!(other * 200 <= cpu.pixels.len(), "{other} pixels differ between the backends");
+    }
+}
+
+#[test]
+fn of_equally_near_surfaces_the_first_is_seen() {
+    let mut renderers = vec![Renderer::on_cpu()];
+    renderers.extend(software().map(|gpu| Renderer::on_gpu(gpu, Sampling::Exact)));
+    let surface = three_surfaces().swap_remove(0);
+    let material = |brightness: f32| {
+        crate::material::Material::new(glam::Vec3::splat(brightness), glam::Vec3::ZERO, 1)
+            .expect("a material")
+    };
+    let (bright, dark) = (surface.clone().with_material(material(1.0)), surface.with_material(material(0.0)));
+    for renderer in &mut renderers {
+        let mut maps = Maps::in_memory();
+        let alone = rendered(renderer, &scene(vec![bright.clone()]), &mut maps);
+        assert_eq!(rendered(renderer, &scene(vec![bright.clone(), dark.clone()]), &mut maps), alone);
+        assert_ne!(rendered(renderer, &scene(vec![dark.clone(), bright.clone()]), &mut maps), alone);
+    }
+}
+
+#[test]
+fn a_second_frame_uploads_a_camera_and_compiles_nothing() {
+    let Some(gpu) = software() else { return };
+    let mut renderer = Renderer::on_gpu(gpu, Sampling::Exact);
+    let mut maps = Maps::in_memory();
+    let mut scene = scene(three_surfaces());
+    rendered(&mut renderer, &scene, &mut maps);
+    let first = renderer.last_work();
+    assert!(first.compiled >= 4 && first.uploaded > 10_000, "{first:?}");
+    let still = rendered(&mut renderer, &scene, &mut maps);
+    assert_eq!(renderer.last_work(), Work::default());
+
+    scene.set_camera(Camera::new([0.7, 0.8, 1.0].into(), glam::DVec3::ZERO, 40.0).expect("a camera"));
+    let moved = rendered(&mut renderer, &scene, &mut maps);
+    let second = renderer.last_work();
+    assert!(second.compiled == 0 && (1..=1024).contains(&second.uploaded), "{second:?}");
+    assert_ne!(moved, still);
+    // What is kept is what a renderer that knows nothing makes.
+    let fresh =
+        rendered(&mut Renderer::on_gpu(software().expect("again"), Sampling::Exact), &scene, &mut maps);
+    assert_eq!(moved, fresh);
+
+    // Another material of one surface is another uniform, another height map that map.
+    let [first, rest @ ..] = scene.surfaces() else { panic!("three surfaces") };
+    let changed = first.clone().with_two_sided(false).with_height_map(hills(64, 64, Wrap::Repeat));
+    let surfaces: Vec<Surface> = [changed].into_iter().chain(rest.iter().cloned()).collect();
+    let changed = scene.to_builder().surfaces(surfaces).build().expect("a proper scene");
+    rendered(&mut renderer, &changed, &mut maps);
+    let third = renderer.last_work();
+    assert!(third.compiled == 0 && (64 * 64 * 4..64 * 64 * 4 + 2048).contains(&third.uploaded), "{third:?}");
+    // Fewer surfaces and another size are no reason to upload the others again.
+    let fewer = changed.to_builder().surfaces(changed.surfaces()[..1].to_vec()).size(50, 40);
+    rendered(&mut renderer, &fewer.build().expect("a proper scene"), &mut maps);
+    assert!(renderer.last_work().uploaded <= 2048, "{:?}", renderer.last_work());
+}
+
+#[test]
+fn every_method_runs_within_the_least_limits_and_on_the_callers_device() {
+    for limits in [Limits::downlevel_defaults(), Limits::defaults()] {
+        let Some(gpu) = own(limits) else { return };
+        for sampling in Sampling::ALL {
+            let mut renderer = Renderer::on_gpu(gpu.clone(), sampling);
+            let mut maps = Maps::in_memory();
+            for method in METHODS {
+                let selection = Selection::of(method).expect("a method");
+                let surfaces = three_surfaces().into_iter().map(|surface| surface.with_selection(selection));
+                let scene = scene(surfaces.collect());
+                let picture = rendered(&mut renderer, &scene, &mut maps);
+                let covered = picture.pixels.iter().filter(|pixel| pixel.hit == 1).count();
+                assert!(covered > 1000, "{} {sampling}: {covered} pixels", method.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn maps_of_fewer_bits_give_the_same_exact_picture() {
+    let Some(gpu) = software() else { return };
+    let scene = scene(three_surfaces());
+    let picture = |format| {
+        let mut maps = Maps::in_memory().with_format(format);
+        rendered(&mut Renderer::on_gpu(gpu.clone(), Sampling::Exact), &scene, &mut maps)
+    };
+    let full = picture(relief_core::MapFormat::F32);
+    for format in [relief_core::MapFormat::F16, relief_core::MapFormat::Unorm8] {
+        let fewer = picture(format);
+        let other = full.pixels.iter().zip(&fewer.pixels);
+        let other = other.filter(|(a, b)| a.hit != b.hit || (a.t - b.t).abs() > 1e-5).count();
+        assert!(other * 500 <= full.pixels.len(), "{format:?}: {other} pixels differ");
+        assert_ne!(full, fewer, "{format:?}: the reads are others");
+    }
+}
+
+#[test]
+fn a_picture_that_stays_on_the_gpu_has_the_colours_that_are_read_back() {
+    let Some(gpu) = software() else { return };
+    let (mut maps, mut preparer) = (Maps::in_memory(), crate::prepare::Preparer::default());
+    let scene = scene(three_surfaces()).to_builder().size(300, 1000).build().expect("a proper scene");
+    preparer.provide(&scene, &mut maps, &relief_maps::Watch::none()).expect("a bake");
+    let job = preparer.job(&scene);
+    let mut renderer = GpuRenderer::new(gpu.clone());
+    let expected = renderer.render(&job, Sampling::Exact, &|_| ()).expect("a picture");
+    let picture = block_on(renderer.draw(&job, Sampling::Exact)).expect("a picture").clone();
+    let size = picture.size();
+    assert_eq!([size.width, size.height], [300, 1000]);
+    let row = (300 * 8u32).next_multiple_of(256);
+    let usage = BufferUsages::COPY_DST | BufferUsages::MAP_READ;
+    let buffer = gpu.buffer("to read", u64::from(row) * 1000, usage);
+    let mut encoder = gpu.device().create_command_encoder(&Default::default());
+    let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
+    let into = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
+    encoder.copy_texture_to_buffer(picture.as_image_copy(), into, size);
+    gpu.queue().submit([encoder.finish()]);
+    let mut bytes = Vec::new();
+    block_on(gpu.read(&buffer, buffer.size(), |read| bytes.extend_from_slice(read))).expect("it is read");
+    let background = scene.background();
+    for (y, texels) in bytes.chunks(row as usize).enumerate() {
+        for (x, texel) in texels.as_chunks::<8>().0.iter().take(300).enumerate() {
+            let half = |at: usize| {
+                relief_core::encoding::half::value(u16::from_le_bytes([texel[at], texel[at + 1]]))
+            };
+            let pixel = &expected.pixels[y * 300 + x];
+            let color = if pixel.hit == 1 { pixel.color } else { background.extend(1.0).to_array().into() };
+            for (given, wanted) in [0, 2, 4].map(half).into_iter().zip([color.x, color.y, color.z]) {
+                assert!(
+                    (given - wanted).abs() <= 1e-3 * wanted.abs() + 1e-4,
+                    "({x}, {y}): {given} for {wanted}"
+                );
+            }
+            assert_eq!(half(6), 1.0);
+        }
+    }
+}
+
+#[test]
+fn a_callers_error_handlers_are_his_own() {
+    let Some(gpu) = own(Limits::downlevel_defaults()) else { return };
+    let told = Arc::new(std::sync::Mutex::new(0));
+    let noted = Arc::clone(&told);
+    gpu.device().on_uncaptured_error(Arc::new(move |_| *noted.lock().expect("no panic") += 1));
+    // Errors of what is done here are results; the caller's handler is told of nothing.
+    let limit = gpu.device().limits().max_texture_dimension_2d;
+    let too_large = gpu.device().limits().max_buffer_size + 4;
+    let refused = block_on(gpu.guarded(|| Ok(gpu.buffer("too large", too_large, BufferUsages::STORAGE))));
+    assert!(matches!(refused, Err(GpuError::Refused(_))), "{refused:?}");
+    let mut renderer = GpuRenderer::new(gpu.clone());
+    let wide = Job { width: limit + 1, ..job(surface(&level_map())) };
+    assert!(renderer.render(&wide, Sampling::Exact, &|_| ()).is_err());
+    assert_eq!(*told.lock().expect("no panic"), 0);
+    // What the caller does himself is.
+    gpu.buffer("too large", too_large, BufferUsages::STORAGE);
+    assert_eq!(*told.lock().expect("no panic"), 1);
+    assert!(renderer.render(&job(surface(&level_map())), Sampling::Exact, &|_| ()).is_ok());
+}
+
+#[test]
+fn the_cpu_keeps_its_hierarchies_as_long_as_they_are_needed() {
+    let (mut maps, mut preparer) = (Maps::in_memory(), crate::prepare::Preparer::default());
+    let exact = three_surfaces().into_iter().map(|surface| surface.with_selection(Selection::exact()));
+    let scene = scene(exact.collect());
+    let mut renderer = CpuRenderer::new();
+    let mut jobs = || {
+        preparer.provide(&scene, &mut maps, &relief_maps::Watch::none()).expect("a bake");
+        preparer.job(&scene)
+    };
+    let first = renderer.render(&jobs(), &|_| ());
+    let kept = format!("{:?}", renderer.kept());
+    assert_eq!(renderer.render(&jobs(), &|_| ()), first);
+    assert_eq!(format!("{:?}", renderer.kept()), kept);
+    // Two surfaces share a height map, and so its hierarchy.
+    assert_eq!(renderer.kept().map(|list| list.len()), [3, 2]);
+    renderer.render(&Job { surfaces: Vec::new(), ..jobs() }, &|_| ());
+    assert_eq!(renderer.kept().map(|list| list.len()), [0, 0]);
 }

@@ -4,6 +4,7 @@ mod builtin;
 mod cube;
 mod cylinder;
 mod patch;
+mod placement;
 mod plane;
 mod sphere;
 mod torus;
@@ -13,6 +14,7 @@ use glam::{Vec2, Vec3};
 pub use builtin::Builtin;
 pub use cube::cube;
 pub use cylinder::cylinder;
+pub use placement::Placement;
 pub use plane::plane;
 pub use sphere::sphere;
 pub use torus::torus;
@@ -68,6 +70,9 @@ pub enum MeshError {
     /// A tile factor is not finite and positive.
     #[error("the tile factors are {0} and {1}: they must be finite and positive")]
     BadTile(f32, f32),
+    /// A placement's numbers are not finite, its size is not positive, or the mesh is no longer finite where it is placed.
+    #[error("a mesh cannot be placed so: its numbers must be finite and its size positive")]
+    BadPlacement,
     /// A number of divisions is outside its range.
     #[error("{given} divisions {direction}: from {least} to {MAX_DIVISIONS} are possible")]
     BadDivisions {

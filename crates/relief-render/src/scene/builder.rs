@@ -1,14 +1,10 @@
 //! Scenes made by programs.
 
-use super::{BackendChoice, Sampling, Scene, ValueError, error::ValueProblem};
+use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
 use crate::camera::Camera;
 use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
-use crate::material::Material;
-use crate::mesh::{Builtin, Mesh};
 use glam::{DVec3, Vec3};
-use relief_core::HeightMap;
-use relief_io::{NormalMap, Picture};
-use relief_shaders::{STAGES, Selection, SelectionError};
+use relief_shaders::{STAGES, SelectionError};
 
 /// The longest side of a picture in pixels.
 pub const MAX_IMAGE_SIDE: u32 = 32_768;
@@ -30,59 +26,53 @@ pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 #[derive(Clone, Debug)]
 #[must_use = "a builder makes no scene until it is built"]
 pub struct SceneBuilder {
-    height_map: HeightMap,
-    mesh: Option<Mesh>,
-    color: Option<Picture>,
-    normal_map: Option<Picture>,
+    surfaces: Vec<Surface>,
     camera: Option<Camera>,
     lights: Option<Vec<Light>>,
     ambient: Vec3,
-    material: Material,
     background: Vec3,
     size: [u32; 2],
-    selection: Option<Selection>,
     backend: BackendChoice,
     sampling: Sampling,
-    two_sided: bool,
 }
 
 impl SceneBuilder {
-    pub(super) fn new(height_map: HeightMap) -> Self {
+    /// A scene that shows these surfaces.
+    pub(super) fn showing(surfaces: Vec<Surface>) -> Self {
         Self {
-            height_map,
-            mesh: None,
-            color: None,
-            normal_map: None,
+            surfaces,
             camera: None,
             lights: None,
             ambient: DEFAULT_AMBIENT,
-            material: Material::default(),
             background: DEFAULT_BACKGROUND,
             size: DEFAULT_SIZE,
-            selection: None,
             backend: BackendChoice::default(),
             sampling: Sampling::default(),
-            two_sided: false,
         }
     }
 
-    /// The base mesh, with its tile factors applied. By default the built-in plane.
-    pub fn mesh(mut self, mesh: Mesh) -> Self {
-        self.mesh = Some(mesh);
+    pub(super) fn of(scene: &Scene) -> Self {
+        Self {
+            surfaces: scene.surfaces.clone(),
+            camera: Some(scene.camera),
+            lights: Some(scene.lights.clone()),
+            ambient: scene.ambient,
+            background: scene.background,
+            size: scene.size,
+            backend: scene.backend,
+            sampling: scene.sampling,
+        }
+    }
+
+    /// One more surface.
+    pub fn surface(mut self, surface: Surface) -> Self {
+        self.surfaces.push(surface);
         self
     }
 
-    /// A colour picture, which multiplies the material's diffuse colour. By default none.
-    pub fn color(mut self, color: Picture) -> Self {
-        self.color = Some(color);
-        self
-    }
-
-    /// A tangent-space normal map. By default none: normals are derived from the height map.
-    pub fn normal_map(mut self, map: NormalMap) -> Self {
-        // Four numbers a texel, as the shaders take them.
-        let texels = map.normals.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
-        self.normal_map = Some(Picture { width: map.width, height: map.height, texels });
+    /// These surfaces in place of all others. A scene shows at least one.
+    pub fn surfaces(mut self, surfaces: Vec<Surface>) -> Self {
+        self.surfaces = surfaces;
         self
     }
 
@@ -105,12 +95,6 @@ impl SceneBuilder {
         self
     }
 
-    /// The material. By default light grey.
-    pub fn material(mut self, material: Material) -> Self {
-        self.material = material;
-        self
-    }
-
     /// Linear colour of pixels that show no surface. By default dark grey, 0.05.
     pub fn background(mut self, background: Vec3) -> Self {
         self.background = background;
@@ -120,12 +104,6 @@ impl SceneBuilder {
     /// Width and height of the picture in pixels, each from 1 to [`MAX_IMAGE_SIDE`]. By default 800 and 600.
     pub fn size(mut self, width: u32, height: u32) -> Self {
         self.size = [width, height];
-        self
-    }
-
-    /// What is run: how the first hit is found, and how it is shaded. By default the method `exact`.
-    pub fn selection(mut self, selection: Selection) -> Self {
-        self.selection = Some(selection);
         self
     }
 
@@ -141,22 +119,19 @@ impl SceneBuilder {
         self
     }
 
-    /// Whether triangles seen from behind are drawn. By default they are not.
-    pub fn two_sided(mut self, two_sided: bool) -> Self {
-        self.two_sided = two_sided;
-        self
-    }
-
     /// The scene.
     ///
     /// # Errors
     ///
-    /// When the size is out of range, there are too many lights, a colour is negative or not finite, or what is selected
-    /// cannot trace view rays.
+    /// When there is no surface, the size is out of range, there are too many lights, a colour is negative or not finite,
+    /// or what a surface selects cannot trace view rays.
     pub fn build(self) -> Result<Scene, ValueError> {
         let [width, height] = self.size;
         if !(self.size.iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))) {
             return Err(ValueProblem::Size { width, height }.of("size"));
+        }
+        if self.surfaces.is_empty() {
+            return Err(ValueProblem::NoSurface.of("surfaces"));
         }
         let problem = |key: &'static str| move |problem: ValueProblem| problem.of(key);
         let colour = |key: &'static str, colour: Vec3| {
@@ -164,13 +139,9 @@ impl SceneBuilder {
         };
         let (ambient, background) =
             (colour("ambient", self.ambient)?, colour("background", self.background)?);
-        let selection = self.selection.map_or_else(|| Selection::method(DEFAULT_METHOD), Ok);
-        let selection = selection.and_then(|selection| selection.check().map(|()| selection));
-        let selection = selection.map_err(of_selection)?;
-        let mesh = match self.mesh {
-            Some(mesh) => mesh,
-            None => Builtin::Plane.build().map_err(ValueProblem::from).map_err(problem("mesh"))?,
-        };
+        for surface in &self.surfaces {
+            surface.selection().check().map_err(of_selection)?;
+        }
         let camera = match self.camera {
             Some(camera) => camera,
             None => Camera::new(DEFAULT_EYE, DVec3::ZERO, DEFAULT_FOV)
@@ -189,20 +160,14 @@ impl SceneBuilder {
             return Err(ValueProblem::from(LightError::TooMany(lights.len())).of("lights"));
         }
         Ok(Scene {
-            mesh,
-            height_map: self.height_map,
-            color: self.color,
-            normal_map: self.normal_map,
+            surfaces: self.surfaces,
             camera,
             lights,
             ambient,
-            material: self.material,
             background,
             size: self.size,
-            selection,
             backend: self.backend,
             sampling: self.sampling,
-            two_sided: self.two_sided,
         })
     }
 }

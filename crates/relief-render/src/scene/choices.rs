@@ -16,16 +16,6 @@ pub enum BackendChoice {
     Gpu,
 }
 
-/// How textures are read.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Sampling {
-    /// Texels are loaded and interpolated in `f32`: the same bits on every machine.
-    #[default]
-    Exact,
-    /// The GPU's sampler interpolates: faster, with 8 bits of sub-texel precision on most hardware.
-    Fast,
-}
-
 impl BackendChoice {
     /// Every choice, in the order in which help lists them.
     pub const ALL: [BackendChoice; 3] = [BackendChoice::Auto, BackendChoice::Cpu, BackendChoice::Gpu];
@@ -40,26 +30,7 @@ impl BackendChoice {
     }
 }
 
-impl Sampling {
-    /// Every choice, in the order in which help lists them.
-    pub const ALL: [Sampling; 2] = [Sampling::Exact, Sampling::Fast];
-
-    /// The name used on the command line and in scenes.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Sampling::Exact => "exact",
-            Sampling::Fast => "fast",
-        }
-    }
-}
-
 impl fmt::Display for BackendChoice {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl fmt::Display for Sampling {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
@@ -71,14 +42,5 @@ impl FromStr for BackendChoice {
     fn from_str(name: &str) -> Result<Self, UnknownName> {
         let found = Self::ALL.into_iter().find(|choice| choice.name() == name);
         found.ok_or_else(|| UnknownName::new("backend", name, Self::ALL.map(Self::name)))
-    }
-}
-
-impl FromStr for Sampling {
-    type Err = UnknownName;
-
-    fn from_str(name: &str) -> Result<Self, UnknownName> {
-        let found = Self::ALL.into_iter().find(|choice| choice.name() == name);
-        found.ok_or_else(|| UnknownName::new("sampling", name, Self::ALL.map(Self::name)))
     }
 }

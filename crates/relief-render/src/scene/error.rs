@@ -28,6 +28,16 @@ pub enum SceneError {
         /// What is wrong, with the line.
         source: Box<toml::de::Error>,
     },
+    /// The scene file has an unknown key, or surfaces that are none.
+    #[error("{}, line {line}: {what}", path.display())]
+    Key {
+        /// The scene file.
+        path: PathBuf,
+        /// The line of the key, counted from 1.
+        line: usize,
+        /// What is wrong.
+        what: String,
+    },
     /// A key of the scene file has a value that cannot be used.
     #[error("{}, line {line}: {source}", path.display())]
     InFile {
@@ -42,14 +52,17 @@ pub enum SceneError {
     #[error(transparent)]
     Value(#[from] ValueError),
     /// No height map is named.
-    #[error("the scene has no height map: give --height FILE, or the key 'height' in the scene file")]
-    NoHeightMap,
+    #[error("the scene has no height map{}: name one by the key 'height'", .0.map_or(String::new(), |number| format!(" for surface {}", number + 1)))]
+    NoHeightMap(
+        /// The number of the surface that has none, where the scene has several.
+        Option<usize>,
+    ),
     /// A map cannot be read.
     #[error(transparent)]
     Read(#[from] ReadError),
     /// The picture would take more memory than allowed.
     #[error(
-        "a picture of {width}x{height} pixels needs {} MiB of memory, {limit} are allowed: make it smaller or raise the limit with --max-memory",
+        "a picture of {width}x{height} pixels needs {} MiB of memory, {limit} are allowed: make it smaller or raise the limit",
         mebibytes(*needed)
     )]
     TooMuchMemory {
@@ -64,7 +77,7 @@ pub enum SceneError {
     },
     /// The height map can be read, and rendering it would take more memory than allowed.
     #[error(
-        "{}: rendering {width}x{height} texels needs {} MiB of memory, {} MiB of the {limit} allowed are left for them: use a smaller map or picture, or raise the limit with --max-memory",
+        "{}: rendering {width}x{height} texels needs {} MiB of memory, {} MiB of the {limit} allowed are left for them: use a smaller map or picture, or raise the limit",
         path.display(), mebibytes(*needed), left / BYTES_PER_MEBIBYTE
     )]
     TooMuchToTrace {
@@ -90,10 +103,12 @@ fn mebibytes(bytes: u64) -> u64 {
     bytes.div_ceil(BYTES_PER_MEBIBYTE)
 }
 
-/// A value that cannot be used, with its key: the flag of the same name, or the key in the scene file.
+/// A value that cannot be used, with its key: that of a scene file, or of the same name elsewhere.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{key}: {problem}")]
+#[error("{}{key}: {problem}", .surface.map_or(String::new(), |number| format!("surface {}: ", number + 1)))]
 pub struct ValueError {
+    /// The number of the surface, where the scene has several and the value is one of theirs.
+    pub surface: Option<usize>,
     /// The key.
     pub key: &'static str,
     /// What is wrong with it.
@@ -122,6 +137,9 @@ pub enum ValueProblem {
         /// Height in pixels.
         height: u32,
     },
+    /// The scene shows nothing.
+    #[error("a scene needs at least one surface")]
+    NoSurface,
     /// Two keys that exclude each other are given.
     #[error("cannot be given together with {0}")]
     Excludes(&'static str),
@@ -148,9 +166,16 @@ pub enum ValueProblem {
     Selection(#[from] Box<SelectionError>),
 }
 
+impl ValueError {
+    /// The same of a surface.
+    pub(crate) fn of_surface(self, surface: Option<usize>) -> Self {
+        Self { surface, ..self }
+    }
+}
+
 impl ValueProblem {
     /// The error of this problem with the value of that key.
     pub(crate) fn of(self, key: &'static str) -> ValueError {
-        ValueError { key, problem: self }
+        ValueError { surface: None, key, problem: self }
     }
 }

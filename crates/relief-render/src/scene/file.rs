@@ -1,13 +1,26 @@
 //! Scene files: TOML.
+//!
+//! The keys of a scene and those of its surfaces stand side by side, so that a scene of one surface is a plain list; what
+//! stands there of a surface holds for every one of `[[surfaces]]`.
 
-use super::{SceneError, SceneSpec};
+use super::keys::keys_of;
+use super::{SceneError, SceneSpec, SurfaceSpec};
+use relief_core::registry::UnknownName;
+use relief_shaders::STAGES;
+use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Read};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
-use toml::de::DeTable;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, Deserializer};
 
 /// The longest scene file that is read, in bytes. Scenes are short; what is longer is some other file.
 const MAX_FILE_BYTES: u64 = 1 << 20;
+
+/// The key of the list of surfaces.
+const SURFACES: &str = "surfaces";
 
 /// Reads a scene file and checks all that needs no other file. Relative paths in it start at the folder that it lies in.
 ///
@@ -17,15 +30,24 @@ const MAX_FILE_BYTES: u64 = 1 << 20;
 /// used; errors in the file say their line.
 pub fn read_scene(path: &Path) -> Result<SceneSpec, SceneError> {
     let text = read_text(path).map_err(|source| SceneError::Io { path: path.to_owned(), source })?;
-    let mut spec: SceneSpec = toml::from_str(&text)
-        .map_err(|source| SceneError::Toml { path: path.to_owned(), source: Box::new(source) })?;
+    let mut spec = parse(&text).map_err(|mistake| match mistake {
+        Mistake::Toml(mut source) => {
+            source.set_input(Some(&text));
+            SceneError::Toml { path: path.to_owned(), source }
+        }
+        Mistake::Key { what, at } => {
+            SceneError::Key { path: path.to_owned(), line: line_at(&text, at.start), what }
+        }
+    })?;
     spec.check().map_err(|source| {
-        let line = line_of(&text, source.key);
+        let line = line_of(&text, source.surface, source.key);
         SceneError::InFile { path: path.to_owned(), line, source }
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    for file in [&mut spec.height, &mut spec.color, &mut spec.normal] {
-        *file = file.take().map(|file: PathBuf| folder.join(file));
+    for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
+        for file in [&mut surface.height, &mut surface.color, &mut surface.normal] {
+            *file = file.take().map(|file: PathBuf| folder.join(file));
+        }
     }
     Ok(spec)
 }
@@ -34,21 +56,111 @@ fn read_text(path: &Path) -> io::Result<String> {
     let mut bytes = Vec::new();
     File::open(path)?.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MAX_FILE_BYTES {
-        let what = "it is too long for a scene; a height map is given with --height";
+        let what = "it is too long for a scene";
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, what));
     }
     String::from_utf8(bytes).map_err(|_| {
-        let what = "it holds no text, which scenes are; a height map is given with --height";
+        let what = "it holds no text, which scenes are";
         io::Error::new(io::ErrorKind::InvalidData, what)
     })
 }
 
-/// The line, counted from 1, where a top-level key has its value.
-fn line_of(text: &str, key: &str) -> usize {
-    let start = DeTable::parse(text).ok().and_then(|table| {
-        let mut entries = table.get_ref().iter();
-        entries.find(|(name, _)| name.get_ref().as_ref() == key).map(|(name, _)| name.span().start)
+/// What is wrong with a text.
+enum Mistake {
+    Toml(Box<toml::de::Error>),
+    Key { what: String, at: Range<usize> },
+}
+
+impl From<toml::de::Error> for Mistake {
+    fn from(error: toml::de::Error) -> Self {
+        Mistake::Toml(Box::new(error))
+    }
+}
+
+fn parse(text: &str) -> Result<SceneSpec, Mistake> {
+    let root = DeTable::parse(text)?;
+    let span = root.span();
+    let mut root = root.into_inner();
+    let surfaces = root.remove(SURFACES);
+    let of_surface = |key: &str| key != "size" && keys_of::<SurfaceSpec>().contains(&key);
+    let of_scene = |key: &str| keys_of::<SceneSpec>().contains(&key);
+    check_keys(&root, |key| of_surface(key) || of_scene(key), &[keys_of::<SceneSpec>(), &[SURFACES]])?;
+    let (own, rest): (DeTable, DeTable) =
+        root.into_iter().partition(|(key, _)| of_scene(key.get_ref().as_ref()));
+    let mut spec = SceneSpec::deserialize(Deserializer::from(Spanned::new(span.clone(), own)))?;
+    spec.surface = surface_of(Spanned::new(span, rest))?;
+    if let Some(surfaces) = surfaces {
+        spec.surfaces = each_of(surfaces)?;
+    }
+    Ok(spec)
+}
+
+/// The elements of `[[surfaces]]`.
+fn each_of(surfaces: Spanned<DeValue>) -> Result<Vec<SurfaceSpec>, Mistake> {
+    let span = surfaces.span();
+    let DeValue::Array(elements) = surfaces.into_inner() else {
+        return Err(no_list(span));
+    };
+    let each = elements.into_iter().map(|element| {
+        let span = element.span();
+        let DeValue::Table(table) = element.into_inner() else {
+            return Err(no_list(span));
+        };
+        check_keys(&table, |key| keys_of::<SurfaceSpec>().contains(&key), &[])?;
+        surface_of(Spanned::new(span, table))
     });
-    // Only keys of the file can be wrong, since every default is possible: then the key is found.
-    text[..start.unwrap_or(0)].matches('\n').count() + 1
+    each.collect()
+}
+
+fn no_list(at: Range<usize>) -> Mistake {
+    Mistake::Key { what: format!("{SURFACES} must be tables: write [[{SURFACES}]] before each"), at }
+}
+
+/// Refuses keys that are neither known nor a stage's.
+fn check_keys(table: &DeTable, known: impl Fn(&str) -> bool, others: &[&[&str]]) -> Result<(), Mistake> {
+    for key in table.keys() {
+        let name = key.get_ref().as_ref();
+        if !known(name) && relief_shaders::stage(name).is_none() {
+            let stages = STAGES.iter().map(|stage| stage.key);
+            let keys = keys_of::<SurfaceSpec>().iter().chain(others.iter().copied().flatten()).copied();
+            let what = UnknownName::new("key", name, keys.chain(stages)).to_string();
+            return Err(Mistake::Key { what, at: key.span() });
+        }
+    }
+    Ok(())
+}
+
+/// A surface of a table, in which stages' keys name their variants.
+fn surface_of(table: Spanned<DeTable>) -> Result<SurfaceSpec, Mistake> {
+    let span = table.span();
+    let (stages, rest): (DeTable, DeTable) = table
+        .into_inner()
+        .into_iter()
+        .partition(|(key, _)| relief_shaders::stage(key.get_ref().as_ref()).is_some());
+    let mut surface = SurfaceSpec::deserialize(Deserializer::from(Spanned::new(span.clone(), rest)))?;
+    surface.stages = BTreeMap::deserialize(Deserializer::from(Spanned::new(span, stages)))?;
+    Ok(surface)
+}
+
+/// The line, counted from 1, of a place in a text.
+fn line_at(text: &str, place: usize) -> usize {
+    text[..place].matches('\n').count() + 1
+}
+
+/// The line where a key has its value: of that surface, or of the scene itself.
+fn line_of(text: &str, surface: Option<usize>, key: &str) -> usize {
+    let Ok(root) = DeTable::parse(text) else { return 1 };
+    let place = |table: &DeTable| {
+        let found = table.iter().find(|(name, _)| name.get_ref().as_ref() == key);
+        found.map(|(name, _)| name.span().start)
+    };
+    let of_surface = || {
+        let DeValue::Array(surfaces) = root.get_ref().get(SURFACES)?.get_ref() else { return None };
+        let element = surfaces.get(surface?)?;
+        let DeValue::Table(table) = element.get_ref() else { return None };
+        // What the surface does not say itself is said of all, or by nobody.
+        place(table).or_else(|| place(root.get_ref())).or(Some(element.span().start))
+    };
+    let start = of_surface().or_else(|| place(root.get_ref()));
+    line_at(text, start.unwrap_or(0))
 }

@@ -8,81 +8,59 @@ mod builder;
 mod choices;
 mod error;
 mod file;
+mod keys;
 mod load;
+mod load_surface;
 mod spec;
+mod surface;
+mod surface_spec;
 
 pub use builder::{MAX_IMAGE_SIDE, SceneBuilder};
-pub use choices::{BackendChoice, Sampling};
+pub use choices::BackendChoice;
 pub use error::{SceneError, ValueError, ValueProblem};
 pub use file::read_scene;
 pub use load::DEFAULT_MAX_MEMORY;
-pub use spec::{LightSpec, MaterialSpec, SceneSpec};
+pub use spec::{LightSpec, SceneSpec};
+pub use surface::Surface;
+pub use surface_spec::{MaterialSpec, SurfaceSpec};
 
 use crate::camera::Camera;
 use crate::light::Light;
-use crate::material::Material;
-use crate::mesh::Mesh;
 use glam::Vec3;
-use relief_core::{HeightMap, Metric};
-use relief_io::Picture;
-use relief_shaders::Selection;
+pub use relief_shaders::wgsl::Sampling;
 
 /// A complete scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    pub(crate) mesh: Mesh,
-    pub(crate) height_map: HeightMap,
-    pub(crate) color: Option<Picture>,
-    pub(crate) normal_map: Option<Picture>,
+    pub(crate) surfaces: Vec<Surface>,
     pub(crate) camera: Camera,
     pub(crate) lights: Vec<Light>,
     pub(crate) ambient: Vec3,
-    pub(crate) material: Material,
     pub(crate) background: Vec3,
     pub(crate) size: [u32; 2],
-    pub(crate) selection: Selection,
     pub(crate) backend: BackendChoice,
     pub(crate) sampling: Sampling,
-    pub(crate) two_sided: bool,
 }
 
 impl Scene {
-    /// Starts a scene in which that height map lies on the built-in plane; everything else has its default, which the
-    /// builder's functions state.
-    pub fn builder(height_map: HeightMap) -> SceneBuilder {
-        SceneBuilder::new(height_map)
+    /// Starts a scene that shows a surface; everything else has its default, which the builder's functions state.
+    pub fn builder(surface: Surface) -> SceneBuilder {
+        SceneBuilder::showing(vec![surface])
     }
 
-    /// The base mesh, tiled.
-    pub fn mesh(&self) -> &Mesh {
-        &self.mesh
-    }
-
-    /// The height map with its wrap and displacement.
-    pub fn height_map(&self) -> &HeightMap {
-        &self.height_map
-    }
-
-    /// The colour picture, if there is one; it multiplies the material's diffuse colour and is laid out and wrapped as
-    /// the height map is.
-    pub fn color(&self) -> Option<&Picture> {
-        self.color.as_ref()
-    }
-
-    /// The normal map, if there is one: in each texel a unit normal in tangent space, `x` along growing `u`, `y` along
-    /// falling `v`, `z` out of the surface, and a 0. Without one, normals are derived from the height map.
-    pub fn normal_map(&self) -> Option<&Picture> {
-        self.normal_map.as_ref()
-    }
-
-    /// The metres of the surface: of a tile on the mean over the mesh, and of the relief.
-    pub fn metric(&self) -> Metric {
-        Metric { tile_m: self.mesh.tile_m(), scale_m: self.height_map.scale_m() }
+    /// The surfaces, at least one. Of several the nearest is seen; of equally near ones the first.
+    pub fn surfaces(&self) -> &[Surface] {
+        &self.surfaces
     }
 
     /// The camera.
     pub fn camera(&self) -> &Camera {
         &self.camera
+    }
+
+    /// Moves the camera.
+    pub fn set_camera(&mut self, camera: Camera) {
+        self.camera = camera;
     }
 
     /// The lights, at most [`MAX_LIGHTS`](crate::light::MAX_LIGHTS).
@@ -95,11 +73,6 @@ impl Scene {
         self.ambient
     }
 
-    /// The material.
-    pub fn material(&self) -> &Material {
-        &self.material
-    }
-
     /// Linear colour of pixels that show no surface.
     pub fn background(&self) -> Vec3 {
         self.background
@@ -108,11 +81,6 @@ impl Scene {
     /// Width and height of the picture in pixels.
     pub fn size(&self) -> [u32; 2] {
         self.size
-    }
-
-    /// What is run: how the first hit is found, and how it is shaded.
-    pub fn selection(&self) -> &Selection {
-        &self.selection
     }
 
     /// What computes the picture.
@@ -125,9 +93,10 @@ impl Scene {
         self.sampling
     }
 
-    /// Whether triangles seen from behind are drawn.
-    pub fn two_sided(&self) -> bool {
-        self.two_sided
+    /// A builder of a scene that differs from this one. What is not changed is shared with it, so that a renderer that has
+    /// seen this one need not make it ready again.
+    pub fn to_builder(&self) -> SceneBuilder {
+        SceneBuilder::of(self)
     }
 }
 

@@ -1,11 +1,13 @@
 use super::*;
-use crate::light::MAX_LIGHTS;
-use crate::mesh::Builtin;
-use glam::DVec3;
+use crate::light::{Light, MAX_LIGHTS};
+use crate::mesh::{Builtin, plane};
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
-use relief_core::{ByteSize, Wrap};
+use relief_core::{ByteSize, HeightMap, Wrap};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A file of the project, from its root.
 fn shipped(path: &str) -> PathBuf {
@@ -20,8 +22,19 @@ fn read(text: &str) -> Result<SceneSpec, SceneError> {
     read_scene(&path)
 }
 
-fn flat_map() -> HeightMap {
-    HeightMap::new(1, 1, vec![0.5], Wrap::Repeat).expect("a valid map")
+fn flat() -> Surface {
+    let map = HeightMap::new(1, 1, vec![0.5], Wrap::Repeat).expect("a valid map");
+    Surface::new(plane(1).expect("a mesh"), map)
+}
+
+/// What a description says of every surface.
+fn of(surface: SurfaceSpec) -> SceneSpec {
+    SceneSpec::of_surface(surface)
+}
+
+/// Names of variants by their stages' keys.
+fn stages<const N: usize>(names: [(&str, &str); N]) -> BTreeMap<String, String> {
+    names.map(|(key, name)| (key.to_owned(), name.to_owned())).into()
 }
 
 /// A file with every key but those that exclude others.
@@ -40,8 +53,11 @@ normal = "c.png"
 green = "-y"
 mesh = "torus"
 tile = [8, 3.5]
+position = [0, -0.5, 0]
+rotation = [90, 0, 0]
 search = "linear"
 refine = "binary"
+shade = "blinn-phong"
 set.search.steps = 64
 set.refine.steps = 6
 eye = [1, 2, 3]
@@ -68,7 +84,7 @@ fn every_key_is_read() {
     fs::write(&path, FULL).expect("a temporary file");
     let spec = read_scene(&path).expect("a proper scene");
     let settings = [("search.steps".to_owned(), 64.0), ("refine.steps".to_owned(), 6.0)];
-    let expected = SceneSpec {
+    let surface = SurfaceSpec {
         height: Some(folder.path().join("maps/a.exr")),
         channel: Some("height".to_owned()),
         depth: Some(true),
@@ -83,10 +99,23 @@ fn every_key_is_read() {
         green: "-y".parse().ok(),
         mesh: Some(Builtin::Torus),
         tile: Some([8.0, 3.5]),
+        position: Some([0.0, -0.5, 0.0]),
+        rotation: Some([90.0, 0.0, 0.0]),
+        size: None,
         method: None,
-        search: Some("linear".to_owned()),
-        refine: Some("binary".to_owned()),
+        stages: stages([("search", "linear"), ("refine", "binary"), ("shade", "blinn-phong")]),
         set: settings.into_iter().collect(),
+        material: Some(MaterialSpec {
+            diffuse: Some([0.5, 0.6, 0.7]),
+            specular: Some([0.0; 3]),
+            shininess: Some(100),
+        }),
+        two_sided: Some(true),
+    };
+    assert!(surface.raw.is_some() && surface.green.is_some());
+    let expected = SceneSpec {
+        surface,
+        surfaces: Vec::new(),
         eye: Some([1.0, 2.0, 3.0]),
         target: Some([0.0, 0.5, 0.0]),
         fov: Some(30.0),
@@ -102,18 +131,11 @@ fn every_key_is_read() {
             },
         ]),
         ambient: Some([0.1, 0.1, 0.2]),
-        material: Some(MaterialSpec {
-            diffuse: Some([0.5, 0.6, 0.7]),
-            specular: Some([0.0; 3]),
-            shininess: Some(100),
-        }),
         background: Some([0.0, 0.0, 1.0]),
         backend: Some(BackendChoice::Cpu),
         sampling: Some(Sampling::Fast),
-        two_sided: Some(true),
         max_memory: Some(ByteSize(512 << 20)),
     };
-    assert!(expected.raw.is_some() && expected.green.is_some());
     assert_eq!(spec, expected);
     assert_eq!(read("").expect("an empty scene"), SceneSpec::default());
 }
@@ -122,7 +144,6 @@ fn every_key_is_read() {
 fn mistakes_in_a_file_are_reported_with_their_line() {
     // Each of these is wrong on its third line.
     let mistakes = [
-        "heigth = 'x.png'",
         "mesh = 'shpere'",
         "wrap = 3",
         "fov = '40'",
@@ -146,6 +167,9 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
     }
     let impossible = [
         ("fov = 180", "fov"),
+        ("position = [0, 1e30, 0]", "position"),
+        ("rotation = [0, nan, 0]", "rotation"),
+        ("shade = 'blinn'", "shade"),
         ("eye = [0, 0, 0]", "eye"),
         ("target = [0.6, 0.9, 1.1]", "target"),
         ("scale = -1", "scale"),
@@ -195,6 +219,112 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
 }
 
 #[test]
+fn unknown_keys_are_reported_with_their_line_and_the_nearest() {
+    let cases = [
+        ("\n\nheigth = 'x.png'", 3, "height"),
+        ("\nbackgruond = [0, 0, 0]", 2, "background"),
+        ("serach = 'cells'", 1, "search"),
+        ("[[surfacs]]", 1, "surfaces"),
+        ("[[surfaces]]\nmehs = 'cube'", 2, "mesh"),
+        ("[[surfaces]]\n[[surfaces]]\neye = [0, 1, 0]", 3, "eye"),
+        ("surfaces = 3", 1, "[[surfaces]]"),
+        ("surfaces = [3]", 1, "[[surfaces]]"),
+    ];
+    for (text, expected, named) in cases {
+        match read(text).expect_err(text) {
+            SceneError::Key { line, what, .. } => {
+                assert_eq!(line, expected, "{text}");
+                assert!(what.contains(named), "{text}: {what}");
+            }
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+}
+
+/// A scene of two surfaces that share what is said above them.
+const TWO: &str = "
+height = 'a.png'
+scale = 0.1
+size = [64, 48]
+set.search.steps = 9
+search = 'linear'
+refine = 'binary'
+
+[[surfaces]]
+mesh = 'cube'
+position = [1, 0, 0]
+size = 0.5
+
+[[surfaces]]
+method = 'cone'
+scale = 0.2
+set.search.limit = 500
+";
+
+#[test]
+fn surfaces_of_a_file_say_what_they_differ_in() {
+    let spec = read(TWO).expect("a proper scene");
+    assert_eq!((spec.surfaces.len(), spec.size), (2, Some([64, 48])));
+    let [first, second] = &spec.each_surface()[..] else { panic!("two surfaces") };
+    assert_eq!((first.height.as_ref(), first.scale), (second.height.as_ref(), Some(0.1)));
+    assert_eq!((first.mesh, first.position), (Some(Builtin::Cube), Some([1.0, 0.0, 0.0])));
+    assert_eq!((first.size, second.size), (Some(0.5), None));
+    assert_eq!(first.stages, stages([("search", "linear"), ("refine", "binary")]));
+    assert_eq!((second.method.as_deref(), second.scale), (Some("cone"), Some(0.2)));
+    assert!(second.stages.is_empty() && !second.set.contains_key("search.steps"));
+
+    // What is said over a scene holds for each of its surfaces.
+    let over = of(SurfaceSpec { method: Some("relief".into()), ..SurfaceSpec::default() });
+    let both = spec.overridden_by(over).each_surface();
+    assert!(both.iter().all(|surface| surface.method.as_deref() == Some("relief") && surface.set.is_empty()));
+}
+
+#[test]
+fn mistakes_in_a_surface_are_reported_with_their_surface_and_line() {
+    let mistakes = [
+        ("[[surfaces]]\n[[surfaces]]\nscale = -1", 3, 1, "scale"),
+        ("[[surfaces]]\nsize = 0", 2, 0, "size"),
+        // What is said of all is reported where it is said, and what is missing at the surface.
+        ("scale = -1\n[[surfaces]]", 1, 0, "scale"),
+        ("[[surfaces]]\nmethod = 'cone'\n[[surfaces]]\nsearch = 'cells'", 4, 1, "search"),
+        ("[[surfaces]]\nset.search.stepz = 3", 2, 0, "set"),
+    ];
+    for (text, expected, number, key) in mistakes {
+        match read(text).expect_err(text) {
+            SceneError::InFile { line, source, .. } => {
+                assert_eq!((line, source.surface, source.key), (expected, Some(number), key), "{text}");
+            }
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+    let error = read("[[surfaces]]\n\nmesh = 'shpere'").expect_err("no such mesh");
+    assert!(matches!(error, SceneError::Toml { .. }) && error.to_string().contains("line 3"), "{error}");
+}
+
+#[test]
+fn several_surfaces_are_loaded_each_file_once() {
+    let noise = SurfaceSpec { height: Some(shipped("data/noise.png")), ..SurfaceSpec::default() };
+    let mut spec = of(noise);
+    spec.surfaces = vec![
+        SurfaceSpec { size: Some(2.0), ..SurfaceSpec::default() },
+        SurfaceSpec { scale: Some(0.25), position: Some([0.0, 0.0, 3.0]), ..SurfaceSpec::default() },
+        SurfaceSpec { height: Some(shipped("data/spikes.png")), ..SurfaceSpec::default() },
+    ];
+    let scene = spec.load().expect("a scene");
+    let [first, second, third] = scene.surfaces() else { panic!("three surfaces") };
+    assert!(first.height_map().shares_texels(second.height_map()));
+    assert!(!first.height_map().shares_texels(third.height_map()));
+    assert_eq!((first.height_map().scale_m(), second.height_map().scale_m()), (0.05, 0.25));
+    let [large, small] = [first, second].map(|surface| surface.metric().tile_m);
+    assert!((large[0] - 2.0 * small[0]).abs() < 1e-12, "{large:?} and {small:?}");
+    assert!(second.mesh().vertices().iter().all(|vertex| vertex.position.z >= 2.5));
+
+    spec.surface.height = None;
+    let missing = spec.load().expect_err("a surface without a height map");
+    assert!(matches!(missing, SceneError::NoHeightMap(Some(0))), "{missing:?}");
+}
+
+#[test]
 fn files_that_are_no_scene_are_refused() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("scene.toml");
@@ -210,56 +340,66 @@ fn files_that_are_no_scene_are_refused() {
 fn what_is_said_later_wins() {
     let file = read(FULL).expect("a proper scene");
     assert_eq!(file.clone().overridden_by(SceneSpec::default()), file);
-    let flags = SceneSpec { fov: Some(20.0), mesh: Some(Builtin::Plane), ..SceneSpec::default() };
+    let mesh = SurfaceSpec { mesh: Some(Builtin::Plane), ..SurfaceSpec::default() };
+    let flags = SceneSpec { fov: Some(20.0), ..of(mesh) };
     let both = file.clone().overridden_by(flags);
-    assert_eq!(both, SceneSpec { fov: Some(20.0), mesh: Some(Builtin::Plane), ..file });
+    let surface = SurfaceSpec { mesh: Some(Builtin::Plane), ..file.surface.clone() };
+    assert_eq!(both, SceneSpec { fov: Some(20.0), surface, ..file });
 }
 
 #[test]
 fn what_belongs_to_something_replaced_goes_with_it() {
     let file = read(FULL).expect("a proper scene");
-    let with = |over: SceneSpec| {
-        let both = file.clone().overridden_by(over);
+    let with = |over: SurfaceSpec| {
+        let both = file.clone().overridden_by(of(over));
         both.check().expect("still a proper scene");
-        both
+        both.surface
     };
 
-    let both = with(SceneSpec { height: Some("new.png".into()), fill: Some(true), ..SceneSpec::default() });
+    let both =
+        with(SurfaceSpec { height: Some("new.png".into()), fill: Some(true), ..SurfaceSpec::default() });
     assert_eq!((both.raw, both.channel, both.depth, both.range), (None, None, None, None));
     assert_eq!((both.fill, both.wrap), (Some(true), Some(Wrap::Mirror)));
 
-    let both = with(SceneSpec { normal: Some("new.png".into()), ..SceneSpec::default() });
+    let both = with(SurfaceSpec { normal: Some("new.png".into()), ..SurfaceSpec::default() });
     assert_eq!(both.green, None);
 
-    let both = with(SceneSpec { scale: Some(0.5), ..SceneSpec::default() });
+    let both = with(SurfaceSpec { scale: Some(0.5), ..SurfaceSpec::default() });
     assert_eq!(both.bias, None);
 
-    let both = with(SceneSpec { light: Some([0.0, 1.0, 0.0]), ..SceneSpec::default() });
-    assert_eq!(both.lights, None);
-
-    let both = with(SceneSpec { method: Some("parallax".into()), ..SceneSpec::default() });
-    assert!(both.search.is_none() && both.refine.is_none() && both.set.is_empty());
+    let both = with(SurfaceSpec { method: Some("parallax".into()), ..SurfaceSpec::default() });
+    assert_eq!(both.stages, stages([("shade", "blinn-phong")]));
+    assert!(both.set.is_empty());
 
     let set = [("refine.steps".to_owned(), 9.0)].into_iter().collect();
-    let both = with(SceneSpec { search: Some("cells".into()), set, ..SceneSpec::default() });
-    assert_eq!((both.search.as_deref(), both.refine.as_deref()), (Some("cells"), Some("binary")));
+    let both = with(SurfaceSpec { stages: stages([("search", "cells")]), set, ..SurfaceSpec::default() });
+    let named = stages([("search", "cells"), ("refine", "binary"), ("shade", "blinn-phong")]);
+    assert_eq!(both.stages, named);
     assert_eq!(both.set.into_iter().collect::<Vec<_>>(), [("refine.steps".to_owned(), 9.0)]);
+
+    let light = SceneSpec { light: Some([0.0, 1.0, 0.0]), ..SceneSpec::default() };
+    let both = file.clone().overridden_by(light);
+    both.check().expect("still a proper scene");
+    assert_eq!(both.lights, None);
 }
 
 #[test]
 fn a_scene_is_loaded_with_its_defaults() {
-    let spec = SceneSpec { height: Some(shipped("data/noise.png")), ..SceneSpec::default() };
-    let scene = spec.load().expect("a scene");
-    let map = scene.height_map();
+    let height = Some(shipped("data/noise.png"));
+    let scene = of(SurfaceSpec { height, ..SurfaceSpec::default() }).load().expect("a scene");
+    let [surface] = scene.surfaces() else { panic!("one surface") };
+    let map = surface.height_map();
     assert_eq!((map.width(), map.height(), map.wrap()), (128, 128, Wrap::Repeat));
     assert_eq!((map.scale_m(), map.bias_m()), (0.05, -0.05));
     assert_eq!((scene.size(), scene.camera().eye()), ([800, 600], DVec3::new(0.6, 0.9, 1.1)));
     assert_eq!((scene.camera().target(), scene.camera().fov_degrees()), (DVec3::ZERO, 40.0));
-    assert_eq!((scene.lights().len(), scene.two_sided(), scene.mesh().triangles().len()), (1, false, 2));
-    assert!(scene.selection().is_exact());
-    assert!(scene.color().is_none() && scene.normal_map().is_none());
+    assert_eq!(scene.lights().len(), 1);
+    assert_eq!((surface.two_sided(), surface.mesh().triangles().len()), (false, 2));
+    assert!(surface.selection().is_exact());
+    assert!(surface.color().is_none() && surface.normal_map().is_none());
     // The builder's own defaults are the same ones.
-    let built = Scene::builder(map.clone()).build().expect("a scene");
+    let own = Surface::new(Builtin::Plane.build().expect("a mesh"), Arc::clone(map));
+    let built = Scene::builder(own).build().expect("a scene");
     assert_eq!(format!("{built:?}"), format!("{scene:?}"));
 }
 
@@ -268,11 +408,11 @@ fn normal_maps_point_where_they_are_said_to() {
     let load = |green: &str| {
         let height = Some(shipped("data/noise.png"));
         let normal = Some(shipped("data/bricks_color.png"));
-        let spec = SceneSpec { height, normal, green: green.parse().ok(), ..SceneSpec::default() };
-        let scene = spec.load().expect("a scene");
-        let map = scene.normal_map().expect("a normal map").clone();
+        let spec = SurfaceSpec { height, normal, green: green.parse().ok(), ..SurfaceSpec::default() };
+        let scene = of(spec).load().expect("a scene");
+        let map = scene.surfaces()[0].normal_map().expect("a normal map");
         assert_eq!((map.width, map.height, map.texels.len()), (256, 256, 256 * 256));
-        map.texels
+        map.texels.clone()
     };
     for ([x, y, z, zero], [other_x, other_y, other_z, _]) in load("+y").into_iter().zip(load("-y")) {
         assert_eq!((x, y, z, zero), (other_x, -other_y, other_z, 0.0));
@@ -282,12 +422,12 @@ fn normal_maps_point_where_they_are_said_to() {
 
 #[test]
 fn missing_maps_and_too_large_ones_are_refused() {
-    assert!(matches!(SceneSpec::default().load(), Err(SceneError::NoHeightMap)));
-    let absent = SceneSpec { height: Some("no/such/file.png".into()), ..SceneSpec::default() };
+    assert!(matches!(SceneSpec::default().load(), Err(SceneError::NoHeightMap(None))));
+    let with_map = |height: PathBuf| of(SurfaceSpec { height: Some(height), ..SurfaceSpec::default() });
+    let absent = with_map("no/such/file.png".into());
     assert!(matches!(absent.load(), Err(SceneError::Read(_))));
 
-    let height = Some(shipped("data/noise.png"));
-    let tight = SceneSpec { height, size: Some([10, 10]), ..SceneSpec::default() };
+    let tight = SceneSpec { size: Some([10, 10]), ..with_map(shipped("data/noise.png")) };
     let with = |bytes| SceneSpec { max_memory: Some(ByteSize(bytes)), ..tight.clone() }.load();
     assert!(matches!(with(1000), Err(SceneError::TooMuchMemory { width: 10, height: 10, .. })));
     let Err(SceneError::Read(error)) = with(20_000) else { panic!("the picture fits, the map does not") };
@@ -297,7 +437,8 @@ fn missing_maps_and_too_large_ones_are_refused() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let large = folder.path().join("large.pgm");
     fs::write(&large, [&b"P5 300 300 255\n"[..], &[7; 300 * 300]].concat()).expect("a temporary file");
-    let map = SceneSpec { height: Some(large), max_memory: Some(ByteSize(10 * 300 * 300)), ..tight.clone() };
+    let limit = Some(ByteSize(10 * 300 * 300));
+    let map = SceneSpec { max_memory: limit, size: Some([10, 10]), ..with_map(large) };
     let Err(SceneError::TooMuchToTrace { width, needed, left, .. }) = map.load() else {
         panic!("there is room to read the map, but not to render it")
     };
@@ -309,12 +450,13 @@ fn missing_maps_and_too_large_ones_are_refused() {
 #[test]
 fn the_builder_refuses_what_is_impossible() {
     let key = |builder: SceneBuilder| builder.build().expect_err("an impossible scene").key;
-    assert_eq!(key(Scene::builder(flat_map()).size(0, 1)), "size");
-    assert_eq!(key(Scene::builder(flat_map()).ambient(Vec3::splat(-1.0))), "ambient");
-    assert_eq!(key(Scene::builder(flat_map()).background(Vec3::NAN)), "background");
+    assert_eq!(key(Scene::builder(flat()).size(0, 1)), "size");
+    assert_eq!(key(Scene::builder(flat()).ambient(Vec3::splat(-1.0))), "ambient");
+    assert_eq!(key(Scene::builder(flat()).background(Vec3::NAN)), "background");
     let light = Light::directional(DVec3::Y, Vec3::ONE).expect("a proper light");
-    assert_eq!(key(Scene::builder(flat_map()).lights(vec![light; MAX_LIGHTS + 1])), "lights");
-    assert!(Scene::builder(flat_map()).lights(vec![]).build().is_ok());
+    assert_eq!(key(Scene::builder(flat()).lights(vec![light; MAX_LIGHTS + 1])), "lights");
+    assert!(Scene::builder(flat()).lights(vec![]).build().is_ok());
+    assert_eq!(key(Scene::builder(flat()).surfaces(vec![])), "surfaces");
 }
 
 #[test]
@@ -341,11 +483,10 @@ proptest! {
         b in any::<(Option<bool>, Option<u8>)>(),
         c in any::<(Option<bool>, Option<u8>)>(),
     ) {
-        let spec = |(two_sided, number): (Option<bool>, Option<u8>)| SceneSpec {
-            two_sided,
-            fov: number.map(f64::from),
-            method: number.map(|number| number.to_string()),
-            ..SceneSpec::default()
+        let spec = |(two_sided, number): (Option<bool>, Option<u8>)| {
+            let method = number.map(|number| number.to_string());
+            let surface = SurfaceSpec { two_sided, method, ..SurfaceSpec::default() };
+            SceneSpec { fov: number.map(f64::from), ..of(surface) }
         };
         let stepwise = spec(a).overridden_by(spec(b)).overridden_by(spec(c));
         prop_assert_eq!(stepwise, spec(a).overridden_by(spec(b).overridden_by(spec(c))));

@@ -3,8 +3,8 @@
 use relief_core::{BakedMap, HeightMap, MapFormat, PathMetric, RayUse};
 
 use super::runtime::Vec4;
-use super::{Choice, ColorTexture, HeightTexture, Hit, Light, MapSettings, MapTexture, Path};
-use super::{Resources, Settings};
+use super::{Bound, Choice, ColorTexture, Frame, HeightTexture, Hit, Light, MapSettings, MapTexture, Path};
+use super::{Resources, SurfaceSettings};
 use crate::{MAX_LIGHTS, MapSlot, Selection, SlotMaps};
 
 impl From<&Path> for relief_core::Path {
@@ -91,28 +91,18 @@ impl SlotMaps<'_> {
     }
 }
 
-impl Settings {
-    /// Settings for tracing a map with the stages chosen and the baked maps that they read: no camera, no light, no
-    /// colours.
+impl SurfaceSettings {
+    /// Settings for tracing a map with the stages chosen and the baked maps that they read: no colours.
     pub fn tracing(map: &HeightMap, selection: &Selection, maps: &SlotMaps) -> Self {
-        let nowhere = || Vec4::splat(0.0);
         Self {
             choices: selection.choices.map(|choice| Choice::from(&choice)),
             maps: maps.settings(),
-            eye: nowhere(),
-            forward: nowhere(),
-            corner: nowhere(),
-            right: nowhere(),
-            down: nowhere(),
-            ambient: nowhere(),
-            diffuse: nowhere(),
-            specular: nowhere(),
-            lights: [Light { place: nowhere(), color: nowhere() }; MAX_LIGHTS],
+            diffuse: Vec4::splat(0.0),
+            specular: Vec4::splat(0.0),
             height_size: [map.width(), map.height()].into(),
             color_size: [1, 1].into(),
             normal_size: [1, 1].into(),
             wrap: map.wrap() as u32,
-            light_count: 0,
             shininess: 1,
             has_color: 0,
             has_normal: 0,
@@ -122,23 +112,43 @@ impl Settings {
     }
 }
 
-impl<'a> Resources<'a> {
-    /// What the stages are called on to trace a map: see [`Settings::tracing`].
-    pub fn tracing(map: &'a HeightMap, selection: &Selection, maps: &SlotMaps<'a>) -> Self {
-        const BLANK: &[[f32; 4]] = &[[0.0; 4]];
-        let blank = ColorTexture::new(1, BLANK);
-        let baked = |slot| MapTexture::new(maps.get(slot));
+impl Frame {
+    /// No camera and no light.
+    pub fn none() -> Self {
+        let nowhere = || Vec4::splat(0.0);
         Self {
-            color_map: blank,
-            height_map: HeightTexture::new(map.width(), map.texels()),
-            normal_map: blank,
-            search_map: baked(MapSlot::Search),
-            shadow_search_map: baked(MapSlot::ShadowSearch),
-            shadow_texels: baked(MapSlot::Shadow),
-            ambient_map: baked(MapSlot::Ambient),
-            environment_map: baked(MapSlot::Environment),
-            settings: Settings::tracing(map, selection, maps),
+            view_projection: [nowhere(); 4],
+            eye: nowhere(),
+            forward: nowhere(),
+            corner: nowhere(),
+            right: nowhere(),
+            down: nowhere(),
+            ambient: nowhere(),
+            background: nowhere(),
+            lights: [Light { place: nowhere(), color: nowhere() }; MAX_LIGHTS],
+            light_count: 0,
         }
+    }
+}
+
+impl<'a> Bound<'a> {
+    /// The texture of a slot.
+    pub(super) fn slot(&self, slot: MapSlot) -> MapTexture<'a> {
+        MapTexture::new(self.maps.get(slot))
+    }
+}
+
+impl<'a> Resources<'a> {
+    /// What the stages are called on to trace a map: see [`SurfaceSettings::tracing`].
+    pub fn tracing(map: &'a HeightMap, selection: &Selection, maps: &SlotMaps<'a>) -> Self {
+        Self::of(&Bound {
+            frame: Frame::none(),
+            surface_settings: SurfaceSettings::tracing(map, selection, maps),
+            height_map: HeightTexture::new(map.width(), map.texels()),
+            color_map: ColorTexture::BLANK,
+            normal_map: ColorTexture::BLANK,
+            maps: *maps,
+        })
     }
 
     /// Search and refinement of one path.

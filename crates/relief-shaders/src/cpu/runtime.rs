@@ -98,6 +98,9 @@ impl<'a> HeightTexture<'a> {
 }
 
 impl<'a> ColorTexture<'a> {
+    /// A single black texel, for a map that the settings say is not there.
+    pub const BLANK: Self = Self { width: 1, texels: &[[0.0; 4]] };
+
     /// A texture of rows of `width` texels.
     pub fn new(width: u32, texels: &'a [[f32; 4]]) -> Self {
         Self { width: width as i32, texels }

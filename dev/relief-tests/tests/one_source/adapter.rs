@@ -2,13 +2,12 @@
 
 use std::sync::OnceLock;
 
-use relief_render::gpu::{AdapterChoice, Gpu};
+use relief_render::gpu::{AdapterChoice, Gpu, GpuRenderer, Prober};
 
-/// A software GPU, shared by all tests; hardware may contract and reorder arithmetic, which these tests do not allow.
-/// Without one a test says that it skips, unless the environment variable `RELIEF_REQUIRE_GPU` is 1: then it fails.
-pub fn software() -> Option<&'static Gpu> {
-    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
-    let gpu = GPU.get_or_init(|| match Gpu::new(AdapterChoice::Software) {
+/// A software GPU; hardware may contract and reorder arithmetic, which these tests do not allow. Without one a test says that
+/// it skips, unless the environment variable `RELIEF_REQUIRE_GPU` is 1: then it fails.
+fn open() -> Option<Gpu> {
+    match Gpu::new(AdapterChoice::Software) {
         Ok(gpu) => Some(gpu),
         Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
             panic!("RELIEF_REQUIRE_GPU is 1: {error}")
@@ -17,6 +16,26 @@ pub fn software() -> Option<&'static Gpu> {
             println!("skipped: {error}");
             None
         }
-    });
-    gpu.as_ref()
+    }
+}
+
+/// The software GPU that tests share.
+fn software() -> Option<&'static Gpu> {
+    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
+    GPU.get_or_init(open).as_ref()
+}
+
+/// A prober on a device of its own.
+pub fn own_prober() -> Option<Prober> {
+    open().map(Prober::new)
+}
+
+/// A prober on the shared device.
+pub fn prober() -> Option<Prober> {
+    software().cloned().map(Prober::new)
+}
+
+/// A renderer on it.
+pub fn renderer() -> Option<GpuRenderer> {
+    software().cloned().map(GpuRenderer::new)
 }

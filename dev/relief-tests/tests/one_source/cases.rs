@@ -1,11 +1,13 @@
 //! Maps, settings and stages to send rays through.
 
+use std::sync::Arc;
+
 use relief_core::registry::Entry;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
-use relief_render::job::Job;
-use relief_shaders::cpu::{PixelIn, Probe, Resources, Settings, Shared};
+use relief_render::job::JobSurface;
+use relief_shaders::cpu::{Frame, PixelIn, Probe, Resources, Shared, SurfaceSettings};
 use relief_shaders::{REFINE, SEARCH, Selection};
-use relief_tests::baked::{maps_in, slots};
+use relief_tests::baked::{in_slots, maps_in, slots};
 use relief_tests::maps::NamedMap;
 use relief_tests::rng::Rng;
 
@@ -16,33 +18,48 @@ const LONGEST_LOOP: f32 = 16_384.0;
 /// A map and the settings of a search and a refinement.
 pub struct Case {
     pub name: String,
-    pub map: HeightMap,
-    selection: Selection,
-    maps: Vec<BakedMap>,
+    pub map: Arc<HeightMap>,
+    surface: JobSurface,
 }
 
-impl Case {
-    /// A case with displacement and parameters drawn at random.
-    pub fn new(pair: [&Entry; 2], map: &NamedMap, wrap: Wrap, format: MapFormat, rng: &mut Rng) -> Self {
+/// A search and a refinement with parameters, a displacement and rays that are drawn at random.
+pub struct Draw {
+    selection: Selection,
+    scale_m: f64,
+    bias_m: f64,
+    /// What the rays are drawn from.
+    pub seed: u64,
+}
+
+impl Draw {
+    /// The next draw.
+    pub fn new(pair: [&Entry; 2], rng: &mut Rng) -> Self {
         let [search, refine] = pair;
         let scale_m = rng.pick(&[1.0, 1.0, 0.1, 0.02, 3.0, 0.0]);
         let bias_m = rng.pick(&[-1.0, -1.0, 0.0, -0.3, 0.5]) * scale_m;
-        let map_name = map.name;
-        let map = map.build(wrap).with_displacement(scale_m, bias_m).expect("proper numbers");
         let mut selection = Selection::pair(search.name, refine.name).expect("listed names");
         for choice in &mut selection.choices {
             choice.params = params(choice.entry, rng);
         }
-        let [of_search, of_refine] = [SEARCH, REFINE].map(|stage| selection.choices[stage].params);
-        let name = format!(
-            "{} {of_search:?}, {} {of_refine:?}, {map_name} {wrap}, scale {scale_m}, bias {bias_m}",
-            search.name, refine.name
-        );
-        Self::with(name, map, selection, format)
+        Self { selection, scale_m, bias_m, seed: rng.bits() }
     }
 
+    /// The case of that draw over a map.
+    pub fn over(&self, map: &NamedMap, wrap: Wrap, format: MapFormat) -> Case {
+        let Draw { selection, scale_m, bias_m, .. } = self;
+        let choices = [SEARCH, REFINE].map(|stage| selection.choices[stage]);
+        let [search, refine] = choices.map(|choice| format!("{} {:?}", choice.entry.name, choice.params));
+        let name = format!("{search}, {refine}, {} {wrap}, scale {scale_m}, bias {bias_m}", map.name);
+        let map = map.build(wrap).with_displacement(*scale_m, *bias_m).expect("proper numbers");
+        Case::with(name, map, *selection, format)
+    }
+}
+
+impl Case {
     fn with(name: String, map: HeightMap, selection: Selection, format: MapFormat) -> Self {
-        Self { name, maps: maps_in(format, &map, &selection), map, selection }
+        let map = Arc::new(map);
+        let surface = surface(Arc::clone(&map), selection, maps_in(format, &map, &selection));
+        Self { name, map, surface }
     }
 
     /// A case of two stages by name, with default parameters.
@@ -56,27 +73,34 @@ impl Case {
     }
 
     /// What the probe is given.
-    pub fn job(&self) -> Job<'_> {
-        let maps = slots(&self.map, &self.selection, &self.maps);
-        Job {
-            width: 0,
-            height: 0,
-            settings: Settings::tracing(&self.map, &self.selection, &maps),
-            triangles: &[],
-            view_projection: [[0.0; 4]; 4],
-            height_map: &self.map,
-            color_map: None,
-            normal_map: None,
-            maps,
-            two_sided: false,
-        }
+    pub fn surface(&self) -> &JobSurface {
+        &self.surface
+    }
+
+    /// What the translated stages are called on.
+    pub fn resources(&self) -> Resources<'_> {
+        self.surface.resources(Frame::none())
     }
 
     /// What the translated stages make of rays.
     pub fn on_cpu(&self, rays: &[PixelIn]) -> Vec<Probe> {
-        let job = self.job();
-        let resources = job.resources();
+        let resources = self.resources();
         rays.iter().map(|ray| probe(&resources, ray, 0.0)).collect()
+    }
+}
+
+/// A surface without a mesh, a light or a colour.
+fn surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> JobSurface {
+    let settings = SurfaceSettings::tracing(&map, &selection, &slots(&map, &selection, &maps));
+    JobSurface {
+        settings,
+        selection,
+        triangles: Arc::new([]),
+        height_map: map,
+        color: None,
+        normal_map: None,
+        maps: in_slots(&selection, maps),
+        two_sided: false,
     }
 }
 

@@ -34,8 +34,7 @@ impl Comparison {
     /// Compares the answers of two backends to the same rays.
     pub fn new(case: &Case, rays: &[PixelIn], cpu: &[Probe], gpu: &[Probe]) -> Self {
         assert_eq!([cpu.len(), gpu.len()], [rays.len(); 2], "an answer a ray");
-        let job = case.job();
-        let resources = job.resources();
+        let resources = case.resources();
         let mut comparison = Self { rays: rays.len(), ..Self::default() };
         for (number, (cpu, gpu)) in cpu.iter().zip(gpu).enumerate() {
             if bits(cpu) == bits(gpu) {

@@ -1,12 +1,14 @@
 //! A small scene, built by hand, and its picture by the translated shaders.
 
+use std::sync::Arc;
+
 use glam::{DVec3, Vec3};
-use relief_core::{BakedMap, HeightMap, Wrap};
+use relief_core::Wrap;
 use relief_render::camera::Camera;
-use relief_render::job::{Job, Rendering, TexelMap};
+use relief_render::job::{Job, JobSurface, Rendering, uncovered};
 use relief_shaders::Selection;
-use relief_shaders::cpu::{Corner, Light, PixelOut, Resources, Settings, Triangle};
-use relief_tests::baked::{maps_for, slots};
+use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Resources, SurfaceSettings, Triangle};
+use relief_tests::baked::{in_slots, maps_for, slots};
 use relief_tests::maps;
 
 /// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds corners to a
@@ -15,17 +17,7 @@ const EDGE: f64 = 2e-3;
 
 /// A tile of relief above a floor, and a triangle that shows its back, seen by a camera at a slant.
 pub struct Picture {
-    width: u32,
-    height: u32,
-    map: HeightMap,
-    colors: Vec<[f32; 4]>,
-    normals: Option<Vec<[f32; 4]>>,
-    selection: Selection,
-    maps: Vec<BakedMap>,
-    triangles: Vec<Triangle>,
-    settings: Settings,
-    view_projection: [[f32; 4]; 4],
-    two_sided: bool,
+    job: Job,
 }
 
 /// What may vary.
@@ -55,72 +47,63 @@ impl Picture {
         lights[1] = Light::new([-0.4, 0.5, 0.2, 1.0], [0.1, 0.2, 0.3, 0.0]);
         let selection = variation.selection;
         let baked = maps_for(&map, selection);
-        let settings = Settings {
+        let aspect = f64::from(width) / f64::from(height);
+        let view_projection = camera.view_projection(aspect, 0.05, 10.0).expect("proper planes");
+        let frame = Frame {
+            view_projection: view_projection.as_mat4().to_cols_array_2d().map(Into::into),
             eye: four(eye, 1.0).into(),
             forward: four(forward, 0.0).into(),
             corner: four(corner, 0.0).into(),
             right: four(across, 0.0).into(),
             down: four(down, 0.0).into(),
             ambient: [0.1, 0.1, 0.2, 0.0].into(),
+            background: [0.0; 4].into(),
+            lights,
+            light_count: 2,
+        };
+        let settings = SurfaceSettings {
             diffuse: [0.8, 0.7, 0.6, 0.0].into(),
             specular: [0.3, 0.3, 0.3, 0.0].into(),
-            lights,
             color_size: COLORS.into(),
             normal_size: if variation.normal_map { NORMALS } else { [1, 1] }.into(),
-            light_count: 2,
             shininess: 20,
             has_color: 1,
             has_normal: u32::from(variation.normal_map),
-            ..Settings::tracing(&map, selection, &slots(&map, selection, &baked))
+            ..SurfaceSettings::tracing(&map, selection, &slots(&map, selection, &baked))
         };
-        let aspect = f64::from(width) / f64::from(height);
-        let view_projection = camera.view_projection(aspect, 0.05, 10.0).expect("proper planes");
-        let texels = |size: [u32; 2], texel: fn(f32) -> [f32; 4]| {
-            (0..size[0] * size[1]).map(|at| texel(at as f32 / 7.0)).collect::<Vec<_>>()
+        let picture = |[width, height]: [u32; 2], texel: fn(f32) -> [f32; 4]| {
+            let texels = (0..width * height).map(|at| texel(at as f32 / 7.0)).collect();
+            Arc::new(relief_io::Picture { width, height, texels })
         };
-        Self {
-            width,
-            height,
-            colors: texels(COLORS, |x| [x.fract(), 1.0 - x.fract(), 0.5, 1.0]),
-            normals: variation
-                .normal_map
-                .then(|| texels(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0])),
-            maps: baked,
-            selection: *selection,
-            map,
-            triangles: triangles(),
+        let normals = || picture(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0]);
+        let surface = JobSurface {
             settings,
-            view_projection: view_projection.as_mat4().to_cols_array_2d(),
+            selection: *selection,
+            triangles: triangles().into(),
+            height_map: Arc::new(map),
+            color: Some(picture(COLORS, |x| [x.fract(), 1.0 - x.fract(), 0.5, 1.0])),
+            normal_map: variation.normal_map.then(normals),
+            maps: in_slots(selection, baked),
             two_sided: variation.two_sided,
-        }
+        };
+        Self { job: Job { width, height, frame, surfaces: vec![surface] } }
     }
 
-    pub fn job(&self) -> Job<'_> {
-        let [width, height] = COLORS;
-        Job {
-            width: self.width,
-            height: self.height,
-            settings: self.settings,
-            triangles: &self.triangles,
-            view_projection: self.view_projection,
-            height_map: &self.map,
-            color_map: Some(TexelMap { width, height, texels: &self.colors }),
-            normal_map: self.normals.as_ref().map(|texels| {
-                let [width, height] = NORMALS;
-                TexelMap { width, height, texels }
-            }),
-            maps: slots(&self.map, &self.selection, &self.maps),
-            two_sided: self.two_sided,
-        }
+    pub fn job(&self) -> &Job {
+        &self.job
+    }
+
+    fn surface(&self) -> &JobSurface {
+        &self.job.surfaces[0]
     }
 
     /// What a pixel may be by the translated shaders: one answer, or several where the ray passes near an edge. An
     /// answer of nothing stands for a pixel that nothing covers.
     fn expected(&self, x: u32, y: u32) -> Vec<Option<PixelOut>> {
-        let resources = self.job().resources();
+        let resources = self.surface().resources(self.job.frame);
         let point = [x as f32 + 0.5, y as f32 + 0.5];
         let mut met: Vec<Met> =
-            self.triangles.iter().filter_map(|each| self.meet(&resources, each, point)).collect();
+            self.surface().triangles.iter().filter_map(|each| self.meet(&resources, each, point)).collect();
         met.sort_by(|a, b| a.depth.total_cmp(&b.depth));
         let mut answers = Vec::new();
         for Met { certain, pixel, .. } in met {
@@ -138,13 +121,12 @@ impl Picture {
 
     /// The picture by the translated shaders.
     pub fn on_cpu(&self) -> Rendering {
-        let nothing =
-            PixelOut::new([0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32);
-        let pixels = (0..self.height)
-            .flat_map(|y| (0..self.width).map(move |x| (x, y)))
-            .map(|(x, y)| self.expected(x, y)[0].unwrap_or(nothing))
+        let Job { width, height, .. } = self.job;
+        let pixels = (0..height)
+            .flat_map(|y| (0..width).map(move |x| (x, y)))
+            .map(|(x, y)| self.expected(x, y)[0].unwrap_or_else(uncovered))
             .collect();
-        Rendering { width: self.width, height: self.height, pixels }
+        Rendering { width, height, pixels }
     }
 
     /// Whether a rendering is this picture: every pixel one of its answers to rounding, few of them doubtful, and nearly
@@ -152,7 +134,7 @@ impl Picture {
     pub fn check(&self, rendering: &Rendering) -> Result<(), String> {
         let (mut doubtful, mut inexact, mut covered) = (0, 0, 0);
         for (at, pixel) in rendering.pixels.iter().enumerate() {
-            let (x, y) = (at as u32 % self.width, at as u32 / self.width);
+            let (x, y) = (at as u32 % self.job.width, at as u32 / self.job.width);
             let expected = self.expected(x, y);
             if !expected.iter().any(|answer| is_close(answer.as_ref(), pixel)) {
                 return Err(format!("pixel ({x}, {y}) is {pixel:?}, not one of {expected:?}"));
@@ -161,7 +143,7 @@ impl Picture {
             covered += usize::from(pixel.hit == 1);
             inexact += usize::from(pixel.hit == 1 && !expected.contains(&Some(*pixel)));
         }
-        let pixels = self.width as usize * self.height as usize;
+        let pixels = self.job.width as usize * self.job.height as usize;
         let complete = rendering.pixels.len() == pixels && covered * 5 > pixels;
         if complete && doubtful * 25 < pixels && inexact * 10_000 < covered {
             return Ok(());
@@ -175,12 +157,12 @@ impl Picture {
     fn meet(&self, resources: &Resources, triangle: &Triangle, point: [f32; 2]) -> Option<Met> {
         let vector = |v: relief_shaders::cpu::runtime::Vec3<f32>| Vec3::new(v.x, v.y, v.z).as_dvec3();
         let direction = vector(resources.pixel_direction(point));
-        let eye = self.settings.eye;
+        let eye = self.job.frame.eye;
         let eye = Vec3::new(eye.x, eye.y, eye.z).as_dvec3();
         let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| vector(corner.position));
         let normal = (b - a).cross(c - a);
         let front = normal.dot(direction) < 0.0;
-        if !front && !self.two_sided {
+        if !front && !self.surface().two_sided {
             return None;
         }
         let depth = normal.dot(a - eye) / normal.dot(direction);

@@ -6,7 +6,7 @@ use std::path::Path;
 use relief_maps::Maps;
 use relief_render::picture::aov;
 use relief_render::render;
-use relief_render::scene::{BackendChoice, SceneSpec, read_scene};
+use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec, read_scene};
 use relief_shaders::METHODS;
 
 use crate::hash::Bits;
@@ -23,12 +23,9 @@ pub fn all() -> BTreeMap<String, String> {
 
 fn hashes(scene: &str, method: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(format!("{scene}.toml"));
-    let over = SceneSpec {
-        method: Some(method.to_owned()),
-        backend: Some(BackendChoice::Cpu),
-        size: Some(SIZE),
-        ..SceneSpec::default()
-    };
+    let surface = SurfaceSpec { method: Some(method.to_owned()), ..SurfaceSpec::default() };
+    let over =
+        SceneSpec { backend: Some(BackendChoice::Cpu), size: Some(SIZE), ..SceneSpec::of_surface(surface) };
     let scene =
         read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
     let rendering = render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering;

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::{FoundState, RayUse, Wrap};
-use relief_shaders::{MAX_LIGHTS, MapSlot, STAGES};
+use relief_shaders::{MAX_LIGHTS, MapSlot, STAGES, wgsl};
 
 /// The module's source.
 pub fn module() -> String {
@@ -26,6 +26,9 @@ pub fn module() -> String {
     }
     constant("MAP_SLOTS", MapSlot::ALL.len() as u32);
     constant("MAX_LIGHTS", MAX_LIGHTS as u32);
+    constant("SHADE_GROUP", wgsl::SHADE_GROUP);
+    constant("PROBE_GROUP", wgsl::PROBE_GROUP);
+    constant("PROBE_ROW", wgsl::PROBE_ROW);
     constant("STAGES", STAGES.len() as u32);
     let _ = writeln!(text, "const CONE_HALF_RATIO = {HALF_RATIO:?};");
     text

@@ -1,8 +1,7 @@
 //! The dispatch modules, one a stage, written from the registry's table of stages: a `switch` over the variants. A stage
 //! may call another one's without a circle of modules.
 //!
-//! On a GPU the choice is a pipeline-overridable constant, so that the driver compiles the chosen variant alone; on a CPU,
-//! where such constants do not translate, it is a field of the settings.
+//! That is for the CPU. For GPUs the library assembles programs in which a stage calls the chosen variant and no other.
 
 use std::fmt::Write as _;
 
@@ -20,7 +19,7 @@ fn module(place: usize, stage: &Stage) -> String {
     let (declared, passed) = (declared.join(", "), passed.join(", "));
     let mut text = String::from(
         "import package::shared::types::{PixelIn, Entered, Path, Found, Hit};\n\
-         import package::shared::settings::settings;\n",
+         import package::bindings::surface_settings;\n",
     );
     let mut arms = String::new();
     for (number, entry) in entries.iter().enumerate() {
@@ -31,16 +30,13 @@ fn module(place: usize, stage: &Stage) -> String {
             if number + 1 == entries.len() { "default".to_owned() } else { format!("case {number}u") };
         let _ = writeln!(
             arms,
-            "        {label}: {{ return {function}({passed}, settings.choices[{place}].params); }}"
+            "        {label}: {{ return {function}({passed}, surface_settings.choices[{place}].params); }}"
         );
     }
-    let constant = key.to_uppercase();
+    let number = format!("surface_settings.choices[{place}].number");
     let _ = write!(
         text,
-        "\n@if(gpu) override {constant}: u32 = 0u;\n\
-         @if(gpu) fn chosen_{key}() -> u32 {{ return {constant}; }}\n\
-         @if(!gpu) fn chosen_{key}() -> u32 {{ return settings.choices[{place}].number; }}\n\
-         \nfn {key}_stage({declared}) -> {returns} {{\n    switch (chosen_{key}()) {{\n{arms}    }}\n}}\n"
+        "\nfn {key}_stage({declared}) -> {returns} {{\n    switch ({number}) {{\n{arms}    }}\n}}\n"
     );
     text
 }

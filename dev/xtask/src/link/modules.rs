@@ -6,7 +6,7 @@ use std::path::Path;
 use wesl::ModulePath;
 use wgsl_parse::syntax::PathOrigin;
 
-use super::{constants, dispatch};
+use super::{bindings, constants, dispatch};
 
 /// Every module by its path below `src`, such as `search/linear`.
 pub struct Modules {
@@ -19,6 +19,7 @@ impl Modules {
         let mut sources = BTreeMap::new();
         collect(folder, "", &mut sources)?;
         sources.insert("constants".to_owned(), constants::module());
+        sources.insert("bindings".to_owned(), bindings::module());
         sources.extend(dispatch::modules());
         Ok(Self { sources })
     }
@@ -27,6 +28,16 @@ impl Modules {
     #[cfg(test)]
     pub fn from_sources<const N: usize>(sources: [(&str, &str); N]) -> Self {
         Self { sources: sources.map(|(name, source)| (name.to_owned(), source.to_owned())).into() }
+    }
+
+    /// The paths of all modules.
+    pub fn paths(&self) -> impl Iterator<Item = &str> {
+        self.sources.keys().map(String::as_str)
+    }
+
+    /// The source of a module that there is.
+    pub fn source(&self, path: &str) -> &str {
+        &self.sources[path]
     }
 
     /// A resolver that knows all modules.

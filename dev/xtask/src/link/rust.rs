@@ -1,8 +1,11 @@
 //! A validated module to Rust.
 
+use std::fmt::Write as _;
+
 use naga::valid::ModuleInfo;
 use naga::{AddressSpace, Module, TypeInner};
 use naga_rust_back::{Config, Writer};
+use relief_shaders::MapSlot;
 
 /// Where the generated code finds the run-time library; shortened to `rt` afterwards.
 const RUNTIME: &str = "crate::cpu::runtime";
@@ -18,10 +21,28 @@ pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
         .write(&mut text, module, info)
         .map_err(|error| format!("translating to Rust: {error}"))?;
     let text = concrete_textures(module, &text.replace(&format!("{RUNTIME}::"), "rt::"))?;
+    let bound = bound(module);
     Ok(format!(
         "// The stages' translation. Written by `cargo xtask link`; do not edit.\n\n\
-         use {RUNTIME} as rt;\nuse {RUNTIME}::SquareRoot as _;\n\n{text}"
+         use {RUNTIME} as rt;\nuse {RUNTIME}::SquareRoot as _;\n\n{text}\n{bound}"
     ))
+}
+
+/// The constructor that takes, of all that can be bound, what the translated shaders use.
+fn bound(module: &Module) -> String {
+    let mut fields = String::new();
+    for (_, global) in module.global_variables.iter() {
+        let name = global.name.as_deref().unwrap_or_default();
+        let value = match MapSlot::ALL.into_iter().find(|slot| slot.name() == name) {
+            Some(slot) => format!("bound.slot(crate::MapSlot::{slot:?})"),
+            None => format!("bound.{name}"),
+        };
+        let _ = writeln!(fields, "            {name}: {value},");
+    }
+    format!(
+        "impl<'g> Resources<'g> {{\n    /// What the stages are called on.\n    pub fn of(bound: &crate::cpu::Bound<'g>) -> \
+         Self {{\n        Self {{\n{fields}        }}\n    }}\n}}\n"
+    )
 }
 
 /// Gives each texture its concrete type, which lets reads be inlined and the resources be shared between threads.

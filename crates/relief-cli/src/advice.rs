@@ -1,0 +1,46 @@
+//! Which flag mends what a library refuses. The libraries say what is wrong; they know no flags.
+
+use std::io::ErrorKind;
+
+use relief_render::scene::SceneError;
+use relief_render::{Reason, RenderError};
+
+/// An error's text, with what to do about it.
+pub fn with(error: &impl ToString, advice: Option<&str>) -> String {
+    let text = error.to_string();
+    advice.map_or(text.clone(), |advice| format!("{text}: {advice}"))
+}
+
+/// What mends a scene.
+pub fn of_scene(error: &SceneError) -> Option<&'static str> {
+    match error {
+        SceneError::NoHeightMap(_) => Some("give --height FILE, or the key in the scene file"),
+        SceneError::TooMuchMemory { .. } | SceneError::TooMuchToTrace { .. } => {
+            Some("--max-memory raises it")
+        }
+        SceneError::Io { source, .. }
+            if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>
+        {
+            Some("a height map is given with --height")
+        }
+        _ => None,
+    }
+}
+
+/// What lets a scene be rendered.
+pub fn of_render(error: &RenderError) -> Option<&'static str> {
+    match error {
+        RenderError::FastOnCpu { no_gpu: true } => Some("no GPU was found: use --sampling exact"),
+        RenderError::FastOnCpu { no_gpu: false } => Some("use --sampling exact"),
+        RenderError::NoGpuBackend => Some("build with the feature 'gpu', or use --backend cpu"),
+        _ => None,
+    }
+}
+
+/// What would have led to another backend.
+pub fn of_reason(reason: &Reason) -> Option<&'static str> {
+    match reason {
+        Reason::SoftwareOnly(_) => Some("--backend gpu takes it"),
+        _ => None,
+    }
+}

@@ -1,0 +1,63 @@
+//! A flag for each stage that has more than one variant, from the shaders' table of stages.
+
+use std::collections::BTreeMap;
+
+use clap::error::ErrorKind;
+use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
+use relief_shaders::{REFINE, SEARCH, STAGES, Stage};
+
+/// The variants that are asked for, by their stages' keys.
+#[derive(Clone, Debug, Default)]
+pub struct StageArguments(pub BTreeMap<String, String>);
+
+/// The stages with a choice, and their places.
+fn choosable() -> impl Iterator<Item = (usize, &'static Stage)> {
+    STAGES.iter().enumerate().filter(|(_, stage)| stage.entries.len() > 1)
+}
+
+fn help(place: usize, stage: &Stage) -> String {
+    let title = stage.title[..1].to_uppercase() + &stage.title[1..];
+    // A method names these two; one of them alone leaves the other open.
+    let other = match place {
+        SEARCH => Some(STAGES[REFINE].key),
+        REFINE => Some(STAGES[SEARCH].key),
+        _ => None,
+    };
+    match other {
+        Some(other) => format!("{title}, together with --{other} in place of a method"),
+        None => {
+            let names: Vec<&str> = stage.entries.iter().map(|entry| entry.name).collect();
+            format!("{title}: {} [default: {}]", names.join(", "), names[0])
+        }
+    }
+}
+
+impl Args for StageArguments {
+    fn augment_args(command: Command) -> Command {
+        choosable().fold(command, |command, (place, stage)| {
+            let argument = Arg::new(stage.key).long(stage.key).value_name("NAME").help_heading("Method");
+            command.arg(argument.help(help(place, stage)))
+        })
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for StageArguments {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
+        let mut asked = BTreeMap::new();
+        for (_, stage) in choosable() {
+            let name = matches.try_get_one::<String>(stage.key);
+            let name = name.map_err(|error| Error::raw(ErrorKind::InvalidValue, error.to_string()))?;
+            asked.extend(name.map(|name| (stage.key.to_owned(), name.clone())));
+        }
+        Ok(Self(asked))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}

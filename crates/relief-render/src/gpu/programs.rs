@@ -1,0 +1,289 @@
+//! Compiled shaders. Each is assembled for what is chosen, compiled when it is first needed, and kept.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+
+use relief_shaders::wgsl::{Root, Sampling, assemble};
+use relief_shaders::{STAGES, Selection};
+use wgpu::{
+    BindGroupLayout, ColorTargetState, CompareFunction, ComputePipeline, ComputePipelineDescriptor,
+    DepthStencilState, Device, Face, FragmentState, PipelineLayout, PipelineLayoutDescriptor, PrimitiveState,
+    RenderPipeline, RenderPipelineDescriptor, ShaderModule, ShaderModuleDescriptor, ShaderSource,
+    TextureFormat, VertexState,
+};
+
+use super::layouts::{layout, named, shared};
+use super::{Gpu, GpuError};
+
+/// Formats of what the first pass writes.
+pub const HIT: TextureFormat = TextureFormat::Rgba32Float;
+pub const WHAT: TextureFormat = TextureFormat::Rg32Sint;
+pub const DEPTH: TextureFormat = TextureFormat::Depth32Float;
+
+/// What a shader is assembled and compiled for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Variant {
+    sampling: Sampling,
+    /// The number of each stage's variant.
+    numbers: [u32; STAGES.len()],
+}
+
+impl Variant {
+    fn new(selection: &Selection, sampling: Sampling) -> Self {
+        Self { sampling, numbers: selection.choices.map(|choice| choice.number) }
+    }
+}
+
+/// The layouts of the bind groups.
+#[derive(Clone, Debug)]
+pub struct Layouts {
+    exact: BindGroupLayout,
+    fast: BindGroupLayout,
+    /// Group 1 of the passes of a picture: the triangles.
+    pub mesh: BindGroupLayout,
+    /// Group 2 of the pass that shades.
+    pub traced: BindGroupLayout,
+    /// Group 1 of the pass that shows.
+    pub shown: BindGroupLayout,
+    /// Group 1 of the probe: rays and results.
+    pub rays: BindGroupLayout,
+}
+
+impl Layouts {
+    fn new(device: &Device) -> Self {
+        let of = |label, names: &[&str]| layout(device, label, &named(names), Sampling::Exact);
+        Self {
+            exact: layout(device, "maps", &shared(), Sampling::Exact),
+            fast: layout(device, "maps", &shared(), Sampling::Fast),
+            mesh: of("mesh", &["triangles"]),
+            traced: of("traced", &["traced_hit", "traced_what", "records"]),
+            shown: of("shown", &["shown_records", "picture"]),
+            rays: of("rays", &["pixels", "probes"]),
+        }
+    }
+
+    /// Group 0 of every program.
+    pub fn maps(&self, sampling: Sampling) -> &BindGroupLayout {
+        match sampling {
+            Sampling::Exact => &self.exact,
+            Sampling::Fast => &self.fast,
+        }
+    }
+}
+
+/// All programs of a device.
+#[derive(Debug)]
+pub struct Programs {
+    pub layouts: Layouts,
+    /// Of surfaces seen from their front, and from both sides.
+    trace: [Kept<Variant, RenderPipeline>; 2],
+    shade: Kept<Variant, ComputePipeline>,
+    probe: Kept<Variant, ComputePipeline>,
+    /// The same for everything that is chosen.
+    clear: Kept<(), RenderPipeline>,
+    show: Kept<(), ComputePipeline>,
+    compiled: u32,
+}
+
+/// Programs by what they were asked for, and by their text: what differs in a stage that a program does not reach has the same
+/// one.
+#[derive(Debug)]
+struct Kept<K, T> {
+    by_key: HashMap<K, T>,
+    by_text: Vec<(String, T)>,
+}
+
+impl<K: Hash + Eq, T: Clone> Kept<K, T> {
+    fn new() -> Self {
+        Self { by_key: HashMap::new(), by_text: Vec::new() }
+    }
+
+    /// The program, compiled unless it is there. A program that the driver refused is not kept.
+    async fn get(
+        &mut self,
+        gpu: &Gpu,
+        compiled: &mut u32,
+        key: K,
+        text: impl FnOnce() -> String,
+        compile: impl FnOnce(&str) -> T,
+    ) -> Result<T, GpuError> {
+        if let Some(program) = self.by_key.get(&key) {
+            return Ok(program.clone());
+        }
+        let text = text();
+        let known = self.by_text.iter().find(|(known, _)| *known == text).map(|(_, program)| program.clone());
+        let program = match known {
+            Some(program) => program,
+            None => {
+                let program = gpu.guarded(|| Ok(compile(&text))).await?;
+                *compiled += 1;
+                self.by_text.push((text, program.clone()));
+                program
+            }
+        };
+        self.by_key.insert(key, program.clone());
+        Ok(program)
+    }
+}
+
+impl Programs {
+    /// None yet.
+    pub fn new(gpu: &Gpu) -> Self {
+        Self {
+            layouts: Layouts::new(gpu.device()),
+            trace: [Kept::new(), Kept::new()],
+            shade: Kept::new(),
+            probe: Kept::new(),
+            clear: Kept::new(),
+            show: Kept::new(),
+            compiled: 0,
+        }
+    }
+
+    /// How many programs were compiled so far.
+    pub fn compiled(&self) -> u32 {
+        self.compiled
+    }
+
+    /// The program that rasterises and traces.
+    pub async fn trace(
+        &mut self,
+        gpu: &Gpu,
+        selection: &Selection,
+        sampling: Sampling,
+        two_sided: bool,
+    ) -> Result<RenderPipeline, GpuError> {
+        let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
+        let text = || assemble(selection, Root::Trace, sampling);
+        let compile = |text: &str| {
+            let cull_mode = (!two_sided).then_some(Face::Back);
+            // Strictly nearer: of two triangles at the same depth the first counts, as on the CPU.
+            let compare = CompareFunction::Less;
+            raster(gpu.device(), text, Root::Trace, &[&groups[0], &groups[1]], cull_mode, compare)
+        };
+        let kept = &mut self.trace[usize::from(two_sided)];
+        kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
+
+    /// The program that makes a part of what is traced empty again.
+    pub async fn clear(&mut self, gpu: &Gpu) -> Result<RenderPipeline, GpuError> {
+        let text = || assemble(&Selection::default(), Root::Clear, Sampling::Exact);
+        let compile =
+            |text: &str| raster(gpu.device(), text, Root::Clear, &[], None, CompareFunction::Always);
+        self.clear.get(gpu, &mut self.compiled, (), text, compile).await
+    }
+
+    /// The program that shades.
+    pub async fn shade(
+        &mut self,
+        gpu: &Gpu,
+        selection: &Selection,
+        sampling: Sampling,
+    ) -> Result<ComputePipeline, GpuError> {
+        let Layouts { mesh, traced, .. } = &self.layouts;
+        let groups = [self.layouts.maps(sampling), mesh, traced].map(Clone::clone);
+        let text = || assemble(selection, Root::Shade, sampling);
+        let compile = |text: &str| compute(gpu.device(), text, Root::Shade, &groups.each_ref());
+        self.shade.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
+
+    /// The program that makes a picture of records.
+    pub async fn show(&mut self, gpu: &Gpu, sampling: Sampling) -> Result<ComputePipeline, GpuError> {
+        let groups = [self.layouts.maps(sampling), &self.layouts.shown].map(Clone::clone);
+        let text = || assemble(&Selection::default(), Root::Show, sampling);
+        let compile = |text: &str| compute(gpu.device(), text, Root::Show, &groups.each_ref());
+        self.show.get(gpu, &mut self.compiled, (), text, compile).await
+    }
+
+    /// The program that runs the stages over rays.
+    pub async fn probe(
+        &mut self,
+        gpu: &Gpu,
+        selection: &Selection,
+        sampling: Sampling,
+    ) -> Result<ComputePipeline, GpuError> {
+        let groups = [self.layouts.maps(sampling), &self.layouts.rays].map(Clone::clone);
+        let text = || assemble(selection, Root::Probe, sampling);
+        let compile = |text: &str| compute(gpu.device(), text, Root::Probe, &groups.each_ref());
+        self.probe.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
+}
+
+fn module(device: &Device, label: &str, text: &str) -> ShaderModule {
+    let source = ShaderSource::Wgsl(text.into());
+    device.create_shader_module(ShaderModuleDescriptor { label: Some(label), source })
+}
+
+fn pipeline_layout(device: &Device, label: &str, groups: &[&BindGroupLayout]) -> PipelineLayout {
+    let groups: Vec<Option<&BindGroupLayout>> = groups.iter().map(|group| Some(*group)).collect();
+    device.create_pipeline_layout(&PipelineLayoutDescriptor {
+        label: Some(label),
+        bind_group_layouts: &groups,
+        immediate_size: 0,
+    })
+}
+
+/// The label of a root's programs.
+fn label(root: Root) -> &'static str {
+    match root {
+        Root::Functions => "functions",
+        Root::Trace => "trace",
+        Root::Clear => "clear",
+        Root::Shade => "shade",
+        Root::Show => "show",
+        Root::Probe => "probe",
+    }
+}
+
+fn compute(device: &Device, text: &str, root: Root, groups: &[&BindGroupLayout]) -> ComputePipeline {
+    let label = label(root);
+    device.create_compute_pipeline(&ComputePipelineDescriptor {
+        label: Some(label),
+        layout: Some(&pipeline_layout(device, label, groups)),
+        module: &module(device, label, text),
+        entry_point: root.functions().first().copied(),
+        compilation_options: Default::default(),
+        cache: None,
+    })
+}
+
+fn raster(
+    device: &Device,
+    text: &str,
+    root: Root,
+    groups: &[&BindGroupLayout],
+    cull_mode: Option<Face>,
+    compare: CompareFunction,
+) -> RenderPipeline {
+    let label = label(root);
+    let module = module(device, label, text);
+    let [vertex, fragment] = [0, 1].map(|place| root.functions().get(place).copied());
+    let target = |format: TextureFormat| Some(ColorTargetState::from(format));
+    device.create_render_pipeline(&RenderPipelineDescriptor {
+        label: Some(label),
+        layout: Some(&pipeline_layout(device, label, groups)),
+        vertex: VertexState {
+            module: &module,
+            entry_point: vertex,
+            compilation_options: Default::default(),
+            buffers: &[],
+        },
+        primitive: PrimitiveState { cull_mode, ..Default::default() },
+        depth_stencil: Some(DepthStencilState {
+            format: DEPTH,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(compare),
+            stencil: Default::default(),
+            bias: Default::default(),
+        }),
+        multisample: Default::default(),
+        fragment: Some(FragmentState {
+            module: &module,
+            entry_point: fragment,
+            compilation_options: Default::default(),
+            targets: &[target(HIT), target(WHAT)],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

@@ -1,0 +1,210 @@
+//! What of a surface lies on the GPU. A part is uploaded when it is another one than before: by its address, or of settings
+//! by their bytes.
+
+use std::sync::Arc;
+
+use relief_core::{BakedMap, HeightMap, Wrap};
+use relief_io::Picture;
+use relief_shaders::MapSlot;
+use relief_shaders::cpu::{Shared, SurfaceSettings, Triangle, write_all};
+use relief_shaders::wgsl::Sampling;
+use wgpu::{BindGroup, BindGroupLayout, BindingResource, Buffer, BufferUsages, Sampler, TextureView};
+
+use super::layouts::group;
+use super::textures::{self, Precision};
+use super::{Gpu, GpuError};
+use crate::job::JobSurface;
+
+/// A uniform buffer and what was written last.
+#[derive(Debug)]
+pub struct Uniform {
+    buffer: Buffer,
+    bytes: Vec<u8>,
+}
+
+impl Uniform {
+    /// One of zeros.
+    pub fn new<T: Shared>(gpu: &Gpu, label: &str) -> Self {
+        let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+        Self { buffer: gpu.buffer(label, T::SIZE as u64, usage), bytes: Vec::new() }
+    }
+
+    /// Writes a value unless it is there.
+    pub fn set<T: Shared>(&mut self, gpu: &Gpu, value: T) {
+        let bytes = write_all(&[value]);
+        if bytes != self.bytes {
+            gpu.write(&self.buffer, 0, &bytes);
+            self.bytes = bytes;
+        }
+    }
+
+    /// What is bound.
+    pub fn resource(&self) -> BindingResource<'_> {
+        self.buffer.as_entire_binding()
+    }
+}
+
+/// A map on the GPU, and what it was made from.
+#[derive(Debug)]
+struct Held<T> {
+    of: Option<Arc<T>>,
+    view: TextureView,
+}
+
+/// Holds another map where it is another one. True when it is.
+fn hold<T>(
+    held: &mut Option<Held<T>>,
+    of: Option<&Arc<T>>,
+    is_same: impl Fn(&Arc<T>, &Arc<T>) -> bool,
+    upload: impl FnOnce() -> Result<TextureView, GpuError>,
+) -> Result<bool, GpuError> {
+    let is_held = |held: &Held<T>| match (&held.of, of) {
+        (Some(a), Some(b)) => is_same(a, b),
+        (None, None) => true,
+        _ => false,
+    };
+    if held.as_ref().is_some_and(is_held) {
+        return Ok(false);
+    }
+    // What was held goes first, so that both need not fit.
+    *held = None;
+    *held = Some(Held { of: of.cloned(), view: upload()? });
+    Ok(true)
+}
+
+/// A surface on the GPU.
+#[derive(Debug)]
+pub struct Resident {
+    settings: Uniform,
+    precision: Option<Precision>,
+    heights: Option<Held<HeightMap>>,
+    color: Option<Held<Picture>>,
+    normals: Option<Held<Picture>>,
+    slots: [Option<Held<BakedMap>>; MapSlot::ALL.len()],
+    sampler: Option<(Wrap, Sampler)>,
+    mesh: Option<(Arc<[Triangle]>, BindGroup)>,
+    /// Group 0, with what it was made for. None where a part has changed.
+    maps: Option<(Sampling, u64, BindGroup)>,
+}
+
+/// What group 0 binds besides a surface's own things. It is another one when its number is.
+pub struct Common<'a> {
+    pub number: u64,
+    pub frame: BindingResource<'a>,
+    pub passes: BindingResource<'a>,
+}
+
+impl Resident {
+    /// Nothing yet.
+    pub fn new(gpu: &Gpu) -> Self {
+        Self {
+            settings: Uniform::new::<SurfaceSettings>(gpu, "surface settings"),
+            precision: None,
+            heights: None,
+            color: None,
+            normals: None,
+            slots: [const { None }; MapSlot::ALL.len()],
+            sampler: None,
+            mesh: None,
+            maps: None,
+        }
+    }
+
+    /// Uploads what is not there, and gives group 0.
+    pub fn maps(
+        &mut self,
+        gpu: &Gpu,
+        surface: &JobSurface,
+        sampling: Sampling,
+        layout: &BindGroupLayout,
+        common: &Common,
+    ) -> Result<BindGroup, GpuError> {
+        self.settings.set(gpu, surface.settings);
+        let changed = self.hold_all(gpu, surface, sampling)?;
+        if let Some((of, number, group)) = &self.maps
+            && !changed
+            && (*of, *number) == (sampling, common.number)
+        {
+            return Ok(group.clone());
+        }
+        let group = self.group(gpu, sampling, layout, common);
+        self.maps = Some((sampling, common.number, group.clone()));
+        Ok(group)
+    }
+
+    /// Group 1: the triangles.
+    pub fn mesh(
+        &mut self,
+        gpu: &Gpu,
+        triangles: &Arc<[Triangle]>,
+        layout: &BindGroupLayout,
+    ) -> Result<BindGroup, GpuError> {
+        if let Some((of, group)) = &self.mesh
+            && Arc::ptr_eq(of, triangles)
+        {
+            return Ok(group.clone());
+        }
+        // What was held goes first, so that both need not fit.
+        self.mesh = None;
+        let buffer = gpu.filled("triangles", triangles, BufferUsages::STORAGE)?;
+        let group = group(gpu.device(), "mesh", layout, &[("triangles", buffer.as_entire_binding())]);
+        self.mesh = Some((Arc::clone(triangles), group.clone()));
+        Ok(group)
+    }
+
+    /// Uploads the maps that are not there. True when one was another one.
+    fn hold_all(&mut self, gpu: &Gpu, surface: &JobSurface, sampling: Sampling) -> Result<bool, GpuError> {
+        let halves = sampling == Sampling::Fast && !gpu.filters_f32();
+        let precision = if halves { Precision::F16 } else { Precision::F32 };
+        if self.precision != Some(precision) {
+            (self.heights, self.color, self.normals) = (None, None, None);
+            self.precision = Some(precision);
+        }
+        let mut changed = hold(
+            &mut self.heights,
+            Some(&surface.height_map),
+            |a, b| a.shares_texels(b),
+            || textures::heights(gpu, &surface.height_map, precision),
+        )?;
+        changed |= hold(&mut self.color, surface.color.as_ref(), Arc::ptr_eq, || {
+            textures::picture(gpu, "colour map", surface.color.as_deref(), precision, false)
+        })?;
+        changed |= hold(&mut self.normals, surface.normal_map.as_ref(), Arc::ptr_eq, || {
+            textures::picture(gpu, "normal map", surface.normal_map.as_deref(), precision, true)
+        })?;
+        for (slot, held) in MapSlot::ALL.into_iter().zip(&mut self.slots) {
+            let map = surface.maps.iter().find(|(of, _)| *of == slot).map(|(_, map)| map);
+            changed |= hold(held, map, Arc::ptr_eq, || textures::baked(gpu, slot, map.map(|map| &**map)))?;
+        }
+        let wrap = surface.height_map.wrap();
+        if self.sampler.as_ref().is_none_or(|(of, _)| *of != wrap) {
+            self.sampler = Some((wrap, textures::sampler(gpu, wrap)));
+            changed = true;
+        }
+        Ok(changed)
+    }
+
+    fn group(&self, gpu: &Gpu, sampling: Sampling, layout: &BindGroupLayout, common: &Common) -> BindGroup {
+        let mut bound = vec![
+            ("surface_settings", self.settings.resource()),
+            ("frame", common.frame.clone()),
+            ("pass_settings", common.passes.clone()),
+        ];
+        let views = [
+            ("height_map", self.heights.as_ref().map(|held| &held.view)),
+            ("color_map", self.color.as_ref().map(|held| &held.view)),
+            ("normal_map", self.normals.as_ref().map(|held| &held.view)),
+        ];
+        let slots = MapSlot::ALL.into_iter().zip(&self.slots);
+        let slots = slots.map(|(slot, held)| (slot.name(), held.as_ref().map(|held| &held.view)));
+        for (name, view) in views.into_iter().chain(slots) {
+            bound.extend(view.map(|view| (name, BindingResource::TextureView(view))));
+        }
+        if let Some((_, sampler)) = &self.sampler
+            && sampling == Sampling::Fast
+        {
+            bound.push(("map_sampler", BindingResource::Sampler(sampler)));
+        }
+        group(gpu.device(), "maps", layout, &bound)
+    }
+}

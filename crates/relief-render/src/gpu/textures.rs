@@ -1,0 +1,191 @@
+//! Maps as textures.
+
+use std::borrow::Cow;
+
+use relief_core::encoding::half;
+use relief_core::{BakedMap, HeightMap, MapTexels, Rounding, Wrap};
+use relief_io::Picture;
+use relief_shaders::MapSlot;
+use wgpu::{
+    AddressMode, Extent3d, FilterMode, Sampler, SamplerDescriptor, TexelCopyBufferLayout,
+    TexelCopyTextureInfo, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
+    TextureView, TextureViewDescriptor, TextureViewDimension,
+};
+
+use super::{Gpu, GpuError};
+
+/// Bytes that are handed to the driver at once; as many wait in its staging memory. Smaller uploads wait more often.
+pub const STAGING_BYTES: usize = 16 << 20;
+
+/// How the maps that fast sampling filters are stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// As they are.
+    F32,
+    /// As 16-bit floats, which every GPU can filter.
+    F16,
+}
+
+/// The height map.
+pub fn heights(gpu: &Gpu, map: &HeightMap, precision: Precision) -> Result<TextureView, GpuError> {
+    let size = [map.width(), map.height()];
+    gpu.check_texture("height map", size)?;
+    let format = match precision {
+        Precision::F32 => TextureFormat::R32Float,
+        Precision::F16 => TextureFormat::R16Float,
+    };
+    let texels = stored(map.texels(), precision);
+    Ok(view(&flat(gpu, "height map", size, format, &texels)?, false))
+}
+
+/// A colour or a normal map; a single texel where there is none.
+pub fn picture(
+    gpu: &Gpu,
+    what: &'static str,
+    picture: Option<&Picture>,
+    precision: Precision,
+    layers: bool,
+) -> Result<TextureView, GpuError> {
+    const BLANK: &[[f32; 4]] = &[[0.0; 4]];
+    let ([width, height], texels) = match picture {
+        Some(Picture { width, height, texels }) => ([*width, *height], texels.as_slice()),
+        None => ([1, 1], BLANK),
+    };
+    if texels.is_empty() || texels.len() as u64 != u64::from(width) * u64::from(height) {
+        return Err(GpuError::WrongLength { what, width, height, given: texels.len() });
+    }
+    gpu.check_texture(what, [width, height])?;
+    let format = match precision {
+        Precision::F32 => TextureFormat::Rgba32Float,
+        Precision::F16 => TextureFormat::Rgba16Float,
+    };
+    let texels = stored(texels.as_flattened(), precision);
+    Ok(view(&flat(gpu, what, [width, height], format, &texels)?, layers))
+}
+
+/// The baked map of a slot; a single texel where none is read.
+pub fn baked(gpu: &Gpu, slot: MapSlot, map: Option<&BakedMap>) -> Result<TextureView, GpuError> {
+    let Some(map) = map else {
+        return Ok(view(&flat(gpu, slot.name(), [1, 1], TextureFormat::R32Float, &[0; 4])?, true));
+    };
+    let layout = map.layout();
+    gpu.check_texture("baked map", layout.size)?;
+    let (texels, format): (&[u8], TextureFormat) = match (map.texels(), layout.channels) {
+        (MapTexels::F32(values), 1) => (bytemuck::cast_slice(values), TextureFormat::R32Float),
+        (MapTexels::F32(values), 2) => (bytemuck::cast_slice(values), TextureFormat::Rg32Float),
+        (MapTexels::F32(values), _) => (bytemuck::cast_slice(values), TextureFormat::Rgba32Float),
+        (MapTexels::F16(values), 1) => (bytemuck::cast_slice(values), TextureFormat::R16Float),
+        (MapTexels::F16(values), 2) => (bytemuck::cast_slice(values), TextureFormat::Rg16Float),
+        (MapTexels::F16(values), _) => (bytemuck::cast_slice(values), TextureFormat::Rgba16Float),
+        (MapTexels::Unorm8(values), 1) => (values, TextureFormat::R8Unorm),
+        (MapTexels::Unorm8(values), 2) => (values, TextureFormat::Rg8Unorm),
+        (MapTexels::Unorm8(values), _) => (values, TextureFormat::Rgba8Unorm),
+    };
+    let texture = texture(gpu, slot.name(), layout.size, [layout.layers, layout.levels], format);
+    let bytes = layout.channels as usize * layout.format.bytes() as usize;
+    for (level, place) in (0u32..).zip(map.places()) {
+        let end = place.start + place.width * place.height * layout.layers as usize;
+        let texels = &texels[place.start * bytes..end * bytes];
+        upload_level(gpu, &texture, level, layout.level_size(level), texels)?;
+    }
+    Ok(view(&texture, true))
+}
+
+/// The sampler of fast sampling, which continues maps as their wrap says.
+pub fn sampler(gpu: &Gpu, wrap: Wrap) -> Sampler {
+    let mode = match wrap {
+        Wrap::Repeat => AddressMode::Repeat,
+        Wrap::Clamp => AddressMode::ClampToEdge,
+        Wrap::Mirror => AddressMode::MirrorRepeat,
+    };
+    gpu.device().create_sampler(&SamplerDescriptor {
+        label: Some("maps"),
+        address_mode_u: mode,
+        address_mode_v: mode,
+        mag_filter: FilterMode::Linear,
+        min_filter: FilterMode::Linear,
+        ..Default::default()
+    })
+}
+
+fn stored(values: &[f32], precision: Precision) -> Cow<'_, [u8]> {
+    match precision {
+        Precision::F32 => Cow::Borrowed(bytemuck::cast_slice(values)),
+        Precision::F16 => {
+            let bytes = values.iter().flat_map(|value| half::bits(*value, Rounding::Nearest).to_ne_bytes());
+            Cow::Owned(bytes.collect())
+        }
+    }
+}
+
+/// A texture of one layer and level.
+fn flat(
+    gpu: &Gpu,
+    label: &str,
+    size: [u32; 2],
+    format: TextureFormat,
+    texels: &[u8],
+) -> Result<Texture, GpuError> {
+    let texture = texture(gpu, label, size, [1, 1], format);
+    upload_level(gpu, &texture, 0, size, texels)?;
+    Ok(texture)
+}
+
+fn view(texture: &Texture, layers: bool) -> TextureView {
+    let dimension = if layers { TextureViewDimension::D2Array } else { TextureViewDimension::D2 };
+    texture.create_view(&TextureViewDescriptor { dimension: Some(dimension), ..Default::default() })
+}
+
+fn texture(
+    gpu: &Gpu,
+    label: &str,
+    [width, height]: [u32; 2],
+    [layers, levels]: [u32; 2],
+    format: TextureFormat,
+) -> Texture {
+    gpu.device().create_texture(&TextureDescriptor {
+        label: Some(label),
+        size: Extent3d { width, height, depth_or_array_layers: layers },
+        mip_level_count: levels,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format,
+        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
+        view_formats: &[],
+    })
+}
+
+/// Uploads all layers of a level, row by row, some rows at a time.
+fn upload_level(
+    gpu: &Gpu,
+    texture: &Texture,
+    level: u32,
+    [width, height]: [u32; 2],
+    texels: &[u8],
+) -> Result<(), GpuError> {
+    let layers = texture.depth_or_array_layers();
+    let row_bytes = texels.len() / (height as usize * layers as usize);
+    let rows = (STAGING_BYTES / row_bytes).max(1);
+    let mut waiting = 0;
+    for (layer, texels) in texels.chunks(row_bytes * height as usize).enumerate() {
+        for (number, chunk) in texels.chunks(rows * row_bytes).enumerate() {
+            if waiting > 0 && waiting + chunk.len() > STAGING_BYTES {
+                gpu.flush()?;
+                waiting = 0;
+            }
+            waiting += chunk.len();
+            gpu.count(chunk.len());
+            let mut target = TexelCopyTextureInfo::from(texture.as_image_copy());
+            target.mip_level = level;
+            (target.origin.y, target.origin.z) = ((number * rows) as u32, layer as u32);
+            let from = TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(row_bytes as u32),
+                rows_per_image: None,
+            };
+            let size = Extent3d { width, height: (chunk.len() / row_bytes) as u32, depth_or_array_layers: 1 };
+            gpu.queue().write_texture(target, chunk, from, size);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,88 @@
+//! Futures without a runtime: how this thread waits for one, and how a callback fulfils one.
+
+use std::future::Future;
+use std::pin::{Pin, pin};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::task::{Context, Poll, Wake, Waker};
+use std::thread::{self, Thread};
+
+/// Runs a future to its end on this thread, which sleeps meanwhile. Not for the web, where nothing goes on while a thread
+/// sleeps.
+pub fn block_on<F: Future>(future: F) -> F::Output {
+    struct Unpark(Thread);
+
+    impl Wake for Unpark {
+        fn wake(self: Arc<Self>) {
+            self.0.unpark();
+        }
+    }
+
+    let waker = Waker::from(Arc::new(Unpark(thread::current())));
+    let mut future = pin!(future);
+    loop {
+        match future.as_mut().poll(&mut Context::from_waker(&waker)) {
+            Poll::Ready(output) => return output,
+            Poll::Pending => thread::park(),
+        }
+    }
+}
+
+/// What a callback will give, or what it gave.
+struct Promise<T> {
+    given: Option<T>,
+    waker: Option<Waker>,
+}
+
+/// The callback's side.
+pub struct Giver<T>(Arc<Mutex<Promise<T>>>);
+
+/// The side that waits. It waits for ever when the callback is never called.
+pub struct Taker<T>(Arc<Mutex<Promise<T>>>);
+
+/// Both sides of a value to come.
+pub fn promise<T>() -> (Giver<T>, Taker<T>) {
+    let promise = Arc::new(Mutex::new(Promise { given: None, waker: None }));
+    (Giver(Arc::clone(&promise)), Taker(promise))
+}
+
+impl<T> Giver<T> {
+    /// Gives the value.
+    pub fn give(self, value: T) {
+        let mut promise = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        promise.given = Some(value);
+        if let Some(waker) = promise.waker.take() {
+            waker.wake();
+        }
+    }
+}
+
+impl<T> Future for Taker<T> {
+    type Output = T;
+
+    fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<T> {
+        let mut promise = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match promise.given.take() {
+            Some(value) => Poll::Ready(value),
+            None => {
+                promise.waker = Some(context.waker().clone());
+                Poll::Pending
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_from_another_thread_is_waited_for() {
+        let (giver, taker) = promise();
+        let other = thread::spawn(move || giver.give(7));
+        assert_eq!(block_on(taker), 7);
+        other.join().expect("it ends");
+        let (giver, taker) = promise();
+        giver.give("before");
+        assert_eq!(block_on(taker), "before");
+    }
+}

@@ -1,0 +1,112 @@
+//! Where a mesh lies in the world.
+
+use super::{Mesh, MeshError, Vertex};
+use glam::{DMat3, DVec3, EulerRot};
+
+/// Where a mesh lies in the world, how it is turned and how large it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Where its origin lies, in metres.
+    pub position_m: DVec3,
+    /// Degrees by which it is turned about the world's `x`, then about `y`, then about `z`.
+    pub rotation_degrees: DVec3,
+    /// How many times as large it is.
+    pub size: f64,
+}
+
+impl Default for Placement {
+    /// As it is.
+    fn default() -> Self {
+        Self { position_m: DVec3::ZERO, rotation_degrees: DVec3::ZERO, size: 1.0 }
+    }
+}
+
+impl Mesh {
+    /// The mesh in its place. Tiles grow with its size: tangents and bitangents are as long as one tile.
+    ///
+    /// # Errors
+    ///
+    /// When a number is not finite, the size is not positive, or the mesh is no longer finite there.
+    pub fn placed(self, placement: &Placement) -> Result<Self, MeshError> {
+        let Placement { position_m, rotation_degrees, size } = *placement;
+        if *placement == Placement::default() {
+            return Ok(self);
+        }
+        if !(position_m.is_finite() && rotation_degrees.is_finite() && size.is_finite() && size > 0.0) {
+            return Err(MeshError::BadPlacement);
+        }
+        let [x, y, z] = rotation_degrees.to_array().map(f64::to_radians);
+        let turn = DMat3::from_euler(EulerRot::ZYX, z, y, x);
+        let larger = turn * size;
+        let place = |vertex: &Vertex| Vertex {
+            position: (larger * vertex.position.as_dvec3() + position_m).as_vec3(),
+            normal: (turn * vertex.normal.as_dvec3()).as_vec3(),
+            tangent: (larger * vertex.tangent.as_dvec3()).as_vec3(),
+            bitangent: (larger * vertex.bitangent.as_dvec3()).as_vec3(),
+            uv: vertex.uv,
+        };
+        let vertices: Vec<Vertex> = self.vertices.iter().map(place).collect();
+        if vertices.iter().all(Vertex::is_finite) {
+            Ok(Self { vertices, triangles: self.triangles })
+        } else {
+            Err(MeshError::BadPlacement)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::plane;
+    use glam::Vec3;
+
+    fn placed(rotation: [f64; 3], size: f64) -> Mesh {
+        let placement =
+            Placement { position_m: DVec3::new(1.0, 2.0, 3.0), rotation_degrees: rotation.into(), size };
+        plane(1).and_then(|mesh| mesh.placed(&placement)).expect("a proper placement")
+    }
+
+    #[test]
+    fn turns_come_in_the_order_x_y_z() {
+        // The plane's normal is +y: about x it goes to +z, and from there about y to +x; about z that goes to +y.
+        for (rotation, normal) in [
+            ([0.0, 0.0, 0.0], Vec3::Y),
+            ([90.0, 0.0, 0.0], Vec3::Z),
+            ([90.0, 90.0, 0.0], Vec3::X),
+            ([90.0, 90.0, 90.0], Vec3::Y),
+        ] {
+            let mesh = placed(rotation, 1.0);
+            assert!(
+                mesh.vertices().iter().all(|vertex| (vertex.normal - normal).length() < 1e-6),
+                "{rotation:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn frames_and_tiles_go_with_the_mesh() {
+        let mesh = placed([20.0, 30.0, 40.0], 2.5);
+        assert!(mesh.tile_m().iter().all(|length| (length - 2.5).abs() < 1e-6));
+        for vertex in mesh.vertices() {
+            let across = vertex.bitangent.cross(vertex.tangent).normalize();
+            assert!((across - vertex.normal).length() < 1e-5);
+            assert!((vertex.position - Vec3::new(1.0, 2.0, 3.0)).length() < 2.5);
+        }
+        assert_eq!(plane(1).and_then(|mesh| mesh.placed(&Placement::default())), plane(1));
+    }
+
+    #[test]
+    fn impossible_placements_are_refused() {
+        let impossible = [
+            Placement { size: 0.0, ..Placement::default() },
+            Placement { size: -1.0, ..Placement::default() },
+            Placement { size: f64::NAN, ..Placement::default() },
+            Placement { size: 1e300, ..Placement::default() },
+            Placement { position_m: DVec3::INFINITY, ..Placement::default() },
+            Placement { rotation_degrees: DVec3::NAN, ..Placement::default() },
+        ];
+        for placement in impossible {
+            assert_eq!(plane(1).and_then(|mesh| mesh.placed(&placement)), Err(MeshError::BadPlacement));
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! Scenes to pictures, on the backend that was asked for.
+
+use std::time::{Duration, Instant};
+
+use relief_maps::{Account, Maps, MapsError, Watch};
+use relief_shaders::wgsl::Sampling;
+
+use crate::cpu::CpuRenderer;
+#[cfg(feature = "gpu")]
+use crate::gpu::{AdapterChoice, Gpu, GpuError, GpuRenderer, Work};
+use crate::job::{Job, Rendering};
+use crate::prepare::Preparer;
+use crate::scene::{BackendChoice, Scene};
+
+/// A finished picture and how it came about.
+#[derive(Debug)]
+pub struct Rendered {
+    /// The pixels.
+    pub rendering: Rendering,
+    /// "cpu" or "gpu".
+    pub backend: &'static str,
+    /// What the backend is: the number of threads, or the adapter and its driver.
+    pub device: String,
+    /// Why that backend, when it was chosen automatically.
+    pub reason: Option<Reason>,
+    /// How the baked maps came about that the methods read.
+    pub maps: Vec<Account>,
+    /// Time of the rendering alone, with what it prepares and uploads, without baking.
+    pub elapsed: Duration,
+}
+
+/// Why a backend was chosen.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Reason {
+    /// There is a GPU.
+    #[error("a GPU was found")]
+    GpuFound,
+    /// There is none.
+    #[error("no GPU was found")]
+    NoGpu,
+    /// There are software adapters, which are taken only when a GPU is asked for.
+    #[error("no hardware GPU was found, only {}", .0.join(" and "))]
+    SoftwareOnly(Vec<String>),
+    /// The GPU that there is cannot be used.
+    #[cfg(feature = "gpu")]
+    #[error(transparent)]
+    Unusable(GpuError),
+    /// This build has no GPU backend.
+    #[error("this build has no GPU backend")]
+    NotBuilt,
+}
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum RenderError {
+    /// A baked map that a method reads cannot be provided.
+    #[error(transparent)]
+    Maps(#[from] MapsError),
+    /// The CPU was asked for the sampling that only GPUs have.
+    #[error("sampling 'fast' uses a GPU's texture sampler, which the CPU backend does not have")]
+    FastOnCpu {
+        /// Whether the CPU was taken because no GPU was found.
+        no_gpu: bool,
+    },
+    /// The GPU backend was asked for and is not in this build.
+    #[error("this build has no GPU backend")]
+    NoGpuBackend,
+    /// The GPU failed.
+    #[cfg(feature = "gpu")]
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
+
+/// What a renderer is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// It bakes a map of that kind.
+    Baking(&'static str),
+    /// It makes the picture.
+    Rendering,
+}
+
+/// Is told what a renderer is at, and the part of it that is done, from 0 to 1, from any thread.
+pub type Progress<'a> = dyn Fn(Task, f32) + Sync + 'a;
+
+/// Renders scenes, and keeps what they have in common from one to the next: a second frame costs its pixels.
+#[derive(Debug)]
+pub struct Renderer {
+    backend: Backend,
+    sampling: Sampling,
+    reason: Option<Reason>,
+    preparer: Preparer,
+}
+
+#[derive(Debug)]
+enum Backend {
+    Cpu(CpuRenderer),
+    #[cfg(feature = "gpu")]
+    Gpu(Box<GpuRenderer>),
+}
+
+impl Renderer {
+    /// A renderer of a kind, which reads textures so: a GPU if there is one, else the CPU, unless one of both is asked for.
+    ///
+    /// # Errors
+    ///
+    /// When a GPU is asked for and there is none, or when the CPU is to sample as only GPUs do.
+    pub fn new(backend: BackendChoice, sampling: Sampling) -> Result<Self, RenderError> {
+        let (backend, reason) = choose(backend)?;
+        let no_gpu = reason.is_some();
+        if sampling == Sampling::Fast && matches!(backend, Backend::Cpu(_)) {
+            return Err(RenderError::FastOnCpu { no_gpu });
+        }
+        Ok(Self { backend, sampling, reason, preparer: Preparer::default() })
+    }
+
+    /// A renderer on the CPU.
+    pub fn on_cpu() -> Self {
+        let backend = Backend::Cpu(CpuRenderer::new());
+        Self { backend, sampling: Sampling::Exact, reason: None, preparer: Preparer::default() }
+    }
+
+    /// A renderer on that GPU.
+    #[cfg(feature = "gpu")]
+    pub fn on_gpu(gpu: Gpu, sampling: Sampling) -> Self {
+        let backend = Backend::Gpu(Box::new(GpuRenderer::new(gpu)));
+        Self { backend, sampling, reason: None, preparer: Preparer::default() }
+    }
+
+    /// Renders a scene; its choice of backend and sampling was made when the renderer was. The baked maps that its methods
+    /// read are those of the provider.
+    ///
+    /// # Errors
+    ///
+    /// When a baked map cannot be provided, or the backend fails.
+    pub fn render(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        progress: &Progress,
+    ) -> Result<Rendered, RenderError> {
+        let (job, accounts, started) = self.prepare(scene, maps, progress)?;
+        let rendering = |part| progress(Task::Rendering, part);
+        let (rendering, backend, device) = match &mut self.backend {
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(renderer) => {
+                let picture = renderer.render(&job, self.sampling, &rendering)?;
+                (picture, "gpu", renderer.gpu().description().to_owned())
+            }
+            Backend::Cpu(renderer) => {
+                let threads = rayon::current_num_threads();
+                let device = format!("{threads} thread{}", if threads == 1 { "" } else { "s" });
+                (renderer.render(&job, &rendering), "cpu", device)
+            }
+        };
+        let (reason, elapsed) = (self.reason.clone(), started.elapsed());
+        Ok(Rendered { rendering, backend, device, reason, maps: accounts, elapsed })
+    }
+
+    /// Draws a scene into a picture that stays on the GPU: linear colours in 16-bit floats, for the caller to show. None on
+    /// the CPU. The next call draws over it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::render`].
+    #[cfg(feature = "gpu")]
+    pub async fn draw(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        progress: &Progress<'_>,
+    ) -> Result<Option<&wgpu::Texture>, RenderError> {
+        let (job, ..) = self.prepare(scene, maps, progress)?;
+        match &mut self.backend {
+            Backend::Gpu(renderer) => Ok(Some(renderer.draw(&job, self.sampling).await?)),
+            Backend::Cpu(_) => Ok(None),
+        }
+    }
+
+    /// What the last picture took besides the drawing; nothing on the CPU.
+    #[cfg(feature = "gpu")]
+    pub fn last_work(&self) -> Work {
+        match &self.backend {
+            Backend::Gpu(renderer) => renderer.last_work(),
+            Backend::Cpu(_) => Work::default(),
+        }
+    }
+
+    fn prepare(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        progress: &Progress,
+    ) -> Result<(Job, Vec<Account>, Instant), RenderError> {
+        let baking = |kind, part| progress(Task::Baking(kind), part);
+        let watch = Watch { baking: &baking, ..Watch::none() };
+        let accounts = self.preparer.provide(scene, maps, &watch)?;
+        let started = Instant::now();
+        Ok((self.preparer.job(scene), accounts, started))
+    }
+}
+
+/// Renders a scene once, on the backend and with the sampling that it names. The baked maps that its methods read are
+/// those of the provider. For more pictures than one see [`Renderer`].
+///
+/// # Errors
+///
+/// When a baked map cannot be provided, the backend is not available, or the backend fails.
+pub fn render(scene: &Scene, maps: &mut Maps, progress: &Progress) -> Result<Rendered, RenderError> {
+    Renderer::new(scene.backend(), scene.sampling())?.render(scene, maps, progress)
+}
+
+#[cfg(feature = "gpu")]
+fn choose(backend: BackendChoice) -> Result<(Backend, Option<Reason>), RenderError> {
+    let on_gpu = |gpu| Backend::Gpu(Box::new(GpuRenderer::new(gpu)));
+    let on_cpu = || Backend::Cpu(CpuRenderer::new());
+    match backend {
+        BackendChoice::Cpu => Ok((on_cpu(), None)),
+        BackendChoice::Gpu => Ok((on_gpu(Gpu::new(AdapterChoice::Any)?), None)),
+        BackendChoice::Auto => Ok(match Gpu::new(AdapterChoice::Real) {
+            Ok(gpu) => (on_gpu(gpu), Some(Reason::GpuFound)),
+            Err(error) => (on_cpu(), Some(why_not(error))),
+        }),
+    }
+}
+
+/// Why there is no GPU, to someone who did not ask for one.
+#[cfg(feature = "gpu")]
+fn why_not(error: GpuError) -> Reason {
+    match error {
+        GpuError::NoAdapter { found, .. } if found.is_empty() => Reason::NoGpu,
+        GpuError::NoAdapter { found, .. } => Reason::SoftwareOnly(found),
+        other => Reason::Unusable(other),
+    }
+}
+
+#[cfg(not(feature = "gpu"))]
+fn choose(backend: BackendChoice) -> Result<(Backend, Option<Reason>), RenderError> {
+    let on_cpu = Backend::Cpu(CpuRenderer::new());
+    match backend {
+        BackendChoice::Gpu => Err(RenderError::NoGpuBackend),
+        BackendChoice::Auto => Ok((on_cpu, Some(Reason::NotBuilt))),
+        BackendChoice::Cpu => Ok((on_cpu, None)),
+    }
+}

@@ -1,0 +1,97 @@
+//! Values of a scene file's keys, and which keys there are.
+
+use relief_core::ByteSize;
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer, forward_to_deserialize_any};
+use std::collections::BTreeMap;
+use std::fmt::{self, Display};
+use std::str::FromStr;
+
+/// Reads a value that is written as a name or another text.
+pub fn parsed<'de, D, T>(deserializer: D) -> Result<Option<T>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: FromStr<Err: Display>,
+{
+    let text = String::deserialize(deserializer)?;
+    text.parse().map(Some).map_err(de::Error::custom)
+}
+
+/// Reads exactly `N` numbers. (Arrays as such would take the first ones and ignore the rest.)
+pub fn numbers<'de, D, T, const N: usize>(deserializer: D) -> Result<Option<[T; N]>, D::Error>
+where
+    D: Deserializer<'de>,
+    T: Deserialize<'de>,
+{
+    let numbers = Vec::<T>::deserialize(deserializer)?;
+    let given = numbers.len();
+    let array =
+        numbers.try_into().map_err(|_| de::Error::invalid_length(given, &format!("{N} numbers").as_str()));
+    array.map(Some)
+}
+
+/// Reads `search.steps = 64` under `[set]`, which TOML takes as a table in a table.
+pub fn settings<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, f64>, D::Error> {
+    let stages = BTreeMap::<String, BTreeMap<String, f64>>::deserialize(deserializer)?;
+    let flat = stages.into_iter().flat_map(|(stage, settings)| {
+        settings.into_iter().map(move |(name, value)| (format!("{stage}.{name}"), value))
+    });
+    Ok(flat.collect())
+}
+
+/// Reads an amount of memory: a number of bytes, or a text such as `4GiB`.
+pub fn amount<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<ByteSize>, D::Error> {
+    struct Amount;
+
+    impl Visitor<'_> for Amount {
+        type Value = ByteSize;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("an amount of memory such as \"4GiB\"")
+        }
+
+        fn visit_i64<E: de::Error>(self, bytes: i64) -> Result<ByteSize, E> {
+            bytes.to_string().parse().map_err(E::custom)
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<ByteSize, E> {
+            text.parse().map_err(E::custom)
+        }
+    }
+
+    deserializer.deserialize_any(Amount).map(Some)
+}
+
+/// The keys that a struct is read from, as its derived reading names them.
+pub fn keys_of<T: for<'de> Deserialize<'de>>() -> &'static [&'static str] {
+    let mut keys: &'static [&'static str] = &[];
+    // It reads nothing: it asks for its fields, which are kept, and is told that there is nothing.
+    let _ = T::deserialize(Fields(&mut keys));
+    keys
+}
+
+/// Learns the fields of a struct that is to be read.
+struct Fields<'a>(&'a mut &'static [&'static str]);
+
+impl<'de> Deserializer<'de> for Fields<'_> {
+    type Error = de::value::Error;
+
+    fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value, Self::Error> {
+        Err(de::Error::custom("nothing to read"))
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        fields: &'static [&'static str],
+        _: V,
+    ) -> Result<V::Value, Self::Error> {
+        *self.0 = fields;
+        Err(de::Error::custom("nothing to read"))
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
+        newtype_struct seq tuple tuple_struct map enum identifier ignored_any
+    }
+}

@@ -1,0 +1,249 @@
+//! From the description of a surface to the surface: defaults, checks, files.
+
+use super::builder::{DEFAULT_METHOD, of_selection};
+use super::error::{SceneError, ValueError, ValueProblem};
+use super::load::check_metres;
+use super::{Surface, SurfaceSpec};
+use crate::material::Material;
+use crate::mesh::{Mesh, Placement};
+use glam::{Vec2, Vec3};
+use relief_core::{ByteSize, HeightMap};
+use relief_io::{Convention, HeightOptions, Picture};
+use relief_shaders::{REFINE, SEARCH, STAGES, Selection};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy or what a GPU
+/// holds of it.
+const BYTES_PER_HEIGHT: u64 = 4 + 7;
+
+/// Memory that a texel of a height map takes more for each baked map that the surface reads: that map, and what is at hand
+/// while it is baked.
+const BYTES_PER_BAKED: u64 = 16 + 5 * 4 + 6;
+
+/// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the first part.
+const NORMAL_BYTES: [u64; 2] = [12, 16];
+
+/// Memory that a texel of a colour map takes.
+const COLOR_BYTES: u64 = 16;
+
+/// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything, in metres.
+const DEFAULT_SCALE_M: f64 = 0.05;
+
+/// The most tiles along an axis, and its inverse the fewest. Beyond it `f32` does not tell the texels of a tile apart, and
+/// much farther it overflows.
+const MAX_TILES: f32 = 1e6;
+
+/// The largest factor on a mesh, and its inverse the smallest: its metres stay within what `f32` can reckon with.
+const MAX_SIZE: f64 = 1e6;
+
+/// What of a surface needs no file, completed and checked.
+pub struct Parts {
+    mesh: Mesh,
+    material: Material,
+    selection: Selection,
+    /// Unless the height map's file is to say it.
+    scale_m: Option<f64>,
+    /// Minus the scale if none.
+    bias_m: Option<f64>,
+    two_sided: bool,
+}
+
+/// Reads maps, each file once, within what memory is left.
+pub struct Maps {
+    limit: ByteSize,
+    left: u64,
+    heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
+    colors: Vec<(PathBuf, Arc<Picture>)>,
+}
+
+impl Maps {
+    /// Of a limit to all memory so much is left for maps.
+    pub fn new(limit: ByteSize, left: u64) -> Self {
+        Self { limit, left, heights: Vec::new(), colors: Vec::new() }
+    }
+
+    fn height(&mut self, path: &Path, options: HeightOptions) -> Result<HeightMap, SceneError> {
+        let same = |(known, with, _): &&(PathBuf, HeightOptions, _)| {
+            known == path && HeightOptions { max_bytes: options.max_bytes, ..with.clone() } == options
+        };
+        if let Some((_, _, map)) = self.heights.iter().find(same) {
+            return Ok(map.clone());
+        }
+        let map = relief_io::read_height(path, &options)?;
+        self.heights.push((path.to_owned(), options, map.clone()));
+        Ok(map)
+    }
+
+    fn color(&mut self, path: &Path) -> Result<Arc<Picture>, SceneError> {
+        if let Some((_, color)) = self.colors.iter().find(|(known, _)| known == path) {
+            return Ok(Arc::clone(color));
+        }
+        let color = Arc::new(relief_io::read_picture(path, self.left)?);
+        self.left = self.left.saturating_sub(COLOR_BYTES * u64::from(color.width) * u64::from(color.height));
+        self.colors.push((path.to_owned(), Arc::clone(&color)));
+        Ok(color)
+    }
+
+    /// Leaves less for colours and normals: room for a height map and what is built on it.
+    fn take(&mut self, path: &Path, map: &HeightMap, selection: &Selection) -> Result<(), SceneError> {
+        let (width, height) = (map.width(), map.height());
+        let bytes = BYTES_PER_HEIGHT + BYTES_PER_BAKED * selection.map_needs().len() as u64;
+        let needed = bytes * u64::from(width) * u64::from(height);
+        let (left, limit) = (self.left, self.limit);
+        self.left = left.checked_sub(needed).ok_or_else(|| {
+            let path = path.to_owned();
+            SceneError::TooMuchToTrace { path, width, height, needed, left, limit }
+        })?;
+        Ok(())
+    }
+}
+
+impl SurfaceSpec {
+    /// What needs no file, completed and checked.
+    pub(super) fn parts(&self) -> Result<Parts, ValueError> {
+        self.scale.map_or(Ok(()), check_scale)?;
+        check_metres("bias", self.bias.as_slice())?;
+        if let Some([low, high]) = self.range
+            && !(low.is_finite() && high.is_finite() && low < high)
+        {
+            let (value, must) =
+                if low.is_finite() { (high, "finite and above the first") } else { (low, "finite") };
+            return Err(ValueProblem::Number { value, must }.of("range"));
+        }
+        Ok(Parts {
+            mesh: self.placed_mesh()?,
+            material: self.material()?,
+            selection: self.selection()?,
+            scale_m: self.scale,
+            bias_m: self.bias,
+            two_sided: self.two_sided.unwrap_or_default(),
+        })
+    }
+
+    /// The surface with a height map in place of its own, and no other maps.
+    pub(super) fn with_heights(&self, parts: Parts, map: HeightMap) -> Result<Surface, ValueError> {
+        let scale_m = parts.scale_m.or_else(|| stated_scale_m(&map, &parts.mesh));
+        let scale_m = scale_m.unwrap_or(DEFAULT_SCALE_M);
+        check_scale(scale_m)?;
+        let map = map
+            .with_displacement(scale_m, parts.bias_m.unwrap_or(-scale_m))
+            .map_err(|error| ValueProblem::from(error).of("scale"))?;
+        Ok(Surface::new(parts.mesh, map)
+            .with_material(parts.material)
+            .with_selection(parts.selection)
+            .with_two_sided(parts.two_sided))
+    }
+
+    /// The surface with its maps.
+    pub(super) fn load(
+        &self,
+        parts: Parts,
+        number: Option<usize>,
+        maps: &mut Maps,
+    ) -> Result<Surface, SceneError> {
+        let path = self.height.as_ref().ok_or(SceneError::NoHeightMap(number))?;
+        let options = HeightOptions {
+            channel: self.channel.clone(),
+            convention: if self.depth == Some(true) { Convention::Depth } else { Convention::Height },
+            range: self.range,
+            raw: self.raw,
+            fill: self.fill.unwrap_or_default(),
+            wrap: self.wrap.unwrap_or_default(),
+            max_bytes: maps.left,
+        };
+        let map = maps.height(path, options)?;
+        maps.take(path, &map, &parts.selection)?;
+        let surface = self.with_heights(parts, map);
+        let mut surface = surface.map_err(|error| error.of_surface(number))?;
+        if let Some(path) = &self.color {
+            surface = surface.with_color(maps.color(path)?);
+        }
+        if let Some(path) = &self.normal {
+            let [read, converted] = NORMAL_BYTES;
+            let limit = maps.left / (read + converted) * read;
+            let map = relief_io::read_normal_map(path, self.green.unwrap_or_default(), limit)?;
+            let bytes = (read + converted) * u64::from(map.width) * u64::from(map.height);
+            maps.left = maps.left.saturating_sub(bytes);
+            surface = surface.with_normal_map(&map);
+        }
+        Ok(surface)
+    }
+
+    fn placed_mesh(&self) -> Result<Mesh, ValueError> {
+        let mesh =
+            self.mesh.unwrap_or_default().build().map_err(|error| ValueProblem::from(error).of("mesh"))?;
+        let mesh = match self.tile {
+            Some(tile) => {
+                let possible = 1.0 / MAX_TILES..=MAX_TILES;
+                if let Some(&value) = tile.iter().find(|tiles| !possible.contains(tiles)) {
+                    let must = "from 1e-6 to 1e6";
+                    return Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"));
+                }
+                mesh.tiled(Vec2::from(tile)).map_err(|error| ValueProblem::from(error).of("tile"))?
+            }
+            None => mesh,
+        };
+        let placement = Placement {
+            position_m: self.position.unwrap_or_default().into(),
+            rotation_degrees: self.rotation.unwrap_or_default().into(),
+            size: self.size.unwrap_or(1.0),
+        };
+        check_metres("position", self.position.as_ref().map_or(&[], |position| position))?;
+        if let Some(&value) = self.rotation.iter().flatten().find(|turn| !turn.is_finite()) {
+            return Err(ValueProblem::Number { value, must: "finite" }.of("rotation"));
+        }
+        if !(1.0 / MAX_SIZE..=MAX_SIZE).contains(&placement.size) {
+            let (value, must) = (placement.size, "from 1e-6 to 1e6");
+            return Err(ValueProblem::Number { value, must }.of("size"));
+        }
+        mesh.placed(&placement).map_err(|error| ValueProblem::from(error).of("position"))
+    }
+
+    fn material(&self) -> Result<Material, ValueError> {
+        let Some(spec) = &self.material else {
+            return Ok(Material::default());
+        };
+        let default = Material::default();
+        Material::new(
+            spec.diffuse.map_or(default.diffuse(), Vec3::from),
+            spec.specular.map_or(default.specular(), Vec3::from),
+            spec.shininess.unwrap_or(default.shininess()),
+        )
+        .map_err(|error| ValueProblem::from(error).of("material"))
+    }
+
+    fn selection(&self) -> Result<Selection, ValueError> {
+        let named = |stage: usize| self.stages.get(STAGES[stage].key).map(String::as_str);
+        let selection = match (&self.method, named(SEARCH), named(REFINE)) {
+            (method, None, None) => Selection::method(method.as_deref().unwrap_or(DEFAULT_METHOD)),
+            (None, Some(search), Some(refine)) => Selection::pair(search, refine),
+            (None, Some(_), None) => return Err(ValueProblem::Needs("refine").of("search")),
+            (None, None, Some(_)) => return Err(ValueProblem::Needs("search").of("refine")),
+            (Some(_), _, _) => return Err(ValueProblem::Excludes("search and refine").of("method")),
+        };
+        let mut selection = selection.map_err(of_selection)?;
+        for (key, name) in &self.stages {
+            selection.choose(key, name).map_err(of_selection)?;
+        }
+        for (key, &value) in &self.set {
+            selection.set(key, value).map_err(of_selection)?;
+        }
+        Ok(selection)
+    }
+}
+
+fn check_scale(scale_m: f64) -> Result<(), ValueError> {
+    if (0.0..=super::load::MAX_METRES).contains(&scale_m) {
+        return Ok(());
+    }
+    Err(ValueProblem::Number { value: scale_m, must: "from 0 to 1e9 metres" }.of("scale"))
+}
+
+/// The displacement between heights 0 and 1 that gives the relief the proportions that the height map's file states: as
+/// deep to a tile of the mesh as to one of its own.
+fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
+    let (tile_m, span_m) = map.stated_lengths_m()?;
+    let [u, v] = mesh.tile_m();
+    Some(span_m * (u / tile_m[0] * (v / tile_m[1])).sqrt())
+}

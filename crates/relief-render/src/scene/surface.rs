@@ -1,0 +1,131 @@
+//! Surfaces: a mesh with a height map on it, and what else belongs to it.
+
+use crate::material::Material;
+use crate::mesh::Mesh;
+use relief_core::{HeightMap, Metric};
+use relief_io::{NormalMap, Picture};
+use relief_shaders::Selection;
+use std::sync::Arc;
+
+/// A mesh with a height map on it, its colours, its material, and how its relief is found.
+///
+/// Maps and mesh are shared, so that clones cost nothing and renderers know what they have seen before: one that is given
+/// the same [`Arc`] again neither uploads nor prepares it again.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    mesh: Arc<Mesh>,
+    /// Metres for each tile of the mesh, along `u` and `v`.
+    tile_m: [f64; 2],
+    height_map: Arc<HeightMap>,
+    color: Option<Arc<Picture>>,
+    normal_map: Option<Arc<Picture>>,
+    selection: Selection,
+    material: Material,
+    two_sided: bool,
+}
+
+impl Surface {
+    /// A height map on a mesh that is placed in the world, with its tile factors applied: traced by the method `exact`, light
+    /// grey, seen from its front.
+    pub fn new(mesh: impl Into<Arc<Mesh>>, height_map: impl Into<Arc<HeightMap>>) -> Self {
+        let mesh = mesh.into();
+        Self {
+            tile_m: mesh.tile_m(),
+            mesh,
+            height_map: height_map.into(),
+            color: None,
+            normal_map: None,
+            selection: Selection::exact(),
+            material: Material::default(),
+            two_sided: false,
+        }
+    }
+
+    /// The same with another mesh.
+    #[must_use]
+    pub fn with_mesh(self, mesh: impl Into<Arc<Mesh>>) -> Self {
+        let mesh = mesh.into();
+        Self { tile_m: mesh.tile_m(), mesh, ..self }
+    }
+
+    /// The same with another height map.
+    #[must_use]
+    pub fn with_height_map(self, height_map: impl Into<Arc<HeightMap>>) -> Self {
+        Self { height_map: height_map.into(), ..self }
+    }
+
+    /// The same with a colour picture, which multiplies the material's diffuse colour. It is laid out and wrapped as the
+    /// height map is.
+    #[must_use]
+    pub fn with_color(self, color: impl Into<Arc<Picture>>) -> Self {
+        Self { color: Some(color.into()), ..self }
+    }
+
+    /// The same with a tangent-space normal map in place of normals that are derived from the height map.
+    #[must_use]
+    pub fn with_normal_map(self, map: &NormalMap) -> Self {
+        // Four numbers a texel, as the shaders take them.
+        let texels = map.normals.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
+        let picture = Picture { width: map.width, height: map.height, texels };
+        Self { normal_map: Some(Arc::new(picture)), ..self }
+    }
+
+    /// The same with another choice of what is run: how the first hit is found, and how it is shaded.
+    #[must_use]
+    pub fn with_selection(self, selection: Selection) -> Self {
+        Self { selection, ..self }
+    }
+
+    /// The same of another material.
+    #[must_use]
+    pub fn with_material(self, material: Material) -> Self {
+        Self { material, ..self }
+    }
+
+    /// The same with triangles seen from behind drawn or not.
+    #[must_use]
+    pub fn with_two_sided(self, two_sided: bool) -> Self {
+        Self { two_sided, ..self }
+    }
+
+    /// The base mesh, placed in the world and tiled.
+    pub fn mesh(&self) -> &Arc<Mesh> {
+        &self.mesh
+    }
+
+    /// The height map with its wrap and displacement.
+    pub fn height_map(&self) -> &Arc<HeightMap> {
+        &self.height_map
+    }
+
+    /// The colour picture, if there is one.
+    pub fn color(&self) -> Option<&Arc<Picture>> {
+        self.color.as_ref()
+    }
+
+    /// The normal map, if there is one: in each texel a unit normal in tangent space, `x` along growing `u`, `y` along
+    /// falling `v`, `z` out of the surface, and a 0. Without one, normals are derived from the height map.
+    pub fn normal_map(&self) -> Option<&Arc<Picture>> {
+        self.normal_map.as_ref()
+    }
+
+    /// What is run: how the first hit is found, and how it is shaded.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+
+    /// The material.
+    pub fn material(&self) -> &Material {
+        &self.material
+    }
+
+    /// Whether triangles seen from behind are drawn.
+    pub fn two_sided(&self) -> bool {
+        self.two_sided
+    }
+
+    /// The metres of the surface: of a tile on the mean over the mesh, and of the relief.
+    pub fn metric(&self) -> Metric {
+        Metric { tile_m: self.tile_m, scale_m: self.height_map.scale_m() }
+    }
+}

@@ -1,0 +1,157 @@
+//! Descriptions of surfaces, with gaps.
+
+use super::keys::{numbers, parsed, settings};
+use crate::mesh::Builtin;
+use relief_core::Wrap;
+use relief_io::{GreenSign, RawLayout};
+use relief_shaders::{REFINE, SEARCH, STAGES};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// A surface as a scene file or a program describes it: what is not said is `None` and has a default.
+///
+/// The keys of a scene file are the fields' names with `-` for `_`, and for each stage its key with the name of a variant.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct SurfaceSpec {
+    /// The height map's file. There is no surface without one.
+    pub height: Option<PathBuf>,
+    /// The channel of the file that holds the height.
+    pub channel: Option<String>,
+    /// Whether the file holds depth: white is deep. By default it holds height.
+    pub depth: Option<bool>,
+    /// The values that become heights 0 and 1. By default integers take 0 and their type's maximum, floats their
+    /// least and greatest value.
+    #[serde(deserialize_with = "numbers")]
+    pub range: Option<[f64; 2]>,
+    /// Size and byte order of a headerless file, as in `"403x344,le"`.
+    #[serde(deserialize_with = "parsed")]
+    pub raw: Option<RawLayout>,
+    /// Whether texels without a value are filled from their surroundings. By default they are an error.
+    pub fill: Option<bool>,
+    /// How the maps go on beyond their edges: `repeat` (default), `clamp` or `mirror`.
+    #[serde(deserialize_with = "parsed")]
+    pub wrap: Option<Wrap>,
+    /// Metres of displacement between heights 0 and 1. By default in proportion to the mesh's tile where the height map's
+    /// file states metres, else 0.05.
+    pub scale: Option<f64>,
+    /// Displacement of height 0 in metres. By default minus the scale: the relief is carved into the surface.
+    pub bias: Option<f64>,
+    /// The colour picture's file. By default none.
+    pub color: Option<PathBuf>,
+    /// The normal map's file. By default none.
+    pub normal: Option<PathBuf>,
+    /// Where the normal map's green points: `+y` (default) up in the picture, `-y` down.
+    #[serde(deserialize_with = "parsed")]
+    pub green: Option<GreenSign>,
+    /// The base mesh: `plane` (default), `cube`, `cylinder`, `sphere` or `torus`.
+    #[serde(deserialize_with = "parsed")]
+    pub mesh: Option<Builtin>,
+    /// Tiles along `u` and `v`. By default 1 and 1.
+    #[serde(deserialize_with = "numbers")]
+    pub tile: Option<[f32; 2]>,
+    /// Where the mesh's origin lies, in metres. By default the world's origin.
+    #[serde(deserialize_with = "numbers")]
+    pub position: Option<[f64; 3]>,
+    /// Degrees by which the mesh is turned about `x`, then about `y`, then about `z`. By default 0 each.
+    #[serde(deserialize_with = "numbers")]
+    pub rotation: Option<[f64; 3]>,
+    /// How many times as large the mesh is, its tiles with it; the relief's metres stay. By default 1. In a scene file a key
+    /// of `[[surfaces]]` alone, as the scene's own `size` is the picture's.
+    pub size: Option<f64>,
+    /// The method's name. By default `exact`.
+    pub method: Option<String>,
+    /// Names of variants by their stages' keys. `search` and `refine` come together, in place of `method`.
+    #[serde(skip)]
+    pub stages: BTreeMap<String, String>,
+    /// Settings of what is run, by names such as `search.steps`.
+    #[serde(deserialize_with = "settings")]
+    pub set: BTreeMap<String, f64>,
+    /// The material. By default light grey.
+    pub material: Option<MaterialSpec>,
+    /// Whether triangles seen from behind are drawn. By default they are not.
+    pub two_sided: Option<bool>,
+}
+
+/// A Blinn-Phong material; what is not said is that of [`Material::default`](crate::material::Material::default).
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct MaterialSpec {
+    /// Linear diffuse colour, each part from 0 to 1.
+    #[serde(deserialize_with = "numbers")]
+    pub diffuse: Option<[f32; 3]>,
+    /// Linear specular colour, each part from 0 to 1.
+    #[serde(deserialize_with = "numbers")]
+    pub specular: Option<[f32; 3]>,
+    /// Exponent of the highlight, a whole number from 1 to 1024.
+    pub shininess: Option<u32>,
+}
+
+/// Whether that is the key of one of the two stages that a method names.
+fn is_of_method(key: &str) -> bool {
+    [SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
+}
+
+impl SurfaceSpec {
+    /// This description with everything that `over` says in place of what it said itself.
+    ///
+    /// What belongs to something replaced goes with it: another height file drops how the old one was to be read
+    /// (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another method or stage its own
+    /// settings, and a scale without a bias the old bias.
+    #[must_use]
+    pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
+        if over.height.is_some() {
+            (self.channel, self.depth, self.range, self.raw, self.fill) = (None, None, None, None, None);
+        }
+        if over.normal.is_some() {
+            self.green = None;
+        }
+        if over.scale.is_some() {
+            self.bias = None;
+        }
+        self.drop_replaced_stages(&over);
+        let (mut stages, mut set) = (self.stages, self.set);
+        stages.extend(over.stages);
+        set.extend(over.set);
+        SurfaceSpec {
+            height: over.height.or(self.height),
+            channel: over.channel.or(self.channel),
+            depth: over.depth.or(self.depth),
+            range: over.range.or(self.range),
+            raw: over.raw.or(self.raw),
+            fill: over.fill.or(self.fill),
+            wrap: over.wrap.or(self.wrap),
+            scale: over.scale.or(self.scale),
+            bias: over.bias.or(self.bias),
+            color: over.color.or(self.color),
+            normal: over.normal.or(self.normal),
+            green: over.green.or(self.green),
+            mesh: over.mesh.or(self.mesh),
+            tile: over.tile.or(self.tile),
+            position: over.position.or(self.position),
+            rotation: over.rotation.or(self.rotation),
+            size: over.size.or(self.size),
+            method: over.method.or(self.method),
+            stages,
+            set,
+            material: over.material.or(self.material),
+            two_sided: over.two_sided.or(self.two_sided),
+        }
+    }
+
+    /// Forgets the names and settings that `over` replaces. A stage that stays keeps its settings.
+    fn drop_replaced_stages(&mut self, over: &SurfaceSpec) {
+        let of = |name: &str, key: &str| name.split_once('.').is_some_and(|(stage, _)| stage == key);
+        if over.method.is_some() {
+            self.stages.retain(|key, _| !is_of_method(key));
+            self.set.retain(|name, _| !name.split_once('.').is_some_and(|(stage, _)| is_of_method(stage)));
+        }
+        for key in over.stages.keys() {
+            if is_of_method(key) {
+                self.method = None;
+            }
+            self.set.retain(|name, _| !of(name, key));
+        }
+    }
+}

@@ -1,0 +1,2445 @@
+// The shaders' declarations as they are written, and the names that each uses. Written by `cargo xtask link`;
+// do not edit.
+
+use crate::wgsl::{Declaration, Module, Sampling};
+
+pub const MODULES: &[Module] = &[
+    Module { path: "bindings", head: r#""# },
+    Module { path: "constants", head: r#""# },
+    Module { path: "shared/cell", head: r#"// Ray against one dual cell, shared by the searches that visit cells and the patch refinement.
+//
+// In a cell the bilinear surface along the path is a quadratic: the gap between path and surface, with s counted from
+// the parameter t where the path enters the cell, is c.x + c.y s + c.z s².
+"# },
+    Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
+//
+// `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine. `fast` lets a
+// sampler do it, in the precision and with the wrap of the sampler.
+//
+// Texel (i, j) has its centre at ((i + ½) / W, (j + ½) / H); dual cell (i, j) lies between the centres of the texels
+// (i, j) and (i + 1, j + 1).
+"# },
+    Module { path: "shared/interval", head: r#"// The interval that the bracketing refinements begin with.
+"# },
+    Module { path: "shared/light", head: r#"// Lights, as a point of the surface sees them.
+"# },
+    Module { path: "shared/maps", head: r#"// The one module that reads baked maps.
+//
+// Slices, azimuths, directions and the faces of a cube are layers. A map of 8 bits holds codes: they are recovered from what
+// the GPU makes of them, and their values computed here, so that these have the same bits everywhere.
+"# },
+    Module { path: "shared/normal", head: r#"// The mesostructure's normal, in the world.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central differences over two
+// texels, or a tangent-space normal map.
+"# },
+    Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
+"# },
+    Module { path: "shared/path", head: r#"// Points of a path, and the hit that a refinement makes of one.
+"# },
+    Module { path: "shared/pixel", head: r#"// A pixel as one pure function: surface, search, refinement and shading in a row.
+"# },
+    Module { path: "shared/records", head: r#"// What the host and the GPU exchange in buffers besides the settings. The Rust side of these structs is written by the
+// linker.
+"# },
+    Module { path: "shared/settings", head: r#"// What is the same for all pixels: of a picture, of a surface in it, and of a pass over some of its rows.
+"# },
+    Module { path: "shared/tangent_plane", head: r#"// The surface's tangent plane at a point, for the refinements that take the slope into account.
+"# },
+    Module { path: "shared/types", head: r#"// What the stages hand to each other. The Rust side of these structs is written by the linker.
+"# },
+    Module { path: "surface/plane", head: r#"// The flat base surface: one straight segment a ray.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over the triangle, so that
+// relief runs smoothly from one triangle to the next; the segment lies in the frame of the base point.
+"# },
+    Module { path: "search/cells", head: r#"// Cell walk: every dual cell along the path, in order, until the path dips below the surface in one.
+//
+// The safe form that Szirmay-Kalos and Umenhoffer 2008, section 4.3.1, asks for: every texel visited. In a cell the gap
+// is a quadratic, so whether it falls to zero is known without sampling; the bracket ends where it is least.
+// `params.x` caps the number of cells.
+"# },
+    Module { path: "search/cone", head: r#"// Cone stepping: from texel to texel, over the empty cone that stands on the nearest one.
+//
+// Dummer 2006; Szirmay-Kalos and Umenhoffer 2008, section 4.3.5. As published the cone is moved to the ray, and cuts the
+// surface where it was made for the texel's centre. Here it stays where it was made: a ray that is inside of it, wherever in the
+// texel, meets no surface until it leaves it, and where it is outside, or leaves it within the cell, the cell's patch is looked
+// at, as `cells` does. So nothing is passed, with the widest cones that there are. `params.x` caps the reads.
+//
+// A cone is convex, so a ray that is inside at two places is inside between: however a step was rounded, where it ends is looked
+// at before it is taken. A path that bends is followed by a line that is not above it.
+"# },
+    Module { path: "search/frustum", head: r#"// Quadrant frusta: from every dual cell on, over the empty frustum that stands on it in the quadrant of the ray.
+//
+// Published here first. The map is relief-bake's kind `frustum`, whose head has the proof: for every cell and quadrant the
+// least slope S, in heights a texel, such that the surface is nowhere above top + S d, with the greatest of the cell's
+// four heights for the top and d the Chebyshev distance from the cell in texels. Where the ray leaves the cell above the
+// top it is safe until it meets that frustum, one division an axis away; where it sinks to the top over the cell, the
+// cell's patch is looked at, as `cells` does. Cells outside of the map are images of cells inside; the flat half cells beside
+// the edges of a clamped or mirrored map, which are none, are walked through. `params.x` caps the reads.
+//
+// All that floats round is taken off the gap to the frustum before the division, so that a step may end early, never late.
+"# },
+    Module { path: "search/linear", head: r#"// Linear search: equal steps from the entry to the exit until one is below the surface.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4.3.1. `params.x` is the number of steps for a ray along the normal,
+// `params.y` how many times as many a grazing ray takes.
+"# },
+    Module { path: "search/none", head: r#"// No search: the entry and the exit, with nothing known of what lies between.
+"# },
+    Module { path: "refine/binary", head: r#"// Binary search: the interval is halved, keeping its near end above and its far end below the surface.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a search it starts
+// with the whole path and may find any crossing.
+"# },
+    Module { path: "refine/none", head: r#"// No refinement: what the search found is the hit.
+//
+// Without a search this is bump mapping: the processed point (Szirmay-Kalos and Umenhoffer 2008, section 4.1.1). After
+// linear search it is steep parallax mapping: the first sample below (section 4.3.1).
+"# },
+    Module { path: "refine/offset", head: r#"// Parallax mapping: the surface is taken for a level plane at the height of the starting point.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4.1.2. The published offset h (Vx, Vy) / Vz is the point where the ray
+// reaches that level.
+"# },
+    Module { path: "refine/offset_limited", head: r#"// Parallax mapping with offset limiting: the offset is h (Vx, Vy), without the division by Vz.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4.1.3. The offset never exceeds the height, and the point it gives lies
+// beside the ray.
+"# },
+    Module { path: "refine/patch", head: r#"// Exact refinement: ray against bilinear patch in closed form, in every dual cell of the search's interval, in order.
+//
+// `params.x` caps the number of cells. After a search that ends above the surface it goes on to the end of the path and
+// may end in a miss.
+"# },
+    Module { path: "refine/secant", head: r#"// The secant method of displacement mapping, which is false position: the surface between the two ends is taken for a
+// plane, and the end on the same side as the new point is replaced.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4.2.3. `params.x` is the number of steps. The last one needs no read.
+"# },
+    Module { path: "refine/slope", head: r#"// Parallax mapping taking into account the slope: the surface is taken for its tangent plane at the starting point.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4.1.4. With `params.x` 0 the offset is h Nz (Vx, Vy), the safer form that
+// the section ends with; with 1 it is divided by N·V, which solves ray against plane.
+"# },
+    Module { path: "refine/slope_iterative", head: r#"// Iterative parallax mapping: the slope correction, repeated from the point that it gave.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4.2.1. `params.x` is the number of corrections; with `params.y` 1 each is
+// divided by N·V, which makes it Newton's method.
+"# },
+    Module { path: "refine/true_secant", head: r#"// The secant method proper: always the last two guesses, whether or not they enclose the crossing.
+//
+// Suggested by Szirmay-Kalos and Umenhoffer 2008, section 4.2.3. `params.x` is the number of steps. It converges faster
+// than false position and without its certainty; a guess outside the search's interval is brought back to its ends.
+"# },
+    Module { path: "shade/blinn_phong", head: r#"// Blinn-Phong: diffuse, and a specular lobe around the half vector.
+//
+// Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so that the
+// power is a product of squares and has the same bits everywhere.
+"# },
+    Module { path: "roots/clear", head: r#"// Makes a part of what is traced empty again, so that the next surface begins with nothing: a triangle over all of the
+// picture, as far away as can be.
+"# },
+    Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU to the
+// translation, and for measurements of the stages alone.
+"# },
+    Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first one traced is shaded once. Where another surface
+// was seen before, the nearer one is kept.
+"# },
+    Module { path: "roots/show", head: r#"// The picture for callers that show it: linear colours of the records of some rows, over the background.
+"# },
+    Module { path: "roots/trace", head: r#"// The first pass of a picture on the GPU: the base mesh is rasterised, and every fragment's ray traced.
+//
+// Rays are made from the pixel and the triangle's corners, not from interpolated attributes, so that both backends trace
+// the same ray to the last bit whatever the rasteriser's precision.
+"# },
+];
+
+pub const DECLARATIONS: &[Declaration] = &[
+    Declaration {
+        module: "bindings",
+        name: "surface_settings",
+        sampling: None,
+        uses: &["SurfaceSettings"],
+        text: r#"@group(0) @binding(0) var<uniform> surface_settings: SurfaceSettings;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "height_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(1) var height_map: texture_2d<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "color_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(2) var color_map: texture_2d<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "normal_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(3) var normal_map: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "map_sampler",
+        sampling: Some(Sampling::Fast),
+        uses: &[],
+        text: r#"@group(0) @binding(4) var map_sampler: sampler;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "search_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(5) var search_map: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "shadow_search_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(6) var shadow_search_map: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "shadow_texels",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(7) var shadow_texels: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "ambient_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(8) var ambient_map: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "environment_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(9) var environment_map: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "frame",
+        sampling: None,
+        uses: &["Frame"],
+        text: r#"@group(0) @binding(10) var<uniform> frame: Frame;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "pass_settings",
+        sampling: None,
+        uses: &["PassSettings"],
+        text: r#"@group(0) @binding(11) var<uniform> pass_settings: PassSettings;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "triangles",
+        sampling: None,
+        uses: &["Triangle"],
+        text: r#"@group(1) @binding(0) var<storage, read> triangles: array<Triangle>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "pixels",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"@group(1) @binding(1) var<storage, read> pixels: array<PixelIn>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "probes",
+        sampling: None,
+        uses: &["Probe"],
+        text: r#"@group(1) @binding(2) var<storage, read_write> probes: array<Probe>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "traced_hit",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(2) @binding(0) var traced_hit: texture_2d<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "traced_what",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(2) @binding(1) var traced_what: texture_2d<i32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "records",
+        sampling: None,
+        uses: &["Record"],
+        text: r#"@group(2) @binding(2) var<storage, read_write> records: array<Record>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "shown_records",
+        sampling: None,
+        uses: &["Record"],
+        text: r#"@group(1) @binding(3) var<storage, read> shown_records: array<Record>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "picture",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(1) @binding(4) var picture: texture_storage_2d<rgba16float, write>;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "FOUND_MISS",
+        sampling: None,
+        uses: &[],
+        text: r#"const FOUND_MISS = 0u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "FOUND_ABOVE",
+        sampling: None,
+        uses: &[],
+        text: r#"const FOUND_ABOVE = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "FOUND_BELOW",
+        sampling: None,
+        uses: &[],
+        text: r#"const FOUND_BELOW = 2u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "FOUND_BRACKET",
+        sampling: None,
+        uses: &[],
+        text: r#"const FOUND_BRACKET = 3u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "FOUND_EXHAUSTED",
+        sampling: None,
+        uses: &[],
+        text: r#"const FOUND_EXHAUSTED = 4u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "FOUND_STARTED_BELOW",
+        sampling: None,
+        uses: &[],
+        text: r#"const FOUND_STARTED_BELOW = 5u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "FOUND_UNBRACKETED",
+        sampling: None,
+        uses: &[],
+        text: r#"const FOUND_UNBRACKETED = 6u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "WRAP_REPEAT",
+        sampling: None,
+        uses: &[],
+        text: r#"const WRAP_REPEAT = 0u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "WRAP_CLAMP",
+        sampling: None,
+        uses: &[],
+        text: r#"const WRAP_CLAMP = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "WRAP_MIRROR",
+        sampling: None,
+        uses: &[],
+        text: r#"const WRAP_MIRROR = 2u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "RAY_VIEW",
+        sampling: None,
+        uses: &[],
+        text: r#"const RAY_VIEW = 0u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "RAY_SHADOW",
+        sampling: None,
+        uses: &[],
+        text: r#"const RAY_SHADOW = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SLOT_SEARCH",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLOT_SEARCH = 0u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SLOT_SHADOW_SEARCH",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLOT_SHADOW_SEARCH = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SLOT_SHADOW",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLOT_SHADOW = 2u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SLOT_AMBIENT",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLOT_AMBIENT = 3u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SLOT_ENVIRONMENT",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLOT_ENVIRONMENT = 4u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "MAP_SLOTS",
+        sampling: None,
+        uses: &[],
+        text: r#"const MAP_SLOTS = 5u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "MAX_LIGHTS",
+        sampling: None,
+        uses: &[],
+        text: r#"const MAX_LIGHTS = 8u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SHADE_GROUP",
+        sampling: None,
+        uses: &[],
+        text: r#"const SHADE_GROUP = 8u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "PROBE_GROUP",
+        sampling: None,
+        uses: &[],
+        text: r#"const PROBE_GROUP = 64u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "PROBE_ROW",
+        sampling: None,
+        uses: &[],
+        text: r#"const PROBE_ROW = 65536u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "STAGES",
+        sampling: None,
+        uses: &[],
+        text: r#"const STAGES = 4u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "CONE_HALF_RATIO",
+        sampling: None,
+        uses: &[],
+        text: r#"const CONE_HALF_RATIO = 0.125;"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "NEVER",
+        sampling: None,
+        uses: &[],
+        text: r#"// Larger than any parameter; stands for "never crossed".
+const NEVER = 3.0e38;"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "ROUNDING",
+        sampling: None,
+        uses: &[],
+        text: r#"// Share of a sum's terms that is taken off for the rounding of it and of what it is computed from: 8 roundings. Smaller,
+// and steps may pass what `cells` sees; larger, and rays that graze plateaus look at more patches.
+const ROUNDING = 0.00000095367431640625;"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "Grid",
+        sampling: None,
+        uses: &[],
+        text: r#"// The path in cell units: position at t = 0 and change per unit of t.
+struct Grid {
+    origin: vec2f,
+    step: vec2f,
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "grid_of",
+        sampling: None,
+        uses: &["Grid", "Path", "height_size"],
+        text: r#"fn grid_of(path: Path) -> Grid {
+    let size = height_size();
+    return Grid(path.uv * size - vec2f(0.5, 0.5), path.duv * size);
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "cell_leave",
+        sampling: None,
+        uses: &["Grid", "NEVER"],
+        text: r#"// The parameter where the path leaves the cell through its sides across u and across v. Computed from the cell number
+// each time, so that nothing accumulates.
+fn cell_leave(grid: Grid, cell: vec2f) -> vec2f {
+    var leave = vec2f(NEVER, NEVER);
+    if (grid.step.x > 0.0) {
+        leave.x = (cell.x + 1.0 - grid.origin.x) / grid.step.x;
+    }
+    if (grid.step.x < 0.0) {
+        leave.x = (cell.x - grid.origin.x) / grid.step.x;
+    }
+    if (grid.step.y > 0.0) {
+        leave.y = (cell.y + 1.0 - grid.origin.y) / grid.step.y;
+    }
+    if (grid.step.y < 0.0) {
+        leave.y = (cell.y - grid.origin.y) / grid.step.y;
+    }
+    return leave;
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "cell_next",
+        sampling: None,
+        uses: &["Grid"],
+        text: r#"// The cell on the other side.
+fn cell_next(grid: Grid, cell: vec2f, leave: vec2f) -> vec2f {
+    var next = cell;
+    if (leave.x <= leave.y) {
+        next.x = cell.x + select(-1.0, 1.0, grid.step.x > 0.0);
+    } else {
+        next.y = cell.y + select(-1.0, 1.0, grid.step.y > 0.0);
+    }
+    return next;
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "cell_after",
+        sampling: None,
+        uses: &["Grid", "cell_of"],
+        text: r#"// The cell that holds the ray at t, after a step through the side of `cell` along each axis that it has left by then: where
+// rounding sees the ray before a line that it has crossed, it is in the cell behind it all the same.
+fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32) -> vec2f {
+    let near = cell_of(grid.origin + grid.step * t);
+    let ahead = max(near, cell + select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), leave <= vec2f(t, t)));
+    let behind = min(near, cell - select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), leave <= vec2f(t, t)));
+    return select(behind, ahead, forward);
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "cell_gap",
+        sampling: None,
+        uses: &["Grid", "Path", "gap_to", "height_cell"],
+        text: r#"// The coefficients of the gap in a cell, from parameter t on. One read.
+fn cell_gap(path: Path, grid: Grid, cell: vec2f, t: f32) -> vec3f {
+    return gap_to(path, grid, cell, height_cell(vec2i(cell)), t);
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "gap_to",
+        sampling: None,
+        uses: &["Grid", "Path"],
+        text: r#"// The same for a cell whose corners are known.
+fn gap_to(path: Path, grid: Grid, cell: vec2f, h: vec4f, t: f32) -> vec3f {
+    let bx = h.y - h.x;
+    let by = h.z - h.x;
+    let twist = (h.x - h.y) + (h.w - h.z);
+    let at = (grid.origin - cell) + grid.step * t;
+    let z = path.h.x + t * (path.h.y + t * path.h.z);
+    let dz = path.h.y + 2.0 * t * path.h.z;
+    return vec3f(
+        z - (h.x + bx * at.x + by * at.y + twist * at.x * at.y),
+        dz - (bx * grid.step.x + by * grid.step.y + twist * (at.x * grid.step.y + at.y * grid.step.x)),
+        path.h.z - twist * grid.step.x * grid.step.y,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "quadratic",
+        sampling: None,
+        uses: &[],
+        text: r#"fn quadratic(c: vec3f, s: f32) -> f32 {
+    return c.x + s * (c.y + s * c.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "least_at",
+        sampling: None,
+        uses: &[],
+        text: r#"// Where in [0, span] a quadratic that is positive at 0 is least: a place where it is not positive if there is one.
+fn least_at(c: vec3f, span: f32) -> f32 {
+    if (c.z > 0.0) {
+        return clamp((0.0 - c.y) / (2.0 * c.z), 0.0, span);
+    }
+    return span;
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "first_root",
+        sampling: None,
+        uses: &["NEVER", "quadratic"],
+        text: r#"// The first root of c in [0, span], or NEVER. c.x is positive.
+fn first_root(c: vec3f, span: f32) -> f32 {
+    let discriminant = c.y * c.y - 4.0 * c.z * c.x;
+    if (discriminant >= 0.0) {
+        let root = sqrt(discriminant);
+        let q = -0.5 * (c.y + select(0.0 - root, root, c.y >= 0.0));
+        var a = NEVER;
+        var b = NEVER;
+        if (c.z != 0.0) {
+            a = q / c.z;
+        }
+        if (q != 0.0) {
+            b = c.x / q;
+        }
+        a = select(NEVER, a, a >= 0.0);
+        b = select(NEVER, b, b >= 0.0);
+        let first = min(a, b);
+        if (first <= span) {
+            return first;
+        }
+    }
+    // Rounding may push a root past the cell's end, where the gap itself still tells.
+    if (quadratic(c, span) <= 0.0) {
+        return span;
+    }
+    return NEVER;
+}"#,
+    },
+    Declaration {
+        module: "shared/cell",
+        name: "found_in_cell",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "least_at", "quadratic"],
+        text: r#"// What a search knows after a cell over which the gap is c, from parameter t on to t + span: a bracket that ends where the gap
+// is least, or that the path stays above. `first` says that the path begins here.
+fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, reads: u32) -> Found {
+    if (c.x <= 0.0) {
+        if (first && c.x < 0.0) {
+            return Found(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, reads);
+        }
+        return Found(FOUND_BRACKET, t, t, c.x, c.x, reads);
+    }
+    let s = least_at(c, span);
+    let gap = quadratic(c, s);
+    if (gap <= 0.0) {
+        return Found(FOUND_BRACKET, t, t + s, c.x, gap, reads);
+    }
+    return Found(FOUND_ABOVE, t, t + span, c.x, quadratic(c, span), reads);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "CELL_LIMIT",
+        sampling: None,
+        uses: &[],
+        text: r#"// Farther out than this a cell number would not fit an integer; larger values only matter for paths that are already
+// meaningless in f32.
+const CELL_LIMIT = 1073741824.0;"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "wrap_index",
+        sampling: None,
+        uses: &["WRAP_CLAMP", "WRAP_REPEAT", "surface_settings"],
+        text: r#"// The texel that stands for index i in a row of n.
+fn wrap_index(i: i32, n: i32) -> i32 {
+    if (i >= 0 && i < n) {
+        return i;
+    }
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        return clamp(i, 0, n - 1);
+    }
+    if (surface_settings.wrap == WRAP_REPEAT) {
+        return ((i % n) + n) % n;
+    }
+    let period = 2 * n;
+    let folded = ((i % period) + period) % period;
+    return select(period - 1 - folded, folded, folded < n);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "height_size",
+        sampling: None,
+        uses: &["surface_settings"],
+        text: r#"// Size of the height map in texels.
+fn height_size() -> vec2f {
+    return vec2f(surface_settings.height_size);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "cell_of",
+        sampling: None,
+        uses: &["CELL_LIMIT"],
+        text: r#"// The dual cell that holds a point, in cell units (texture coordinate times size, minus a half), as whole numbers.
+fn cell_of(point: vec2f) -> vec2f {
+    return clamp(floor(point), vec2f(-CELL_LIMIT, -CELL_LIMIT), vec2f(CELL_LIMIT, CELL_LIMIT));
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "height_cell",
+        sampling: None,
+        uses: &["height_map", "surface_settings", "wrap_index"],
+        text: r#"// The corners h00, h10, h01, h11 of a dual cell. One read.
+fn height_cell(cell: vec2i) -> vec4f {
+    let n = vec2i(surface_settings.height_size);
+    let i0 = wrap_index(cell.x, n.x);
+    let i1 = wrap_index(cell.x + 1, n.x);
+    let j0 = wrap_index(cell.y, n.y);
+    let j1 = wrap_index(cell.y + 1, n.y);
+    return vec4f(
+        textureLoad(height_map, vec2i(i0, j0), 0).x,
+        textureLoad(height_map, vec2i(i1, j0), 0).x,
+        textureLoad(height_map, vec2i(i0, j1), 0).x,
+        textureLoad(height_map, vec2i(i1, j1), 0).x,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "height_at",
+        sampling: Some(Sampling::Exact),
+        uses: &["cell_of", "height_cell", "height_size"],
+        text: r#"// The bilinear surface at texture coordinates. One read.
+fn height_at(uv: vec2f) -> f32 {
+    let point = uv * height_size() - vec2f(0.5, 0.5);
+    let cell = cell_of(point);
+    let f = point - cell;
+    let h = height_cell(vec2i(cell));
+    let top = h.x + (h.y - h.x) * f.x;
+    let bottom = h.z + (h.w - h.z) * f.x;
+    return top + (bottom - top) * f.y;
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "height_at",
+        sampling: Some(Sampling::Fast),
+        uses: &["height_map", "map_sampler"],
+        text: r#"fn height_at(uv: vec2f) -> f32 {
+    return textureSampleLevel(height_map, map_sampler, uv, 0.0).x;
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "Around",
+        sampling: None,
+        uses: &[],
+        text: r#"// The four texels around a point of a map other than the height map, and where the point lies between them.
+struct Around {
+    columns: vec2i,
+    rows: vec2i,
+    part: vec2f,
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "texels_around",
+        sampling: None,
+        uses: &["Around", "cell_of", "wrap_index"],
+        text: r#"fn texels_around(uv: vec2f, size: vec2u) -> Around {
+    let n = vec2i(size);
+    let point = uv * vec2f(size) - vec2f(0.5, 0.5);
+    let cell = cell_of(point);
+    let i = vec2i(cell);
+    return Around(
+        vec2i(wrap_index(i.x, n.x), wrap_index(i.x + 1, n.x)),
+        vec2i(wrap_index(i.y, n.y), wrap_index(i.y + 1, n.y)),
+        point - cell,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "bilinear",
+        sampling: None,
+        uses: &[],
+        text: r#"fn bilinear(h00: vec4f, h10: vec4f, h01: vec4f, h11: vec4f, part: vec2f) -> vec4f {
+    let top = h00 + (h10 - h00) * part.x;
+    let bottom = h01 + (h11 - h01) * part.x;
+    return top + (bottom - top) * part.y;
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "color_at",
+        sampling: Some(Sampling::Exact),
+        uses: &["bilinear", "color_map", "surface_settings", "texels_around"],
+        text: r#"// The colour map at texture coordinates, linear RGBA.
+fn color_at(uv: vec2f) -> vec4f {
+    let at = texels_around(uv, surface_settings.color_size);
+    return bilinear(
+        textureLoad(color_map, vec2i(at.columns.x, at.rows.x), 0),
+        textureLoad(color_map, vec2i(at.columns.y, at.rows.x), 0),
+        textureLoad(color_map, vec2i(at.columns.x, at.rows.y), 0),
+        textureLoad(color_map, vec2i(at.columns.y, at.rows.y), 0),
+        at.part,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "color_at",
+        sampling: Some(Sampling::Fast),
+        uses: &["color_map", "map_sampler"],
+        text: r#"fn color_at(uv: vec2f) -> vec4f {
+    return textureSampleLevel(color_map, map_sampler, uv, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "normal_at",
+        sampling: Some(Sampling::Exact),
+        uses: &["bilinear", "normal_map", "surface_settings", "texels_around"],
+        text: r#"// The normal map at texture coordinates: a vector in tangent space, +Y along -B, not normalised.
+fn normal_at(uv: vec2f) -> vec3f {
+    let at = texels_around(uv, surface_settings.normal_size);
+    return bilinear(
+        textureLoad(normal_map, vec2i(at.columns.x, at.rows.x), 0, 0),
+        textureLoad(normal_map, vec2i(at.columns.y, at.rows.x), 0, 0),
+        textureLoad(normal_map, vec2i(at.columns.x, at.rows.y), 0, 0),
+        textureLoad(normal_map, vec2i(at.columns.y, at.rows.y), 0, 0),
+        at.part,
+    ).xyz;
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "normal_at",
+        sampling: Some(Sampling::Fast),
+        uses: &["map_sampler", "normal_map"],
+        text: r#"fn normal_at(uv: vec2f) -> vec3f {
+    return textureSampleLevel(normal_map, map_sampler, uv, 0, 0.0).xyz;
+}"#,
+    },
+    Declaration {
+        module: "shared/interval",
+        name: "has_interval",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_UNBRACKETED", "Found"],
+        text: r#"// Whether the search left an interval that can be narrowed; otherwise its one point is the hit.
+fn has_interval(found: Found) -> bool {
+    return found.far > found.near
+        && (found.status == FOUND_BRACKET || found.status == FOUND_UNBRACKETED || found.status == FOUND_ABOVE);
+}"#,
+    },
+    Declaration {
+        module: "shared/light",
+        name: "NEAREST_LIGHT",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far a light is at least, squared, in square metres: nearer ones would be brighter than any number.
+const NEAREST_LIGHT = 0.000001;"#,
+    },
+    Declaration {
+        module: "shared/light",
+        name: "Toward",
+        sampling: None,
+        uses: &[],
+        text: r#"// Unit direction toward a light, and the factor on its colour at that distance.
+struct Toward {
+    direction: vec3f,
+    falloff: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/light",
+        name: "toward_light",
+        sampling: None,
+        uses: &["Light", "NEAREST_LIGHT", "Toward"],
+        text: r#"fn toward_light(light: Light, position: vec3f) -> Toward {
+    if (light.place.w > 0.5) {
+        let toward = light.place.xyz - position;
+        return Toward(normalize(toward), 1.0 / max(dot(toward, toward), NEAREST_LIGHT));
+    }
+    return Toward(normalize(light.place.xyz), 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "decoded",
+        sampling: None,
+        uses: &["MapSettings"],
+        text: r#"// The values of a texel.
+fn decoded(texel: vec4f, map: MapSettings) -> vec4f {
+    if (map.coded == 1u) {
+        return map.low + map.step * floor(texel * 255.0 + vec4f(0.5, 0.5, 0.5, 0.5));
+    }
+    return texel;
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "search_texel",
+        sampling: None,
+        uses: &["Path", "RAY_SHADOW", "SLOT_SEARCH", "SLOT_SHADOW_SEARCH", "decoded", "search_map", "shadow_search_map", "surface_settings"],
+        text: r#"// A texel of the map that the search of a path's rays reads, by its place in a level. One read.
+fn search_texel(path: Path, place: vec2i, layer: i32, level: i32) -> vec4f {
+    if (path.ray == RAY_SHADOW) {
+        let texel = textureLoad(shadow_search_map, place, layer, level);
+        return decoded(texel, surface_settings.maps[SLOT_SHADOW_SEARCH]);
+    }
+    return decoded(textureLoad(search_map, place, layer, level), surface_settings.maps[SLOT_SEARCH]);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "shadow_texel",
+        sampling: None,
+        uses: &["SLOT_SHADOW", "decoded", "shadow_texels", "surface_settings"],
+        text: r#"// A texel of the map that shadows are looked up in. One read.
+fn shadow_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
+    return decoded(textureLoad(shadow_texels, place, layer, level), surface_settings.maps[SLOT_SHADOW]);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "ambient_texel",
+        sampling: None,
+        uses: &["SLOT_AMBIENT", "ambient_map", "decoded", "surface_settings"],
+        text: r#"// A texel of the map of light from all around. One read.
+fn ambient_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
+    return decoded(textureLoad(ambient_map, place, layer, level), surface_settings.maps[SLOT_AMBIENT]);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "environment_texel",
+        sampling: None,
+        uses: &["SLOT_ENVIRONMENT", "decoded", "environment_map", "surface_settings"],
+        text: r#"// A texel of the surroundings, on a face of the cube. One read.
+fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
+    return decoded(textureLoad(environment_map, place, face, level), surface_settings.maps[SLOT_ENVIRONMENT]);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "normal_from_height",
+        sampling: None,
+        uses: &["Entered", "height_at", "height_size", "surface_settings"],
+        text: r#"fn normal_from_height(at: Entered, uv: vec2f) -> vec3f {
+    let size = height_size();
+    let du = vec2f(1.0 / size.x, 0.0);
+    let dv = vec2f(0.0, 1.0 / size.y);
+    let slope_u = (height_at(uv + du) - height_at(uv - du)) * (0.5 * size.x * surface_settings.scale_m);
+    let slope_v = (height_at(uv + dv) - height_at(uv - dv)) * (0.5 * size.y * surface_settings.scale_m);
+    let along_u = at.tangent + at.normal * slope_u;
+    let along_v = at.bitangent + at.normal * slope_v;
+    let across = normalize(cross(along_v, along_u));
+    return across * select(-1.0, 1.0, dot(across, at.normal) >= 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "normal_from_map",
+        sampling: None,
+        uses: &["Entered", "normal_at"],
+        text: r#"fn normal_from_map(at: Entered, uv: vec2f) -> vec3f {
+    let n = normal_at(uv);
+    let along_u = normalize(at.tangent);
+    let along_v = normalize(at.bitangent);
+    return normalize(along_u * n.x - along_v * n.y + at.normal * n.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "mesostructure_normal",
+        sampling: None,
+        uses: &["Entered", "normal_from_height", "normal_from_map", "surface_settings"],
+        text: r#"fn mesostructure_normal(at: Entered, uv: vec2f) -> vec3f {
+    if (surface_settings.has_normal == 1u) {
+        return normal_from_map(at, uv);
+    }
+    return normal_from_height(at, uv);
+}"#,
+    },
+    Declaration {
+        module: "shared/numbered",
+        name: "EXHAUSTED_BIT",
+        sampling: None,
+        uses: &[],
+        text: r#"// What is known of a traced pixel travels in integers: the triangle's number plus 1, negative for a back face; the reads,
+// with this bit set where the search was exhausted.
+const EXHAUSTED_BIT = 1073741824i;"#,
+    },
+    Declaration {
+        module: "shared/numbered",
+        name: "Traced",
+        sampling: None,
+        uses: &[],
+        text: r#"// What the first pass knows of a pixel: of the hit uv, height and t; the triangle and the reads. Zeros where nothing is.
+struct Traced {
+    @location(0) hit: vec4f,
+    @location(1) what: vec2i,
+}"#,
+    },
+    Declaration {
+        module: "shared/numbered",
+        name: "numbered_pixel",
+        sampling: None,
+        uses: &["PixelIn", "pixel_of", "triangles"],
+        text: r#"// The ray through a point of the picture that meets the triangle of that number.
+fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
+    let corners = triangles[triangle];
+    return pixel_of(corners.a, corners.b, corners.c, side, point);
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "FLOOR",
+        sampling: None,
+        uses: &[],
+        text: r#"// A path that ends at or below this height has crossed every level of the map: what it has not hit is rounding. Larger,
+// and paths that end at the footprint's edge hit what is not there; smaller, and paths through a valley floor leak.
+const FLOOR = 0.000001;"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "path_uv",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"fn path_uv(path: Path, t: f32) -> vec2f {
+    return path.uv + path.duv * t;
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "path_height",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"fn path_height(path: Path, t: f32) -> f32 {
+    return path.h.x + t * (path.h.y + t * path.h.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "path_slope",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"// Change of the height with t.
+fn path_slope(path: Path, t: f32) -> f32 {
+    return path.h.y + 2.0 * t * path.h.z;
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "path_gap",
+        sampling: None,
+        uses: &["Path", "height_at", "path_height", "path_uv"],
+        text: r#"// Height of the path above the surface: positive above. One read.
+fn path_gap(path: Path, t: f32) -> f32 {
+    return path_height(path, t) - height_at(path_uv(path, t));
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "miss",
+        sampling: None,
+        uses: &["Hit"],
+        text: r#"fn miss(reads: u32) -> Hit {
+    return Hit(0u, 0u, vec2f(0.0, 0.0), 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "hit_on_path",
+        sampling: None,
+        uses: &["FLOOR", "Hit", "Path", "miss", "path_height", "path_uv"],
+        text: r#"// A hit on the path. Beyond the exit there is none, unless the path has crossed the floor by then.
+fn hit_on_path(path: Path, t: f32, exhausted: u32, reads: u32) -> Hit {
+    if (t > path.exit && path_height(path, path.exit) > FLOOR) {
+        return miss(reads);
+    }
+    let inside = clamp(t, 0.0, path.exit);
+    return Hit(1u, exhausted, path_uv(path, inside), path_height(path, inside), inside, reads);
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "starting_point",
+        sampling: None,
+        uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_UNBRACKETED", "Found", "Path"],
+        text: r#"// Where the one-point refinements begin: the processed point when nothing was searched, else what is known to be
+// nearest to the hit.
+fn starting_point(path: Path, found: Found) -> f32 {
+    if (found.status == FOUND_UNBRACKETED) {
+        return path.base;
+    }
+    if (found.status == FOUND_BRACKET || found.status == FOUND_BELOW) {
+        return found.far;
+    }
+    return found.near;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "pixel_direction",
+        sampling: None,
+        uses: &["frame"],
+        text: r#"// The ray's direction through a point of the picture, in pixels from its top-left corner.
+fn pixel_direction(pixel: vec2f) -> vec3f {
+    return frame.corner.xyz + frame.right.xyz * pixel.x + frame.down.xyz * pixel.y;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "pixel_of",
+        sampling: None,
+        uses: &["Corner", "PixelIn", "frame", "pixel_direction"],
+        text: r#"// A pixel's ray, through a point in pixels from the picture's top-left corner, and the triangle that it meets.
+fn pixel_of(a: Corner, b: Corner, c: Corner, side: f32, point: vec2f) -> PixelIn {
+    return PixelIn(frame.eye.xyz, pixel_direction(point), side, a, b, c);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "trace",
+        sampling: None,
+        uses: &["Hit", "Path", "refine_stage", "search_stage"],
+        text: r#"// Search and refinement: the part that another tracer may take the place of.
+fn trace(path: Path) -> Hit {
+    return refine_stage(path, search_stage(path));
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "color_or_white",
+        sampling: None,
+        uses: &["color_at", "surface_settings"],
+        text: r#"fn color_or_white(uv: vec2f) -> vec3f {
+    if (surface_settings.has_color == 1u) {
+        return color_at(uv).xyz;
+    }
+    return vec3f(1.0, 1.0, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "reflected_light",
+        sampling: None,
+        uses: &["frame", "shade_stage", "surface_settings", "toward_light"],
+        text: r#"// The light that a point reflects along `view`, toward the eye, in linear RGB: the ambient part, and light by light what
+// the shading makes of it.
+fn reflected_light(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
+    let diffuse = surface_settings.diffuse.xyz * color;
+    var light = frame.ambient.xyz * diffuse;
+    var k = 0u;
+    while (k < frame.light_count) {
+        let toward = toward_light(frame.lights[k], position);
+        let reflected = shade_stage(normal, view, toward.direction, diffuse);
+        light = light + reflected * frame.lights[k].color.xyz * toward.falloff;
+        k = k + 1u;
+    }
+    return light;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "shade_hit",
+        sampling: None,
+        uses: &["Entered", "Hit", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "mesostructure_normal", "reflected_light", "surface_settings"],
+        text: r#"// What a pixel shows of a hit.
+fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
+    if (at.valid == 0u || hit.found == 0u) {
+        return PixelOut(
+            vec4f(0.0, 0.0, 0.0, 0.0),
+            0u,
+            0u,
+            vec2f(0.0, 0.0),
+            0.0,
+            vec3f(0.0, 0.0, 0.0),
+            vec3f(0.0, 0.0, 0.0),
+            0.0,
+            0.0,
+            vec2i(0, 0),
+            hit.reads,
+        );
+    }
+    let height = height_at(hit.uv);
+    let aside = hit.uv - at.uv;
+    let position = at.point + at.tangent * aside.x + at.bitangent * aside.y
+        + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height);
+    let normal = mesostructure_normal(at, hit.uv);
+    let view = normalize(frame.eye.xyz - position);
+    let color = reflected_light(position, normal, view, color_or_white(hit.uv));
+    let depth = dot(position - frame.eye.xyz, frame.forward.xyz);
+    let cell = cell_of(hit.uv * height_size() - vec2f(0.5, 0.5));
+    return PixelOut(
+        vec4f(color, 1.0),
+        1u,
+        hit.exhausted,
+        hit.uv,
+        height,
+        position,
+        normal,
+        depth,
+        hit.t,
+        vec2i(cell),
+        hit.reads,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "shade_pixel",
+        sampling: None,
+        uses: &["PixelIn", "PixelOut", "miss", "shade_hit", "surface_stage", "trace"],
+        text: r#"fn shade_pixel(pixel: PixelIn) -> PixelOut {
+    let at = surface_stage(pixel);
+    if (at.valid == 0u) {
+        return shade_hit(pixel, at, miss(0u));
+    }
+    return shade_hit(pixel, at, trace(at.path));
+}"#,
+    },
+    Declaration {
+        module: "shared/records",
+        name: "Triangle",
+        sampling: None,
+        uses: &["Corner"],
+        text: r#"// A base triangle, in the world.
+struct Triangle {
+    a: Corner,
+    b: Corner,
+    c: Corner,
+}"#,
+    },
+    Declaration {
+        module: "shared/records",
+        name: "Record",
+        sampling: None,
+        uses: &[],
+        text: r#"// What is read back of a pixel. 20 words.
+struct Record {
+    color: vec4f,
+    position: vec3f,
+    depth: f32,
+    normal: vec3f,
+    height: f32,
+    uv: vec2f,
+    t: f32,
+    hit: u32,
+    cell: vec2i,
+    reads: u32,
+    exhausted: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/records",
+        name: "Probe",
+        sampling: None,
+        uses: &[],
+        text: r#"// Every stage's result for a ray.
+struct Probe {
+    valid: u32,
+    entry: vec2f,
+    duv: vec2f,
+    exit: f32,
+    base: f32,
+    slope: f32,
+    status: u32,
+    near: f32,
+    far: f32,
+    found: u32,
+    exhausted: u32,
+    uv: vec2f,
+    height: f32,
+    t: f32,
+    reads: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
+        name: "Light",
+        sampling: None,
+        uses: &[],
+        text: r#"struct Light {
+    // Direction toward the light (w = 0), or its position (w = 1).
+    place: vec4f,
+    // Linear RGB: irradiance of a directional light, intensity of a point light.
+    color: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
+        name: "Frame",
+        sampling: None,
+        uses: &["Light", "MAX_LIGHTS"],
+        text: r#"// What changes from frame to frame.
+struct Frame {
+    // The columns of the matrix from the world to clip space.
+    view_projection: array<vec4f, 4>,
+    eye: vec4f,
+    // Unit view axis.
+    forward: vec4f,
+    // The ray through the picture's top-left corner, and its change per pixel to the right and downward; the component
+    // along the view axis is 1.
+    corner: vec4f,
+    right: vec4f,
+    down: vec4f,
+    ambient: vec4f,
+    // Linear RGB of pixels that show no surface.
+    background: vec4f,
+    lights: array<Light, MAX_LIGHTS>,
+    light_count: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
+        name: "Choice",
+        sampling: None,
+        uses: &[],
+        text: r#"// What a stage runs.
+struct Choice {
+    // The place of its variant in the stage's list.
+    number: u32,
+    // The variant's parameters, in the order of its registry entry.
+    params: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
+        name: "MapSettings",
+        sampling: None,
+        uses: &[],
+        text: r#"// What is known of a baked map.
+struct MapSettings {
+    // 1 where its texels are codes of 8 bits: the value of code c is low + step c.
+    coded: u32,
+    // Layers of each level.
+    layers: u32,
+    low: vec4f,
+    step: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
+        name: "SurfaceSettings",
+        sampling: None,
+        uses: &["Choice", "MAP_SLOTS", "MapSettings", "STAGES", "height_size"],
+        text: r#"// What belongs to a surface: its maps, displacement, material and method.
+struct SurfaceSettings {
+    // For each stage, in the order in which a pixel goes through them.
+    choices: array<Choice, STAGES>,
+    // For each slot of baked maps.
+    maps: array<MapSettings, MAP_SLOTS>,
+    diffuse: vec4f,
+    specular: vec4f,
+    // Columns and rows of the height map, the colour map and the normal map.
+    height_size: vec2u,
+    color_size: vec2u,
+    normal_size: vec2u,
+    wrap: u32,
+    shininess: u32,
+    has_color: u32,
+    has_normal: u32,
+    scale_m: f32,
+    bias_m: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/settings",
+        name: "PassSettings",
+        sampling: None,
+        uses: &[],
+        text: r#"// What one pass works on. The host keeps 256 bytes for each, so there is room for more.
+struct PassSettings {
+    // From a pixel's centre to the point of it that is seen, in pixels.
+    offset: vec2f,
+    // The rows of the picture that are shaded and read back at once, so that the records fit the least buffer that
+    // adapters offer.
+    first_row: u32,
+    rows: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/tangent_plane",
+        name: "height_and_slope",
+        sampling: None,
+        uses: &["cell_of", "height_cell", "height_size"],
+        text: r#"// Height and its derivatives by u and v at texture coordinates, from the dual cell there. One read.
+fn height_and_slope(uv: vec2f) -> vec3f {
+    let size = height_size();
+    let point = uv * size - vec2f(0.5, 0.5);
+    let cell = cell_of(point);
+    let f = point - cell;
+    let h = height_cell(vec2i(cell));
+    let top = h.x + (h.y - h.x) * f.x;
+    let bottom = h.z + (h.w - h.z) * f.x;
+    let left = h.x + (h.z - h.x) * f.y;
+    let right = h.y + (h.w - h.y) * f.y;
+    return vec3f(top + (bottom - top) * f.y, (right - left) * size.x, (bottom - top) * size.y);
+}"#,
+    },
+    Declaration {
+        module: "shared/tangent_plane",
+        name: "normal_z",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"// The component of the unit surface normal along the base normal, for slopes in normalised height per texture unit.
+fn normal_z(path: Path, slope: vec2f) -> f32 {
+    let m = path.metric;
+    let area = m.x * m.z - m.y * m.y;
+    let squared = (slope.x * slope.x * m.z - 2.0 * slope.x * slope.y * m.y + slope.y * slope.y * m.x) / area;
+    return 1.0 / sqrt(1.0 + m.w * m.w * squared);
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "Path",
+        sampling: None,
+        uses: &[],
+        text: r#"// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
+// t is in metres along the ray, 0 at the entry; `base` is where the ray crosses the base surface.
+struct Path {
+    uv: vec2f,
+    duv: vec2f,
+    h: vec3f,
+    exit: f32,
+    base: f32,
+    // T·T, T·B, B·B in square metres per tile, and the displacement scale in metres.
+    metric: vec4f,
+    // What the ray is for: RAY_VIEW or RAY_SHADOW.
+    ray: u32,
+    // The level of detail of the maps that are read.
+    level: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "Found",
+        sampling: None,
+        uses: &[],
+        text: r#"// What a search knows. `status` is one of FOUND_*.
+struct Found {
+    status: u32,
+    near: f32,
+    far: f32,
+    near_gap: f32,
+    far_gap: f32,
+    reads: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "Hit",
+        sampling: None,
+        uses: &[],
+        text: r#"// Where the path ends. `uv` is not derived from t: offset limiting lands beside the ray.
+struct Hit {
+    found: u32,
+    exhausted: u32,
+    uv: vec2f,
+    height: f32,
+    t: f32,
+    reads: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "Corner",
+        sampling: None,
+        uses: &[],
+        text: r#"// A corner of a base triangle, in the world. Tangent and bitangent carry the world length of one tile.
+struct Corner {
+    position: vec3f,
+    normal: vec3f,
+    tangent: vec3f,
+    bitangent: vec3f,
+    uv: vec2f,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "PixelIn",
+        sampling: None,
+        uses: &["Corner"],
+        text: r#"// A pixel's ray and the base triangle that it meets. The direction's component along the view axis is 1.
+struct PixelIn {
+    origin: vec3f,
+    direction: vec3f,
+    // -1 turns the triangle over: a back face seen two-sided.
+    side: f32,
+    a: Corner,
+    b: Corner,
+    c: Corner,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "Entered",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"// The ray at the base surface, and its path from there.
+struct Entered {
+    // 0 when the ray runs away from the surface and never enters the relief.
+    valid: u32,
+    path: Path,
+    // Base point, in the world and in texture space, and the frame there.
+    point: vec3f,
+    uv: vec2f,
+    tangent: vec3f,
+    bitangent: vec3f,
+    normal: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "PixelOut",
+        sampling: None,
+        uses: &[],
+        text: r#"struct PixelOut {
+    color: vec4f,
+    hit: u32,
+    exhausted: u32,
+    uv: vec2f,
+    height: f32,
+    position: vec3f,
+    normal: vec3f,
+    depth: f32,
+    t: f32,
+    cell: vec2i,
+    reads: u32,
+}"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "BELOW_FLOOR",
+        sampling: None,
+        uses: &[],
+        text: r#"// A descending path ends this much, relatively, below the lowest level of the map, so that rounding cannot let it end
+// above a floor. Larger costs steps below the floor; smaller than an ulp of f32 lets paths leak through.
+const BELOW_FLOOR = 1.000001;"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "LEAST_SCALE_M",
+        sampling: None,
+        uses: &[],
+        text: r#"// A relief flatter than this, in metres, is traced as if it were this deep: its slope in t must stay finite.
+const LEAST_SCALE_M = 1.0e-9;"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "inside_unit",
+        sampling: None,
+        uses: &[],
+        text: r#"// The parameter interval in which x(t) = x0 + dx t stays in [0, 1].
+fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
+    if (dx == 0.0) {
+        if (x0 < 0.0 || x0 > 1.0) {
+            return vec2f(1.0, -1.0);
+        }
+        return interval;
+    }
+    let a = (0.0 - x0) / dx;
+    let b = (1.0 - x0) / dx;
+    return vec2f(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
+}"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "surface_plane",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "Entered", "LEAST_SCALE_M", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "inside_unit", "surface_settings"],
+        text: r#"fn surface_plane(pixel: PixelIn, params: vec4f) -> Entered {
+    let a = pixel.a.position;
+    let e1 = pixel.b.position - a;
+    let e2 = pixel.c.position - a;
+    let n = cross(e1, e2);
+    let nn = dot(n, n);
+    let toward = dot(n, pixel.direction);
+    let distance = dot(n, a - pixel.origin) / toward;
+    let point = pixel.origin + pixel.direction * distance;
+    let from_a = point - a;
+    let wb = dot(cross(from_a, e2), n) / nn;
+    let wc = dot(cross(e1, from_a), n) / nn;
+    let wa = 1.0 - wb - wc;
+
+    let uv = pixel.a.uv * wa + pixel.b.uv * wb + pixel.c.uv * wc;
+    let tangent = pixel.a.tangent * wa + pixel.b.tangent * wb + pixel.c.tangent * wc;
+    let bitangent = pixel.a.bitangent * wa + pixel.b.bitangent * wb + pixel.c.bitangent * wc;
+    let normal = normalize(pixel.a.normal * wa + pixel.b.normal * wb + pixel.c.normal * wc) * pixel.side;
+
+    // Equation 7 with the ray's unit direction: texture coordinates and height per metre.
+    let along = length(pixel.direction);
+    let direction = pixel.direction / along;
+    let tt = dot(tangent, tangent);
+    let tb = dot(tangent, bitangent);
+    let bb = dot(bitangent, bitangent);
+    let td = dot(tangent, direction);
+    let bd = dot(bitangent, direction);
+    let area = tt * bb - tb * tb;
+    let descent = 0.0 - dot(normal, direction);
+    var valid = 1u;
+    if (!(descent > 0.0) || !(area > 0.0)) {
+        valid = 0u;
+    }
+    let duv = vec2f(td * bb - bd * tb, bd * tt - td * tb) / area;
+    let scale = max(surface_settings.scale_m, LEAST_SCALE_M);
+    let base_height = (0.0 - surface_settings.bias_m) / scale;
+    let slope = (0.0 - descent) / scale;
+
+    // Metres along the ray, counted from the base: entry at height 1 but not behind the eye, exit at height 0.
+    let eye = (0.0 - distance) * along;
+    let top = (base_height - 1.0) * scale / descent;
+    var enter = max(top, eye);
+    var leave = base_height * scale / descent;
+    leave = leave + (leave - top) * (BELOW_FLOOR - 1.0);
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        var interval = inside_unit(uv.x, duv.x, vec2f(enter, leave));
+        interval = inside_unit(uv.y, duv.y, interval);
+        enter = interval.x;
+        leave = interval.y;
+    }
+    if (!(leave > enter)) {
+        valid = 0u;
+    }
+    let entry_height = select(base_height + slope * enter, 1.0, enter == top);
+    // Limits that it never reaches: where compilers may reorder arithmetic they would cancel `uv + duv enter` against
+    // `duv base`, and methods that begin at the base would differ from machine to machine.
+    let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
+    let path = Path(
+        uv + duv * enter,
+        duv,
+        vec3f(entry_height, slope, 0.0),
+        leave - enter,
+        base,
+        vec4f(tt, tb, bb, surface_settings.scale_m),
+        RAY_VIEW,
+        0u,
+    );
+    return Entered(valid, path, point, uv, tangent, bitangent, normal);
+}"#,
+    },
+    Declaration {
+        module: "search/cells",
+        name: "search_cells",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "found_in_cell", "grid_of"],
+        text: r#"fn search_cells(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let c = cell_gap(path, grid, cell, t);
+        reads = reads + 1u;
+        let span = max(end - t, 0.0);
+        let found = found_in_cell(c, t, span, reads == 1u, reads);
+        if (found.status != FOUND_ABOVE) {
+            return found;
+        }
+        if (end >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, c.x, found.far_gap, reads);
+        }
+        cell = cell_next(grid, cell, leave);
+        t = max(t, end);
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/cone",
+        name: "cone_slope",
+        sampling: None,
+        uses: &["CONE_HALF_RATIO", "Path", "search_texel", "surface_settings", "wrap_index"],
+        text: r#"// Slope of the empty cone on a texel, in heights for each tile; negative where none is known to be empty. One read.
+fn cone_slope(path: Path, texel: vec2f) -> f32 {
+    let n = vec2i(surface_settings.height_size);
+    let place = vec2i(texel);
+    let wrapped = vec2i(wrap_index(place.x, n.x), wrap_index(place.y, n.y));
+    let value = search_texel(path, wrapped, 0, i32(path.level)).x;
+    // The ratio, in tiles for each unit of height, is half v² / (1 - v²).
+    let squared = CONE_HALF_RATIO * value * value;
+    if (squared > 0.0) {
+        return (1.0 - value) * (1.0 + value) / squared;
+    }
+    return -1.0;
+}"#,
+    },
+    Declaration {
+        module: "search/cone",
+        name: "stays_inside",
+        sampling: None,
+        uses: &["Grid", "NEVER", "Path", "ROUNDING", "height_size", "path_height", "path_slope"],
+        text: r#"// How far from t on the ray is inside of the cone of that slope on an apex, by more than is rounded. `offset` is the texel's
+// centre from which the places of the path count, in texels.
+fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t: f32) -> f32 {
+    let rest = path.exit - t;
+    let height = path_height(path, t) - apex;
+    // A path that bends down is above its chord, one that bends up above its tangent.
+    let terms = abs(path.h.y) + 2.0 * path.exit * abs(path.h.z);
+    let rise = path_slope(path, t) + min(path.h.z, 0.0) * rest - ROUNDING * terms;
+    var most = rest;
+    if (rise < 0.0) {
+        most = min(most, height / (0.0 - rise));
+    }
+    let end = t + most;
+    let far = (abs(grid.origin) + abs(grid.step) * end + vec2f(1.0, 1.0)) / height_size();
+    let of_heights = ROUNDING * (abs(path.h.x) + end * (abs(path.h.y) + end * abs(path.h.z)));
+    let lost = of_heights + ROUNDING * slope * (far.x + far.y);
+    let gap = height - 2.0 * lost;
+    let aside = ((grid.origin - offset) + grid.step * t) / height_size();
+    let c = (slope * length(aside) - gap) * (slope * length(aside) + gap);
+    if (gap <= 0.0 || c >= 0.0) {
+        return 0.0;
+    }
+    // Where slope |aside + duv s| is gap + rise s.
+    let b = slope * slope * dot(aside, path.duv) - gap * rise;
+    let a = slope * slope * dot(path.duv, path.duv) - rise * rise;
+    let discriminant = b * b - a * c;
+    var leave = NEVER;
+    if (discriminant >= 0.0) {
+        let root = sqrt(discriminant);
+        if (b >= 0.0) {
+            leave = (0.0 - c) / (b + root);
+        } else if (a > 0.0) {
+            leave = (root - b) / a;
+        }
+    }
+    leave = min(leave, most);
+    if (slope * length(aside + path.duv * leave) + lost <= height + rise * leave) {
+        return leave;
+    }
+    return 0.0;
+}"#,
+    },
+    Declaration {
+        module: "search/cone",
+        name: "search_cone",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_after", "cell_leave", "cell_of", "cone_slope", "found_in_cell", "gap_to", "grid_of", "height_cell", "path_height", "stays_inside"],
+        text: r#"fn search_cone(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let forward = grid.step >= vec2f(0.0, 0.0);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let first = reads == 0u;
+        let heights = height_cell(vec2i(cell));
+        reads = reads + 1u;
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let span = max(end - t, 0.0);
+        let at = (grid.origin - cell) + grid.step * t;
+        let corner = select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), at >= vec2f(0.5, 0.5));
+        let above = select(heights.x, heights.y, at.x >= 0.5);
+        let below = select(heights.z, heights.w, at.x >= 0.5);
+        let apex = select(above, below, at.y >= 0.5);
+        var next = t;
+        if (path_height(path, t) > apex) {
+            let texel = cell + corner;
+            let slope = cone_slope(path, texel);
+            reads = reads + 1u;
+            if (slope >= 0.0) {
+                next = t + stays_inside(path, grid, texel, apex, slope, t);
+            }
+        }
+        if (next < end) {
+            let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, first, reads);
+            if (found.status != FOUND_ABOVE) {
+                return found;
+            }
+            next = max(t, end);
+        }
+        if (next >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        cell = cell_after(grid, cell, leave, forward, next);
+        t = next;
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/frustum",
+        name: "folded_cell",
+        sampling: None,
+        uses: &["WRAP_MIRROR", "WRAP_REPEAT", "surface_settings"],
+        text: r#"// Along an axis the cell of the map that a dual cell is an image of, and 1 where the image is mirrored. The first is -1
+// where there is none: outside of a clamped map, and in the half cells between a mirrored map and its images.
+fn folded_cell(i: i32, n: i32) -> vec2i {
+    if (i >= 0 && i < n) {
+        return vec2i(i, 0);
+    }
+    if (surface_settings.wrap == WRAP_REPEAT) {
+        return vec2i(((i % n) + n) % n, 0);
+    }
+    if (surface_settings.wrap == WRAP_MIRROR) {
+        let period = 2 * n;
+        let folded = ((i % period) + period) % period;
+        if (folded < n) {
+            return vec2i(folded, 0);
+        }
+        return vec2i(select(-1, period - 2 - folded, folded < period - 1), 1);
+    }
+    return vec2i(-1, 0);
+}"#,
+    },
+    Declaration {
+        module: "search/frustum",
+        name: "frustum_slope",
+        sampling: None,
+        uses: &["Path", "folded_cell", "search_texel", "surface_settings"],
+        text: r#"// The slope of the frustum that stands on a cell, toward larger u and v where `forward` says so. One read; none, and a
+// negative slope, where the map has no frustum.
+fn frustum_slope(path: Path, cell: vec2i, forward: vec2<bool>) -> f32 {
+    let u = folded_cell(cell.x, i32(surface_settings.height_size.x));
+    let v = folded_cell(cell.y, i32(surface_settings.height_size.y));
+    if (u.x < 0 || v.x < 0) {
+        return -1.0;
+    }
+    let slopes = search_texel(path, vec2i(u.x, v.x), 0, i32(path.level));
+    // In a mirrored image forward is backward.
+    let right = forward.x == (u.y == 0);
+    let down = forward.y == (v.y == 0);
+    return select(select(slopes.w, slopes.z, right), select(slopes.y, slopes.x, right), down);
+}"#,
+    },
+    Declaration {
+        module: "search/frustum",
+        name: "stays_above",
+        sampling: None,
+        uses: &["NEVER", "ROUNDING", "first_root"],
+        text: r#"// How far, from a height `above.x` over the frustum's top on, the ray stays above the frustum as the distance along one axis
+// has it. `left` is how many texels of the cell are left along the axis, `speed` texels a unit of t, `lost` what rounding
+// may have taken off the gap.
+fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span: f32) -> f32 {
+    let rise = slope * abs(speed);
+    let gap = above.x + slope * left - lost;
+    if (gap <= 0.0) {
+        return 0.0;
+    }
+    let closing = (rise - above.y) + ROUNDING * (rise + abs(above.y));
+    if (above.z != 0.0) {
+        return first_root(vec3f(gap, 0.0 - closing, above.z), span);
+    }
+    if (closing > 0.0) {
+        return gap / closing;
+    }
+    return NEVER;
+}"#,
+    },
+    Declaration {
+        module: "search/frustum",
+        name: "search_frustum",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_after", "cell_leave", "cell_next", "cell_of", "found_in_cell", "frustum_slope", "gap_to", "grid_of", "height_cell", "least_at", "path_height", "path_slope", "quadratic", "stays_above"],
+        text: r#"fn search_frustum(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let forward = grid.step >= vec2f(0.0, 0.0);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let first = reads == 0u;
+        let heights = height_cell(vec2i(cell));
+        reads = reads + 1u;
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let span = max(end - t, 0.0);
+        let top = max(max(heights.x, heights.y), max(heights.z, heights.w));
+        let above = vec3f(path_height(path, t) - top, path_slope(path, t), path.h.z);
+        let of_heights = ROUNDING * (abs(path.h.x) + t * (abs(path.h.y) + t * abs(path.h.z)));
+        var next = max(t, end);
+        var slope = -1.0;
+        if (quadratic(above, least_at(above, span)) > of_heights && above.x > of_heights) {
+            if (end < path.exit) {
+                slope = frustum_slope(path, vec2i(cell), forward);
+                reads = reads + select(0u, 1u, slope >= 0.0);
+            }
+        } else {
+            let c = gap_to(path, grid, cell, heights, t);
+            let found = found_in_cell(c, t, span, first, reads);
+            if (found.status != FOUND_ABOVE) {
+                return found;
+            }
+        }
+        if (slope >= 0.0) {
+            let at = (grid.origin - cell) + grid.step * t;
+            let left = select(at, vec2f(1.0, 1.0) - at, forward);
+            let far = abs(grid.origin) + abs(grid.step) * t + vec2f(1.0, 1.0);
+            let lost = vec2f(of_heights, of_heights) + ROUNDING * slope * far;
+            let rest = path.exit - t;
+            let u = stays_above(above, slope, left.x, grid.step.x, lost.x, rest);
+            let v = stays_above(above, slope, left.y, grid.step.y, lost.y, rest);
+            next = max(next, t + min(u, v));
+        }
+        if (next >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        if (slope >= 0.0) {
+            cell = cell_after(grid, cell, leave, forward, next);
+        } else {
+            cell = cell_next(grid, cell, leave);
+        }
+        t = next;
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/linear",
+        name: "search_linear",
+        sampling: None,
+        uses: &["FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "Path", "path_gap"],
+        text: r#"fn search_linear(path: Path, params: vec4f) -> Found {
+    // Cosine between ray and normal: the descent of a metre of the ray.
+    let cosine = clamp(abs(path.h.y) * path.metric.w, 0.0, 1.0);
+    let steps = max(1.0, ceil(params.x * mix(params.y, 1.0, cosine)));
+    var near = 0.0;
+    var near_gap = path_gap(path, 0.0);
+    var reads = 1u;
+    if (near_gap < 0.0) {
+        return Found(FOUND_STARTED_BELOW, 0.0, 0.0, near_gap, near_gap, reads);
+    }
+    var k = 1.0;
+    while (k <= steps) {
+        let t = path.exit * (k / steps);
+        let gap = path_gap(path, t);
+        reads = reads + 1u;
+        if (gap <= 0.0) {
+            return Found(FOUND_BRACKET, near, t, near_gap, gap, reads);
+        }
+        near = t;
+        near_gap = gap;
+        k = k + 1.0;
+    }
+    return Found(FOUND_MISS, near, near, near_gap, near_gap, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/none",
+        name: "search_none",
+        sampling: None,
+        uses: &["FOUND_UNBRACKETED", "Found", "Path"],
+        text: r#"fn search_none(path: Path, params: vec4f) -> Found {
+    return Found(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, 0u);
+}"#,
+    },
+    Declaration {
+        module: "refine/binary",
+        name: "refine_binary",
+        sampling: None,
+        uses: &["FLOOR", "FOUND_BRACKET", "Found", "Hit", "Path", "has_interval", "hit_on_path", "miss", "path_gap", "path_height", "refine_none"],
+        text: r#"fn refine_binary(path: Path, found: Found, params: vec4f) -> Hit {
+    if (!has_interval(found)) {
+        return refine_none(path, found, params);
+    }
+    var near = found.near;
+    var far = found.far;
+    var reads = found.reads;
+    var crossed = found.status == FOUND_BRACKET || path_height(path, far) <= FLOOR;
+    var k = 0.0;
+    while (k < params.x) {
+        let middle = 0.5 * (near + far);
+        reads = reads + 1u;
+        if (path_gap(path, middle) <= 0.0) {
+            far = middle;
+            crossed = true;
+        } else {
+            near = middle;
+        }
+        k = k + 1.0;
+    }
+    if (!crossed) {
+        return miss(reads);
+    }
+    return hit_on_path(path, 0.5 * (near + far), 0u, reads);
+}"#,
+    },
+    Declaration {
+        module: "refine/none",
+        name: "refine_none",
+        sampling: None,
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "hit_on_path", "miss", "starting_point"],
+        text: r#"fn refine_none(path: Path, found: Found, params: vec4f) -> Hit {
+    if (found.status == FOUND_MISS) {
+        return miss(found.reads);
+    }
+    let exhausted = select(0u, 1u, found.status == FOUND_EXHAUSTED);
+    return hit_on_path(path, starting_point(path, found), exhausted, found.reads);
+}"#,
+    },
+    Declaration {
+        module: "refine/offset",
+        name: "refine_offset",
+        sampling: None,
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "height_at", "hit_on_path", "miss", "path_height", "path_slope", "path_uv", "starting_point"],
+        text: r#"fn refine_offset(path: Path, found: Found, params: vec4f) -> Hit {
+    if (found.status == FOUND_MISS) {
+        return miss(found.reads);
+    }
+    let start = starting_point(path, found);
+    let level = height_at(path_uv(path, start));
+    let slope = path_slope(path, start);
+    var t = start;
+    if (slope != 0.0) {
+        t = start + (level - path_height(path, start)) / slope;
+    }
+    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.reads + 1u);
+}"#,
+    },
+    Declaration {
+        module: "refine/offset_limited",
+        name: "refine_offset_limited",
+        sampling: None,
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "height_at", "hit_on_path", "miss", "path_height", "path_uv", "starting_point"],
+        text: r#"fn refine_offset_limited(path: Path, found: Found, params: vec4f) -> Hit {
+    if (found.status == FOUND_MISS) {
+        return miss(found.reads);
+    }
+    let start = starting_point(path, found);
+    let level = height_at(path_uv(path, start));
+    // Metres above the starting point, moved as many metres along the view ray.
+    let rise_m = (level - path_height(path, start)) * path.metric.w;
+    var hit = hit_on_path(path, start - rise_m, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.reads + 1u);
+    if (hit.found == 1u) {
+        hit.height = level;
+    }
+    return hit;
+}"#,
+    },
+    Declaration {
+        module: "refine/patch",
+        name: "refine_patch",
+        sampling: None,
+        uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "Hit", "NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "hit_on_path", "miss"],
+        text: r#"fn refine_patch(path: Path, found: Found, params: vec4f) -> Hit {
+    if (found.status == FOUND_MISS) {
+        return miss(found.reads);
+    }
+    if (found.status == FOUND_EXHAUSTED) {
+        return hit_on_path(path, found.near, 1u, found.reads);
+    }
+    if (found.status == FOUND_STARTED_BELOW) {
+        return hit_on_path(path, found.near, 0u, found.reads);
+    }
+    let grid = grid_of(path);
+    var t = found.near;
+    var cell = cell_of(grid.origin + grid.step * t);
+    var reads = found.reads;
+    let limit = reads + u32(params.x);
+    while (reads < limit) {
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), found.far);
+        let span = max(end - t, 0.0);
+        let c = cell_gap(path, grid, cell, t);
+        reads = reads + 1u;
+        if (c.x <= 0.0) {
+            return hit_on_path(path, t, 0u, reads);
+        }
+        let s = first_root(c, span);
+        if (s < NEVER) {
+            return hit_on_path(path, t + s, 0u, reads);
+        }
+        if (end >= found.far) {
+            if (found.status == FOUND_BRACKET || found.status == FOUND_BELOW) {
+                // The search saw the far end below; here it touches zero from above, to rounding.
+                return hit_on_path(path, found.far, 0u, reads);
+            }
+            return miss(reads);
+        }
+        cell = cell_next(grid, cell, leave);
+        t = max(t, end);
+    }
+    return hit_on_path(path, t, 1u, reads);
+}"#,
+    },
+    Declaration {
+        module: "refine/secant",
+        name: "refine_secant",
+        sampling: None,
+        uses: &["FOUND_BRACKET", "Found", "Hit", "Path", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
+        text: r#"fn refine_secant(path: Path, found: Found, params: vec4f) -> Hit {
+    if (!has_interval(found)) {
+        return refine_none(path, found, params);
+    }
+    var near = found.near;
+    var far = found.far;
+    var near_gap = found.near_gap;
+    var far_gap = found.far_gap;
+    var reads = found.reads;
+    if (found.status != FOUND_BRACKET) {
+        near_gap = path_gap(path, near);
+        far_gap = path_gap(path, far);
+        reads = reads + 2u;
+        if (far_gap > 0.0) {
+            return miss(reads);
+        }
+    }
+    var t = far;
+    var k = 1.0;
+    while (k <= params.x) {
+        let drop = near_gap - far_gap;
+        if (!(drop > 0.0)) {
+            break;
+        }
+        t = near + (far - near) * (near_gap / drop);
+        if (k < params.x) {
+            let gap = path_gap(path, t);
+            reads = reads + 1u;
+            if (gap <= 0.0) {
+                far = t;
+                far_gap = gap;
+            } else {
+                near = t;
+                near_gap = gap;
+            }
+        }
+        k = k + 1.0;
+    }
+    return hit_on_path(path, t, 0u, reads);
+}"#,
+    },
+    Declaration {
+        module: "refine/slope",
+        name: "refine_slope",
+        sampling: None,
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
+        text: r#"fn refine_slope(path: Path, found: Found, params: vec4f) -> Hit {
+    if (found.status == FOUND_MISS) {
+        return miss(found.reads);
+    }
+    let start = starting_point(path, found);
+    let plane = height_and_slope(path_uv(path, start));
+    let rise = plane.x - path_height(path, start);
+    var t = start;
+    if (params.x > 0.5) {
+        let closing = path_slope(path, start) - (plane.y * path.duv.x + plane.z * path.duv.y);
+        if (closing < 0.0) {
+            t = start + rise / closing;
+        }
+    } else {
+        t = start - rise * path.metric.w * normal_z(path, vec2f(plane.y, plane.z));
+    }
+    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.reads + 1u);
+}"#,
+    },
+    Declaration {
+        module: "refine/slope_iterative",
+        name: "refine_slope_iterative",
+        sampling: None,
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
+        text: r#"fn refine_slope_iterative(path: Path, found: Found, params: vec4f) -> Hit {
+    if (found.status == FOUND_MISS) {
+        return miss(found.reads);
+    }
+    var t = starting_point(path, found);
+    var reads = found.reads;
+    var k = 0.0;
+    while (k < params.x) {
+        let plane = height_and_slope(path_uv(path, t));
+        reads = reads + 1u;
+        let rise = plane.x - path_height(path, t);
+        if (params.y > 0.5) {
+            let closing = path_slope(path, t) - (plane.y * path.duv.x + plane.z * path.duv.y);
+            if (closing < 0.0) {
+                t = t + rise / closing;
+            }
+        } else {
+            t = t - rise * path.metric.w * normal_z(path, vec2f(plane.y, plane.z));
+        }
+        t = clamp(t, 0.0, path.exit);
+        k = k + 1.0;
+    }
+    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), reads);
+}"#,
+    },
+    Declaration {
+        module: "refine/true_secant",
+        name: "refine_true_secant",
+        sampling: None,
+        uses: &["FOUND_BRACKET", "Found", "Hit", "Path", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
+        text: r#"fn refine_true_secant(path: Path, found: Found, params: vec4f) -> Hit {
+    if (!has_interval(found)) {
+        return refine_none(path, found, params);
+    }
+    var before = found.near;
+    var last = found.far;
+    var before_gap = found.near_gap;
+    var last_gap = found.far_gap;
+    var reads = found.reads;
+    if (found.status != FOUND_BRACKET) {
+        before_gap = path_gap(path, before);
+        last_gap = path_gap(path, last);
+        reads = reads + 2u;
+        if (last_gap > 0.0) {
+            return miss(reads);
+        }
+    }
+    var k = 1.0;
+    while (k <= params.x) {
+        let change = before_gap - last_gap;
+        if (change == 0.0) {
+            break;
+        }
+        let t = clamp(last + (last - before) * (last_gap / change), found.near, found.far);
+        before = last;
+        before_gap = last_gap;
+        last = t;
+        if (k < params.x) {
+            last_gap = path_gap(path, t);
+            reads = reads + 1u;
+        }
+        k = k + 1.0;
+    }
+    return hit_on_path(path, last, 0u, reads);
+}"#,
+    },
+    Declaration {
+        module: "shade/blinn_phong",
+        name: "whole_power",
+        sampling: None,
+        uses: &[],
+        text: r#"fn whole_power(base: f32, exponent: u32) -> f32 {
+    var result = 1.0;
+    var square = base;
+    var rest = exponent;
+    while (rest > 0u) {
+        if (rest % 2u == 1u) {
+            result = result * square;
+        }
+        square = square * square;
+        rest = rest / 2u;
+    }
+    return result;
+}"#,
+    },
+    Declaration {
+        module: "shade/blinn_phong",
+        name: "shade_blinn_phong",
+        sampling: None,
+        uses: &["surface_settings", "whole_power"],
+        text: r#"fn shade_blinn_phong(normal: vec3f, view: vec3f, toward: vec3f, color: vec3f, params: vec4f) -> vec3f {
+    let cosine = dot(normal, toward);
+    if (cosine > 0.0) {
+        let lobe = max(dot(normal, normalize(toward + view)), 0.0);
+        let specular = surface_settings.specular.xyz * whole_power(lobe, surface_settings.shininess);
+        return color * cosine + specular;
+    }
+    return vec3f(0.0, 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "roots/clear",
+        name: "clear_vertex",
+        sampling: None,
+        uses: &[],
+        text: r#"@vertex
+fn clear_vertex(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f {
+    let right = select(-1.0, 3.0, vertex == 1u);
+    let up = select(-1.0, 3.0, vertex == 2u);
+    return vec4f(right, up, 1.0, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "roots/clear",
+        name: "clear_fragment",
+        sampling: None,
+        uses: &["Traced"],
+        text: r#"@fragment
+fn clear_fragment() -> Traced {
+    return Traced(vec4f(0.0, 0.0, 0.0, 0.0), vec2i(0, 0));
+}"#,
+    },
+    Declaration {
+        module: "roots/probe",
+        name: "probe_main",
+        sampling: None,
+        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "pixels", "probes", "refine_stage", "search_stage", "surface_stage"],
+        text: r#"@compute @workgroup_size(PROBE_GROUP)
+fn probe_main(@builtin(global_invocation_id) id: vec3u) {
+    let index = id.y * PROBE_ROW + id.x;
+    if (index >= arrayLength(&pixels)) {
+        return;
+    }
+    let at = surface_stage(pixels[index]);
+    if (at.valid == 0u) {
+        return;
+    }
+    let path = at.path;
+    let found = search_stage(path);
+    let hit = refine_stage(path, found);
+    probes[index] = Probe(
+        at.valid,
+        path.uv,
+        path.duv,
+        path.exit,
+        path.base,
+        path.h.y,
+        found.status,
+        found.near,
+        found.far,
+        hit.found,
+        hit.exhausted,
+        hit.uv,
+        hit.height,
+        hit.t,
+        hit.reads,
+    );
+}"#,
+    },
+    Declaration {
+        module: "roots/shade",
+        name: "shade_main",
+        sampling: None,
+        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "numbered_pixel", "pass_settings", "records", "shade_hit", "surface_stage", "traced_hit", "traced_what"],
+        text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
+fn shade_main(@builtin(global_invocation_id) id: vec3u) {
+    let size = textureDimensions(traced_what);
+    let at = vec2u(id.x, pass_settings.first_row + id.y);
+    if (id.y >= pass_settings.rows || at.x >= size.x || at.y >= size.y) {
+        return;
+    }
+    let what = textureLoad(traced_what, vec2i(at), 0);
+    if (what.x == 0) {
+        return;
+    }
+    let traced = textureLoad(traced_hit, vec2i(at), 0);
+    let exhausted = select(0u, 1u, what.y >= EXHAUSTED_BIT);
+    let reads = u32(select(what.y, what.y - EXHAUSTED_BIT, exhausted == 1u));
+    let hit = Hit(1u, exhausted, traced.xy, traced.z, traced.w, reads);
+    let side = select(-1.0, 1.0, what.x > 0);
+    let point = vec2f(at) + vec2f(0.5, 0.5) + pass_settings.offset;
+    let pixel = numbered_pixel(u32(abs(what.x)) - 1u, side, point);
+    let out = shade_hit(pixel, surface_stage(pixel), hit);
+    let place = id.y * size.x + id.x;
+    if (records[place].hit == 1u && records[place].depth <= out.depth) {
+        return;
+    }
+    records[place] = Record(
+        out.color,
+        out.position,
+        out.depth,
+        out.normal,
+        out.height,
+        out.uv,
+        out.t,
+        out.hit,
+        out.cell,
+        out.reads,
+        out.exhausted,
+    );
+}"#,
+    },
+    Declaration {
+        module: "roots/show",
+        name: "show_main",
+        sampling: None,
+        uses: &["SHADE_GROUP", "frame", "pass_settings", "picture", "shown_records"],
+        text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
+fn show_main(@builtin(global_invocation_id) id: vec3u) {
+    let size = textureDimensions(picture);
+    let at = vec2u(id.x, pass_settings.first_row + id.y);
+    if (id.y >= pass_settings.rows || at.x >= size.x || at.y >= size.y) {
+        return;
+    }
+    let place = id.y * size.x + id.x;
+    var color = vec4f(frame.background.xyz, 1.0);
+    if (shown_records[place].hit == 1u) {
+        color = vec4f(shown_records[place].color.xyz, 1.0);
+    }
+    textureStore(picture, vec2i(at), color);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "Varying",
+        sampling: None,
+        uses: &[],
+        text: r#"struct Varying {
+    @builtin(position) position: vec4f,
+    @location(0) @interpolate(flat) triangle: u32,
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "vertex_main",
+        sampling: None,
+        uses: &["Varying", "frame", "triangles"],
+        text: r#"@vertex
+fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
+    let triangle = vertex / 3u;
+    let corner = vertex % 3u;
+    var position = triangles[triangle].a.position;
+    if (corner == 1u) {
+        position = triangles[triangle].b.position;
+    }
+    if (corner == 2u) {
+        position = triangles[triangle].c.position;
+    }
+    let columns = frame.view_projection;
+    let view_projection = mat4x4f(columns[0], columns[1], columns[2], columns[3]);
+    return Varying(view_projection * vec4f(position, 1.0), triangle);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "fragment_main",
+        sampling: None,
+        uses: &["EXHAUSTED_BIT", "Traced", "Varying", "miss", "numbered_pixel", "pass_settings", "surface_stage", "trace"],
+        text: r#"@fragment
+fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
+    let side = select(-1.0, 1.0, front);
+    let at = surface_stage(numbered_pixel(in.triangle, side, in.position.xy + pass_settings.offset));
+    // A discarded invocation may run on as a helper of its neighbours, and with a path that leads nowhere it would run
+    // to the end of its step limit: nothing is traced without a path.
+    var hit = miss(0u);
+    if (at.valid == 1u) {
+        hit = trace(at.path);
+    }
+    if (hit.found == 0u) {
+        discard;
+    }
+    let number = i32(in.triangle) + 1;
+    let reads = i32(hit.reads) + select(0, EXHAUSTED_BIT, hit.exhausted == 1u);
+    return Traced(vec4f(hit.uv, hit.height, hit.t), vec2i(select(-number, number, front), reads));
+}"#,
+    },
+];

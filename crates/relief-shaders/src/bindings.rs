@@ -1,0 +1,182 @@
+//! What the shaders bind: one table, from which the shaders' declarations, the header of every assembled shader and the GPU
+//! backend's layouts are made.
+
+use std::fmt::Write as _;
+
+use crate::slots::MapSlot;
+
+/// A binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Binding {
+    /// The bind group.
+    pub group: u32,
+    /// Its number in the group.
+    pub number: u32,
+    /// The variable's name.
+    pub name: &'static str,
+    /// What is bound.
+    pub kind: BindingKind,
+    /// What it holds, for people.
+    pub holds: &'static str,
+}
+
+/// What is bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BindingKind {
+    /// A uniform buffer of that struct.
+    Uniform(&'static str),
+    /// A storage buffer of an array of that struct.
+    Storage {
+        /// The struct.
+        of: &'static str,
+        /// Whether the shaders only read it.
+        read_only: bool,
+    },
+    /// A float texture, which fast sampling filters where it says so.
+    Texture {
+        /// Whether it has layers.
+        layers: bool,
+        /// Whether fast sampling reads it through the sampler.
+        filtered: bool,
+    },
+    /// A texture of integers.
+    IntegerTexture,
+    /// The sampler of fast sampling; there is none in exact sampling.
+    Sampler,
+    /// A picture of 16-bit floats that is written.
+    Picture,
+}
+
+const fn filtered(number: u32, name: &'static str, layers: bool, holds: &'static str) -> Binding {
+    Binding { group: 0, number, name, kind: BindingKind::Texture { layers, filtered: true }, holds }
+}
+
+const fn uniform(number: u32, name: &'static str, of: &'static str, holds: &'static str) -> Binding {
+    Binding { group: 0, number, name, kind: BindingKind::Uniform(of), holds }
+}
+
+const fn storage(
+    group: u32,
+    number: u32,
+    name: &'static str,
+    of: &'static str,
+    read_only: bool,
+    holds: &'static str,
+) -> Binding {
+    Binding { group, number, name, kind: BindingKind::Storage { of, read_only }, holds }
+}
+
+const fn slot(slot: MapSlot) -> Binding {
+    let kind = BindingKind::Texture { layers: true, filtered: false };
+    Binding { group: 0, number: slot.binding(), name: slot.name(), kind, holds: slot.holds() }
+}
+
+const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'static str) -> Binding {
+    Binding { group: 2, number, name, kind, holds }
+}
+
+/// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them that it names.
+pub const BINDINGS: [Binding; 20] = [
+    uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
+    filtered(1, "height_map", false, "heights"),
+    filtered(
+        2,
+        "color_map",
+        false,
+        "linear colours; a single texel where the settings say that there are none",
+    ),
+    filtered(
+        3,
+        "normal_map",
+        true,
+        "tangent-space normals; a single texel where the settings say that there are none",
+    ),
+    Binding {
+        group: 0,
+        number: 4,
+        name: "map_sampler",
+        kind: BindingKind::Sampler,
+        holds: "bilinear, with the wrap of the height map",
+    },
+    slot(MapSlot::Search),
+    slot(MapSlot::ShadowSearch),
+    slot(MapSlot::Shadow),
+    slot(MapSlot::Ambient),
+    slot(MapSlot::Environment),
+    uniform(10, "frame", "Frame", "what changes with the frame"),
+    uniform(11, "pass_settings", "PassSettings", "what changes with the pass"),
+    storage(1, 0, "triangles", "Triangle", true, "the base mesh"),
+    storage(1, 1, "pixels", "PixelIn", true, "rays to probe"),
+    storage(1, 2, "probes", "Probe", false, "the stages' results for these rays"),
+    traced(
+        0,
+        "traced_hit",
+        BindingKind::Texture { layers: false, filtered: false },
+        "what the first pass found",
+    ),
+    traced(1, "traced_what", BindingKind::IntegerTexture, "what the first pass found, in integers"),
+    storage(2, 2, "records", "Record", false, "every pixel's record"),
+    storage(1, 3, "shown_records", "Record", true, "every pixel's record, to be shown"),
+    Binding { group: 1, number: 4, name: "picture", kind: BindingKind::Picture, holds: "the linear picture" },
+];
+
+impl Binding {
+    /// The binding of that variable.
+    pub fn named(name: &str) -> Option<&'static Binding> {
+        BINDINGS.iter().find(|binding| binding.name == name)
+    }
+
+    /// Its declaration in WGSL.
+    pub fn declaration(&self) -> String {
+        let Self { group, number, name, kind, .. } = self;
+        let (space, kind) = match kind {
+            BindingKind::Uniform(of) => ("<uniform>", (*of).to_owned()),
+            BindingKind::Storage { of, read_only: true } => ("<storage, read>", format!("array<{of}>")),
+            BindingKind::Storage { of, read_only: false } => {
+                ("<storage, read_write>", format!("array<{of}>"))
+            }
+            BindingKind::Texture { layers: false, .. } => ("", "texture_2d<f32>".to_owned()),
+            BindingKind::Texture { layers: true, .. } => ("", "texture_2d_array<f32>".to_owned()),
+            BindingKind::IntegerTexture => ("", "texture_2d<i32>".to_owned()),
+            BindingKind::Sampler => ("", "sampler".to_owned()),
+            BindingKind::Picture => ("", "texture_storage_2d<rgba16float, write>".to_owned()),
+        };
+        format!("@group({group}) @binding({number}) var{space} {name}: {kind};")
+    }
+
+    /// The struct of a buffer.
+    pub fn structure(&self) -> Option<&'static str> {
+        match self.kind {
+            BindingKind::Uniform(of) | BindingKind::Storage { of, .. } => Some(of),
+            _ => None,
+        }
+    }
+}
+
+/// A comment that lists bindings: for the head of a shader.
+pub fn table(bindings: &[&Binding]) -> String {
+    let mut text = String::new();
+    for Binding { group, number, name, holds, .. } in bindings {
+        let _ = writeln!(text, "//   group {group}, binding {number}: {name}, {holds}");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn every_binding_has_its_own_number_and_name() {
+        let numbers: BTreeSet<_> = BINDINGS.iter().map(|binding| (binding.group, binding.number)).collect();
+        let names: BTreeSet<_> = BINDINGS.iter().map(|binding| binding.name).collect();
+        assert_eq!((numbers.len(), names.len()), (BINDINGS.len(), BINDINGS.len()));
+        assert_eq!(
+            Binding::named("frame").map(Binding::declaration).as_deref(),
+            Some("@group(0) @binding(10) var<uniform> frame: Frame;")
+        );
+        assert_eq!(Binding::named("nothing"), None);
+    }
+}

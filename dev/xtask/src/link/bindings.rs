@@ -1,0 +1,20 @@
+//! The module of bindings, written from the host's table.
+
+use relief_shaders::bindings::{BINDINGS, BindingKind};
+
+/// The module's source.
+pub fn module() -> String {
+    let mut text = String::from(
+        "import package::shared::records::{Probe, Record, Triangle};\n\
+         import package::shared::settings::{Frame, PassSettings, SurfaceSettings};\n\
+         import package::shared::types::PixelIn;\n\n",
+    );
+    for binding in &BINDINGS {
+        if binding.kind == BindingKind::Sampler {
+            text += "@if(fast) ";
+        }
+        text += &binding.declaration();
+        text.push('\n');
+    }
+    text
+}
