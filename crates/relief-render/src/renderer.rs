@@ -87,7 +87,6 @@ pub type Progress<'a> = dyn Fn(Task, f32) + Sync + 'a;
 #[derive(Debug)]
 pub struct Renderer {
     backend: Backend,
-    sampling: Sampling,
     reason: Option<Reason>,
     preparer: Preparer,
 }
@@ -96,7 +95,7 @@ pub struct Renderer {
 enum Backend {
     Cpu(CpuRenderer),
     #[cfg(feature = "gpu")]
-    Gpu(Box<GpuRenderer>),
+    Gpu(Box<GpuRenderer>, Sampling),
 }
 
 impl Renderer {
@@ -106,25 +105,25 @@ impl Renderer {
     ///
     /// When a GPU is asked for and there is none, or when the CPU is to sample as only GPUs do.
     pub fn new(backend: BackendChoice, sampling: Sampling) -> Result<Self, RenderError> {
-        let (backend, reason) = choose(backend)?;
+        let (backend, reason) = choose(backend, sampling)?;
         let no_gpu = reason.is_some();
         if sampling == Sampling::Fast && matches!(backend, Backend::Cpu(_)) {
             return Err(RenderError::FastOnCpu { no_gpu });
         }
-        Ok(Self { backend, sampling, reason, preparer: Preparer::default() })
+        Ok(Self { backend, reason, preparer: Preparer::default() })
     }
 
     /// A renderer on the CPU.
     pub fn on_cpu() -> Self {
         let backend = Backend::Cpu(CpuRenderer::new());
-        Self { backend, sampling: Sampling::Exact, reason: None, preparer: Preparer::default() }
+        Self { backend, reason: None, preparer: Preparer::default() }
     }
 
     /// A renderer on that GPU.
     #[cfg(feature = "gpu")]
     pub fn on_gpu(gpu: Gpu, sampling: Sampling) -> Self {
-        let backend = Backend::Gpu(Box::new(GpuRenderer::new(gpu)));
-        Self { backend, sampling, reason: None, preparer: Preparer::default() }
+        let backend = Backend::Gpu(Box::new(GpuRenderer::new(gpu)), sampling);
+        Self { backend, reason: None, preparer: Preparer::default() }
     }
 
     /// Renders a scene; its choice of backend and sampling was made when the renderer was. The baked maps that its methods
@@ -143,8 +142,8 @@ impl Renderer {
         let rendering = |part| progress(Task::Rendering, part);
         let (rendering, backend, device) = match &mut self.backend {
             #[cfg(feature = "gpu")]
-            Backend::Gpu(renderer) => {
-                let picture = renderer.render(&job, self.sampling, &rendering)?;
+            Backend::Gpu(renderer, sampling) => {
+                let picture = renderer.render(&job, *sampling, &rendering)?;
                 (picture, "gpu", renderer.gpu().description().to_owned())
             }
             Backend::Cpu(renderer) => {
@@ -172,7 +171,7 @@ impl Renderer {
     ) -> Result<Option<&wgpu::Texture>, RenderError> {
         let (job, ..) = self.prepare(scene, maps, progress)?;
         match &mut self.backend {
-            Backend::Gpu(renderer) => Ok(Some(renderer.draw(&job, self.sampling).await?)),
+            Backend::Gpu(renderer, sampling) => Ok(Some(renderer.draw(&job, *sampling).await?)),
             Backend::Cpu(_) => Ok(None),
         }
     }
@@ -181,7 +180,7 @@ impl Renderer {
     #[cfg(feature = "gpu")]
     pub fn last_work(&self) -> Work {
         match &self.backend {
-            Backend::Gpu(renderer) => renderer.last_work(),
+            Backend::Gpu(renderer, _) => renderer.last_work(),
             Backend::Cpu(_) => Work::default(),
         }
     }
@@ -211,8 +210,8 @@ pub fn render(scene: &Scene, maps: &mut Maps, progress: &Progress) -> Result<Ren
 }
 
 #[cfg(feature = "gpu")]
-fn choose(backend: BackendChoice) -> Result<(Backend, Option<Reason>), RenderError> {
-    let on_gpu = |gpu| Backend::Gpu(Box::new(GpuRenderer::new(gpu)));
+fn choose(backend: BackendChoice, sampling: Sampling) -> Result<(Backend, Option<Reason>), RenderError> {
+    let on_gpu = |gpu| Backend::Gpu(Box::new(GpuRenderer::new(gpu)), sampling);
     let on_cpu = || Backend::Cpu(CpuRenderer::new());
     match backend {
         BackendChoice::Cpu => Ok((on_cpu(), None)),
@@ -235,7 +234,7 @@ fn why_not(error: GpuError) -> Reason {
 }
 
 #[cfg(not(feature = "gpu"))]
-fn choose(backend: BackendChoice) -> Result<(Backend, Option<Reason>), RenderError> {
+fn choose(backend: BackendChoice, _: Sampling) -> Result<(Backend, Option<Reason>), RenderError> {
     let on_cpu = Backend::Cpu(CpuRenderer::new());
     match backend {
         BackendChoice::Gpu => Err(RenderError::NoGpuBackend),
