@@ -1,4 +1,4 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `probe` and `trace`. Results are kept in `docs/`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `frame`, `probe` and `trace`. Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -6,7 +6,9 @@ use clap::{Parser, Subcommand};
 
 mod accuracy;
 mod bake;
+mod frame;
 mod probe;
+mod samples;
 mod trace;
 
 #[derive(Parser)]
@@ -25,6 +27,8 @@ enum Command {
     Accuracy(accuracy::Arguments),
     /// Time and memory of every kind of map
     Bake(bake::Arguments),
+    /// Time of a second frame beside a whole rendering, and what it uploads and compiles
+    Frame(frame::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
     Probe(probe::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
@@ -35,6 +39,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Accuracy(arguments) => accuracy::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
     };

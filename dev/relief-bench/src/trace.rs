@@ -24,9 +24,11 @@ use relief_core::HeightMap;
 use relief_core::exact::FastTracer;
 
 use maps::{SUBJECTS, Subject};
-use measure::{Cursor, Samples, Setup};
+use measure::{Cursor, Setup};
 use tracers::{Contest, FAST, PARRY, Rays};
 use view::{Ground, SIZE};
+
+use crate::samples::Samples;
 
 /// Numbers of threads that everything is measured with.
 const THREADS: [usize; 2] = [1, 2];

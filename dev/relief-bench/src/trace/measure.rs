@@ -1,8 +1,5 @@
-//! Time and memory: repeated, with the median and the extremes, because the machine may be shared.
-//!
-//! For the same reason rates are by processor time: a thread that is kept from running does not count as slow.
+//! Rays a second by processor time: a thread that is kept from running on a shared machine does not count as slow.
 
-use std::fmt;
 use std::hint::black_box;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,46 +8,10 @@ use std::time::{Duration, Instant};
 use cpu_time::ThreadTime;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use crate::samples::Samples;
+
 /// Rays between two looks at the clock. Fewer and looking costs time; more and the slowest tracer overruns its turn.
 const CHUNK: usize = 1024;
-
-/// Repeated measurements of one thing.
-#[derive(Clone, Debug, Default)]
-pub struct Samples(Vec<f64>);
-
-impl Samples {
-    /// Adds a measurement.
-    pub fn push(&mut self, value: f64) {
-        self.0.push(value);
-    }
-
-    /// The middle one, of an even number the upper; 0 without any.
-    pub fn median(&self) -> f64 {
-        let mut sorted = self.0.clone();
-        sorted.sort_by(f64::total_cmp);
-        sorted.get(sorted.len() / 2).copied().unwrap_or_default()
-    }
-
-    /// Round by round this over the other: what both suffered in a round cancels out.
-    pub fn over(&self, other: &Self) -> Self {
-        Self(self.0.iter().zip(&other.0).map(|(one, other)| one / other).collect())
-    }
-
-    /// Every measurement times a factor.
-    pub fn times(&self, factor: f64) -> Self {
-        Self(self.0.iter().map(|value| value * factor).collect())
-    }
-}
-
-impl fmt::Display for Samples {
-    /// The median, then the least and the greatest.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let least = self.0.iter().copied().fold(f64::INFINITY, f64::min);
-        let greatest = self.0.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let digits = if self.median() < 10.0 { 3 } else { 1 };
-        write!(f, "{:.digits$} ({least:.digits$}..{greatest:.digits$})", self.median())
-    }
-}
 
 /// A pool of that many threads.
 pub fn pool(threads: usize) -> Result<ThreadPool, String> {
@@ -178,16 +139,5 @@ mod tests {
         starts.sort_unstable();
         let widest = starts.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or_default();
         assert!(widest < count / 8, "a gap of {widest} of {count} rays");
-    }
-
-    #[test]
-    fn medians_and_ratios() {
-        let (mut one, mut other) = (Samples::default(), Samples::default());
-        for (a, b) in [(4.0, 2.0), (9.0, 3.0), (10.0, 10.0)] {
-            one.push(a);
-            other.push(b);
-        }
-        assert_eq!((one.median(), one.over(&other).median(), one.times(0.5).median()), (9.0, 2.0, 4.5));
-        assert_eq!(Samples::default().median(), 0.0);
     }
 }
