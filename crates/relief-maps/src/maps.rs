@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use relief_bake::{BakeError, Progress, SettingsError, WantedMap, baked_map};
 use relief_core::registry::UnknownName;
 use relief_core::{BakedMap, ByteSize, HeightMap, MapFormat, MapIdentity, MapLayout, Metric};
 use relief_shaders::{MapNeed, MapSlot, Selection, SlotMaps};
+use web_time::Instant;
 
 use crate::cache::{Cache, CacheError};
 use crate::file::Found;

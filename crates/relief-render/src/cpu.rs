@@ -7,7 +7,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 use relief_core::HeightMap;
 use relief_core::exact::FastTracer;
-use relief_shaders::cpu::{Corner, Entered, Frame, Hit, PixelIn, PixelOut, Resources, Triangle};
+use relief_shaders::cpu::{Corner, Entered, Frame, Hit, PixelIn, PixelOut, Program, Triangle};
 
 use crate::camera::Ray;
 use crate::job::{Job, JobSurface, Rendering, uncovered};
@@ -85,7 +85,7 @@ fn nearest(pixels: impl Iterator<Item = PixelOut>) -> PixelOut {
 
 /// A surface ready to be traced.
 struct Ready<'a> {
-    resources: Resources<'a>,
+    program: Program<'a>,
     triangles: &'a [Triangle],
     base: Arc<RayCaster>,
     sides: Sides,
@@ -100,23 +100,22 @@ impl<'a> Ready<'a> {
         tracer: Option<Arc<FastTracer>>,
     ) -> Self {
         let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
-        Self { resources: surface.resources(frame), triangles: &surface.triangles, base, sides, tracer }
+        Self { program: surface.program(frame), triangles: &surface.triangles, base, sides, tracer }
     }
 
     /// What a point of the picture shows of the surface: the first base polygon along the ray whose relief is hit.
     fn pixel(&self, point: [f32; 2]) -> Option<PixelOut> {
-        let direction = self.resources.pixel_direction(point);
-        let eye = self.resources.frame.eye;
+        let direction = self.program.pixel_direction(point);
         let ray = Ray {
-            origin: [eye.x, eye.y, eye.z].map(f64::from).into(),
+            origin: self.program.eye().map(f64::from).into(),
             direction: [direction.x, direction.y, direction.z].map(f64::from).into(),
         };
         self.base.hits(&ray, self.sides).find_map(|surface| {
             let side = if surface.front { 1.0 } else { -1.0 };
             let Triangle { a, b, c } = self.triangles[surface.triangle as usize];
-            let pixel = self.resources.pixel_of(a, b, c, side, point);
+            let pixel = self.program.pixel_of([a, b, c], side, point);
             let shaded = match &self.tracer {
-                None => self.resources.shade_pixel(pixel),
+                None => self.program.shade_pixel(pixel),
                 Some(tracer) => self.trace_exactly(tracer, pixel),
             };
             (shaded.hit == 1).then_some(shaded)
@@ -124,9 +123,9 @@ impl<'a> Ready<'a> {
     }
 
     fn trace_exactly(&self, tracer: &FastTracer, pixel: PixelIn) -> PixelOut {
-        let at: Entered = self.resources.surface_stage(pixel);
+        let at: Entered = self.program.surface(pixel);
         let hit =
             if at.valid == 1 { tracer.trace(&(&at.path).into()).hit } else { relief_core::Hit::miss(0) };
-        self.resources.shade_hit(pixel, at, Hit::from(&hit))
+        self.program.shade_hit(pixel, at, Hit::from(&hit))
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use relief_core::{BakedMap, HeightMap};
 use relief_io::Picture;
 use relief_shaders::cpu::{
-    Bound, ColorTexture, Frame, HeightTexture, PixelOut, Resources, SurfaceSettings, Triangle,
+    Bound, ColorTexture, Frame, HeightTexture, PixelOut, Program, SurfaceSettings, Triangle,
 };
 use relief_shaders::{MapSlot, Selection, SlotMaps};
 
@@ -50,11 +50,11 @@ impl JobSurface {
         self.maps.iter().map(|(slot, map)| (*slot, &**map)).collect()
     }
 
-    /// What the translated shaders are called on in a frame.
-    pub fn resources(&self, frame: Frame) -> Resources<'_> {
+    /// The translated shaders over this surface in a frame.
+    pub fn program(&self, frame: Frame) -> Program<'_> {
         let color_map = self.color.as_deref().map_or(ColorTexture::BLANK, of_picture);
         let normal_map = self.normal_map.as_deref().map_or(ColorTexture::BLANK, of_picture);
-        Resources::of(&Bound {
+        Program::new(&Bound {
             frame,
             surface_settings: self.settings,
             height_map: HeightTexture::new(self.height_map.width(), self.height_map.texels()),

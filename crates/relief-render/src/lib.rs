@@ -18,4 +18,7 @@ pub mod raycast;
 mod renderer;
 pub mod scene;
 
+pub use glam;
 pub use renderer::{Progress, Reason, RenderError, Rendered, Renderer, Task, render};
+#[cfg(feature = "gpu")]
+pub use wgpu;

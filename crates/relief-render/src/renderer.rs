@@ -1,9 +1,10 @@
 //! Scenes to pictures, on the backend that was asked for.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::wgsl::Sampling;
+use web_time::Instant;
 
 use crate::cpu::CpuRenderer;
 #[cfg(feature = "gpu")]

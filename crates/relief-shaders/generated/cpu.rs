@@ -5,6 +5,7 @@ use crate::cpu::runtime::SquareRoot as _;
 
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The four texels around a point of a map other than the height map, and where the point lies between them.
 pub struct Around {
     pub columns: rt::Vec2<i32>,
     pub rows: rt::Vec2<i32>,
@@ -21,8 +22,11 @@ impl Around {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What a stage runs.
 pub struct Choice {
+    /// The place of its variant in the stage's list.
     pub number: u32,
+    /// The variant's parameters, in the order of its registry entry.
     pub params: rt::Vec4<f32>,
 }
 impl Choice {
@@ -35,6 +39,7 @@ impl Choice {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A corner of a base triangle, in the world. Tangent and bitangent carry the world length of one tile.
 pub struct Corner {
     pub position: rt::Vec3<f32>,
     pub normal: rt::Vec3<f32>,
@@ -55,14 +60,19 @@ impl Corner {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
+/// t is in metres along the ray, 0 at the entry; `base` is where the ray crosses the base surface.
 pub struct Path {
     pub uv: rt::Vec2<f32>,
     pub duv: rt::Vec2<f32>,
     pub h: rt::Vec3<f32>,
     pub exit: f32,
     pub base: f32,
+    /// T·T, T·B, B·B in square metres per tile, and the displacement scale in metres.
     pub metric: rt::Vec4<f32>,
+    /// What the ray is for: RAY_VIEW or RAY_SHADOW.
     pub ray: u32,
+    /// The level of detail of the maps that are read.
     pub level: u32,
 }
 impl Path {
@@ -81,9 +91,12 @@ impl Path {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The ray at the base surface, and its path from there.
 pub struct Entered {
+    /// 0 when the ray runs away from the surface and never enters the relief.
     pub valid: u32,
     pub path: Path,
+    /// Base point, in the world and in texture space, and the frame there.
     pub point: rt::Vec3<f32>,
     pub uv: rt::Vec2<f32>,
     pub tangent: rt::Vec3<f32>,
@@ -105,6 +118,7 @@ impl Entered {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What a search knows. `status` is one of FOUND_*.
 pub struct Found {
     pub status: u32,
     pub near: f32,
@@ -127,8 +141,11 @@ impl Found {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A light: infinitely far away, or at a point.
 pub struct Light {
+    /// Direction toward the light (w = 0), or its position (w = 1).
     pub place: rt::Vec4<f32>,
+    /// Linear RGB: irradiance of a directional light, intensity of a point light.
     pub color: rt::Vec4<f32>,
 }
 impl Light {
@@ -141,14 +158,20 @@ impl Light {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What changes from frame to frame.
 pub struct Frame {
+    /// The columns of the matrix from the world to clip space.
     pub view_projection: [rt::Vec4<f32>; 4],
     pub eye: rt::Vec4<f32>,
+    /// Unit view axis.
     pub forward: rt::Vec4<f32>,
+    /// The ray through the picture's top-left corner, and its change per pixel to the right and downward; the component
+    /// along the view axis is 1.
     pub corner: rt::Vec4<f32>,
     pub right: rt::Vec4<f32>,
     pub down: rt::Vec4<f32>,
     pub ambient: rt::Vec4<f32>,
+    /// Linear RGB of pixels that show no surface.
     pub background: rt::Vec4<f32>,
     pub lights: [Light; 8],
     pub light_count: u32,
@@ -171,6 +194,7 @@ impl Frame {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The path in cell units: position at t = 0 and change per unit of t.
 pub struct Grid {
     pub origin: rt::Vec2<f32>,
     pub step: rt::Vec2<f32>,
@@ -185,6 +209,7 @@ impl Grid {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// Where the path ends. `uv` is not derived from t: offset limiting lands beside the ray.
 pub struct Hit {
     pub found: u32,
     pub exhausted: u32,
@@ -207,8 +232,11 @@ impl Hit {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What is known of a baked map.
 pub struct MapSettings {
+    /// 1 where its texels are codes of 8 bits: the value of code c is low + step c.
     pub coded: u32,
+    /// Layers of each level.
     pub layers: u32,
     pub low: rt::Vec4<f32>,
     pub step: rt::Vec4<f32>,
@@ -225,9 +253,11 @@ impl MapSettings {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A pixel's ray and the base triangle that it meets. The direction's component along the view axis is 1.
 pub struct PixelIn {
     pub origin: rt::Vec3<f32>,
     pub direction: rt::Vec3<f32>,
+    /// -1 turns the triangle over: a back face seen two-sided.
     pub side: f32,
     pub a: Corner,
     pub b: Corner,
@@ -247,17 +277,26 @@ impl PixelIn {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// Everything that is known of a pixel. Zeros where `hit` is 0.
 pub struct PixelOut {
+    /// Linear RGB, and 1.
     pub color: rt::Vec4<f32>,
+    /// 1 where the pixel shows the surface.
     pub hit: u32,
+    /// 1 where the search ran out of steps: the hit is the last point that it reached.
     pub exhausted: u32,
+    /// Texture coordinates and normalised height of the hit, and its parameter on the path.
     pub uv: rt::Vec2<f32>,
     pub height: f32,
+    /// The hit in the world, and the displaced surface's unit normal there.
     pub position: rt::Vec3<f32>,
     pub normal: rt::Vec3<f32>,
+    /// Metres from the eye along the view axis.
     pub depth: f32,
     pub t: f32,
+    /// Column and row of the first texel of the dual cell that the hit lies in.
     pub cell: rt::Vec2<i32>,
+    /// Texels and cells that the search and the refinement read.
     pub reads: u32,
 }
 impl PixelOut {
@@ -279,11 +318,15 @@ impl PixelOut {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// What belongs to a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
+    /// For each stage, in the order in which a pixel goes through them.
     pub choices: [Choice; 4],
+    /// For each slot of baked maps.
     pub maps: [MapSettings; 5],
     pub diffuse: rt::Vec4<f32>,
     pub specular: rt::Vec4<f32>,
+    /// Columns and rows of the height map, the colour map and the normal map.
     pub height_size: rt::Vec2<u32>,
     pub color_size: rt::Vec2<u32>,
     pub normal_size: rt::Vec2<u32>,
@@ -315,6 +358,7 @@ impl SurfaceSettings {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// Unit direction toward a light, and the factor on its colour at that distance.
 pub struct Toward {
     pub direction: rt::Vec3<f32>,
     pub falloff: f32,
@@ -361,24 +405,25 @@ pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 pub const WRAP_MIRROR: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_REPEAT: rt::Scalar<u32> = rt::Scalar(0u32);
-pub struct Resources<'g> {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Resources<'g> {
     #[doc = "group(0) binding(2)"]
-    pub color_map: rt::ColorTexture<'g>,
+    pub(crate) color_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(10)"]
-    pub frame: Frame,
+    pub(crate) frame: Frame,
     #[doc = "group(0) binding(1)"]
-    pub height_map: rt::HeightTexture<'g>,
+    pub(crate) height_map: rt::HeightTexture<'g>,
     #[doc = "group(0) binding(3)"]
-    pub normal_map: rt::ColorTexture<'g>,
+    pub(crate) normal_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(5)"]
-    pub search_map: rt::MapTexture<'g>,
+    pub(crate) search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(6)"]
-    pub shadow_search_map: rt::MapTexture<'g>,
+    pub(crate) shadow_search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(0)"]
-    pub surface_settings: SurfaceSettings,
+    pub(crate) surface_settings: SurfaceSettings,
 }
 impl<'g> Resources<'g> {
-    pub fn bilinear(
+    pub(crate) fn bilinear(
         &self,
         h00_: impl rt::Into<rt::Vec4<f32>>,
         h10_: impl rt::Into<rt::Vec4<f32>>,
@@ -401,14 +446,14 @@ impl<'g> Resources<'g> {
         let bottom = (h01_ + ((h11_ - h01_) * part.x()));
         return (top + ((bottom - top) * part.y()));
     }
-    pub fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+    pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
         return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
     }
-    pub fn cell_after(
+    pub(crate) fn cell_after(
         &self,
         grid: Grid,
         cell: impl rt::Into<rt::Vec2<f32>>,
@@ -432,7 +477,7 @@ impl<'g> Resources<'g> {
         let behind = _e9.min((cell - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t, t)))));
         return behind.select(ahead, forward);
     }
-    pub fn gap_to(
+    pub(crate) fn gap_to(
         &self,
         path: Path,
         grid_1: Grid,
@@ -459,7 +504,7 @@ impl<'g> Resources<'g> {
         let dz = (path.h.y() + ((rt::Scalar(2f32) * t_1) * path.h.z()));
         return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_4.x())) + (by * at_4.y())) + ((twist * at_4.x()) * at_4.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_4.x() * grid_1.step.y()) + (at_4.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
-    pub fn wrap_index(
+    pub(crate) fn wrap_index(
         &self,
         i: impl rt::Into<rt::Scalar<i32>>,
         n: impl rt::Into<rt::Scalar<i32>>,
@@ -495,7 +540,7 @@ impl<'g> Resources<'g> {
         let folded = (((i % period) + period) % period);
         return ((period - rt::Scalar(1i32)) - folded).select(folded, folded.elementwise_lt(n));
     }
-    pub fn height_cell(&self, cell_2: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+    pub(crate) fn height_cell(&self, cell_2: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
         rt::into(self.v_height_cell(rt::into(cell_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -512,7 +557,7 @@ impl<'g> Resources<'g> {
         let _e39 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return <rt::Vec4<f32>>::from_scalars(_e24.x(), _e29.x(), _e34.x(), _e39.x());
     }
-    pub fn cell_gap(
+    pub(crate) fn cell_gap(
         &self,
         path_1: Path,
         grid_2: Grid,
@@ -533,7 +578,7 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_gap_to(path_1, grid_2, cell_3, _e5, t_2);
         return _e6;
     }
-    pub fn cell_leave(
+    pub(crate) fn cell_leave(
         &self,
         grid_3: Grid,
         cell_4: impl rt::Into<rt::Vec2<f32>>,
@@ -563,7 +608,7 @@ impl<'g> Resources<'g> {
         let _e58 = leave_1;
         return _e58;
     }
-    pub fn cell_next(
+    pub(crate) fn cell_next(
         &self,
         grid_4: Grid,
         cell_5: impl rt::Into<rt::Vec2<f32>>,
@@ -589,7 +634,7 @@ impl<'g> Resources<'g> {
         let _e27 = next;
         return _e27;
     }
-    pub fn texels_around(
+    pub(crate) fn texels_around(
         &self,
         uv: impl rt::Into<rt::Vec2<f32>>,
         size: impl rt::Into<rt::Vec2<u32>>,
@@ -612,7 +657,7 @@ impl<'g> Resources<'g> {
         let _e27 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_3.y());
         return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e13, _e18), <rt::Vec2<i32>>::from_scalars(_e22, _e27), (point_2 - _e9));
     }
-    pub fn color_at(&self, uv_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
+    pub(crate) fn color_at(&self, uv_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
         rt::into(self.v_color_at(rt::into(uv_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -626,7 +671,7 @@ impl<'g> Resources<'g> {
         let _e38 = self.v_bilinear(_e12, _e20, _e28, _e36, _e4.part);
         return _e38;
     }
-    pub fn color_or_white(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+    pub(crate) fn color_or_white(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_color_or_white(rt::into(uv_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -638,7 +683,7 @@ impl<'g> Resources<'g> {
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
     }
-    pub fn decoded(
+    pub(crate) fn decoded(
         &self,
         texel: impl rt::Into<rt::Vec4<f32>>,
         map: MapSettings,
@@ -656,7 +701,7 @@ impl<'g> Resources<'g> {
         }
         return texel;
     }
-    pub fn search_texel(
+    pub(crate) fn search_texel(
         &self,
         path_2: Path,
         place: impl rt::Into<rt::Vec2<i32>>,
@@ -684,7 +729,7 @@ impl<'g> Resources<'g> {
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
     }
-    pub fn cone_slope(
+    pub(crate) fn cone_slope(
         &self,
         path_3: Path,
         texel_1: impl rt::Into<rt::Vec2<f32>>,
@@ -711,7 +756,7 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(-1f32);
     }
-    pub fn quadratic(
+    pub(crate) fn quadratic(
         &self,
         c: impl rt::Into<rt::Vec3<f32>>,
         s: impl rt::Into<rt::Scalar<f32>>,
@@ -726,7 +771,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (c.x() + (s * (c.y() + (s * c.z()))));
     }
-    pub fn first_root(
+    pub(crate) fn first_root(
         &self,
         c_1: impl rt::Into<rt::Vec3<f32>>,
         span: impl rt::Into<rt::Scalar<f32>>,
@@ -771,7 +816,7 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
-    pub fn folded_cell(
+    pub(crate) fn folded_cell(
         &self,
         i_1: impl rt::Into<rt::Scalar<i32>>,
         n_1: impl rt::Into<rt::Scalar<i32>>,
@@ -810,7 +855,7 @@ impl<'g> Resources<'g> {
         }
         return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(0i32));
     }
-    pub fn least_at(
+    pub(crate) fn least_at(
         &self,
         c_2: impl rt::Into<rt::Vec3<f32>>,
         span_1: impl rt::Into<rt::Scalar<f32>>,
@@ -828,7 +873,7 @@ impl<'g> Resources<'g> {
         }
         return span_1;
     }
-    pub fn found_in_cell(
+    pub(crate) fn found_in_cell(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
         t_3: impl rt::Into<rt::Scalar<f32>>,
@@ -869,7 +914,7 @@ impl<'g> Resources<'g> {
         let _e36 = self.v_quadratic(c_3, span_2);
         return <Found>::new(FOUND_ABOVE, t_3, (t_3 + span_2), c_3.x(), _e36, reads);
     }
-    pub fn frustum_slope(
+    pub(crate) fn frustum_slope(
         &self,
         path_4: Path,
         cell_6: impl rt::Into<rt::Vec2<i32>>,
@@ -904,7 +949,7 @@ impl<'g> Resources<'g> {
         let down = forward_1.y().elementwise_eq(_e16.y().elementwise_eq(rt::Scalar(0i32)));
         return _e35.w().select(_e35.z(), right).select(_e35.y().select(_e35.x(), right), down);
     }
-    pub fn height_size(&self) -> rt::Vec2<f32> {
+    pub(crate) fn height_size(&self) -> rt::Vec2<f32> {
         rt::into(self.v_height_size())
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -912,7 +957,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.surface_settings.height_size;
         return _e2.cast_elem_as_f32();
     }
-    pub fn grid_of(&self, path_5: Path) -> Grid {
+    pub(crate) fn grid_of(&self, path_5: Path) -> Grid {
         rt::into(self.v_grid_of(path_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -920,7 +965,7 @@ impl<'g> Resources<'g> {
         let _e1 = self.v_height_size();
         return <Grid>::new(((path_5.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_5.duv * _e1));
     }
-    pub fn has_interval(&self, found: Found) -> bool {
+    pub(crate) fn has_interval(&self, found: Found) -> bool {
         rt::into(self.v_has_interval(found))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -949,7 +994,7 @@ impl<'g> Resources<'g> {
         let _e26 = local_4;
         return _e26;
     }
-    pub fn height_and_slope(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+    pub(crate) fn height_and_slope(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_height_and_slope(rt::into(uv_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -965,7 +1010,7 @@ impl<'g> Resources<'g> {
         let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f.y()));
         return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
     }
-    pub fn height_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+    pub(crate) fn height_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> f32 {
         rt::into(self.v_height_at(rt::into(uv_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -979,7 +1024,7 @@ impl<'g> Resources<'g> {
         let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
         return (top_2 + ((bottom_2 - top_2) * f_1.y()));
     }
-    pub fn path_height(
+    pub(crate) fn path_height(
         &self,
         path_6: Path,
         t_4: impl rt::Into<rt::Scalar<f32>>,
@@ -994,14 +1039,14 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (path_6.h.x() + (t_4 * (path_6.h.y() + (t_4 * path_6.h.z()))));
     }
-    pub fn miss(&self, reads_1: impl rt::Into<rt::Scalar<u32>>) -> Hit {
+    pub(crate) fn miss(&self, reads_1: impl rt::Into<rt::Scalar<u32>>) -> Hit {
         rt::into(self.v_miss(rt::into(reads_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_miss(&self, reads_1: rt::Scalar<u32>) -> Hit {
         return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads_1);
     }
-    pub fn path_uv(
+    pub(crate) fn path_uv(
         &self,
         path_7: Path,
         t_5: impl rt::Into<rt::Scalar<f32>>,
@@ -1016,7 +1061,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec2<f32> {
         return (path_7.uv + (path_7.duv * t_5));
     }
-    pub fn hit_on_path(
+    pub(crate) fn hit_on_path(
         &self,
         path_8: Path,
         t_6: impl rt::Into<rt::Scalar<f32>>,
@@ -1051,7 +1096,7 @@ impl<'g> Resources<'g> {
         let _e20 = self.v_path_height(path_8, inside);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_2);
     }
-    pub fn inside_unit(
+    pub(crate) fn inside_unit(
         &self,
         x0_: impl rt::Into<rt::Scalar<f32>>,
         dx: impl rt::Into<rt::Scalar<f32>>,
@@ -1084,7 +1129,7 @@ impl<'g> Resources<'g> {
         let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
         return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
     }
-    pub fn normal_at(&self, uv_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+    pub(crate) fn normal_at(&self, uv_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_normal_at(rt::into(uv_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -1098,7 +1143,7 @@ impl<'g> Resources<'g> {
         let _e42 = self.v_bilinear(_e13, _e22, _e31, _e40, _e4.part);
         return _e42.xyz();
     }
-    pub fn normal_from_map(
+    pub(crate) fn normal_from_map(
         &self,
         at: Entered,
         uv_6: impl rt::Into<rt::Vec2<f32>>,
@@ -1116,7 +1161,7 @@ impl<'g> Resources<'g> {
         let along_v = at.bitangent.normalize();
         return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at.normal * _e2.z())).normalize();
     }
-    pub fn normal_from_height(
+    pub(crate) fn normal_from_height(
         &self,
         at_1: Entered,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
@@ -1145,7 +1190,7 @@ impl<'g> Resources<'g> {
         let across = along_v_1.cross(along_u_1).normalize();
         return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_1.normal).elementwise_ge(rt::Scalar(0f32))));
     }
-    pub fn mesostructure_normal(
+    pub(crate) fn mesostructure_normal(
         &self,
         at_2: Entered,
         uv_8: impl rt::Into<rt::Vec2<f32>>,
@@ -1166,7 +1211,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_normal_from_height(at_2, uv_8);
         return _e8;
     }
-    pub fn normal_z(
+    pub(crate) fn normal_z(
         &self,
         path_9: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
@@ -1184,7 +1229,7 @@ impl<'g> Resources<'g> {
         let squared_1 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
     }
-    pub fn path_gap(
+    pub(crate) fn path_gap(
         &self,
         path_10: Path,
         t_7: impl rt::Into<rt::Scalar<f32>>,
@@ -1202,7 +1247,7 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_height_at(_e3);
         return (_e2 - _e4);
     }
-    pub fn path_slope(
+    pub(crate) fn path_slope(
         &self,
         path_11: Path,
         t_8: impl rt::Into<rt::Scalar<f32>>,
@@ -1217,7 +1262,7 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (path_11.h.y() + ((rt::Scalar(2f32) * t_8) * path_11.h.z()));
     }
-    pub fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+    pub(crate) fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -1227,7 +1272,7 @@ impl<'g> Resources<'g> {
         let _e14 = self.frame.down;
         return ((_e3.xyz() + (_e7.xyz() * pixel.x())) + (_e14.xyz() * pixel.y()));
     }
-    pub fn pixel_of(
+    pub(crate) fn pixel_of(
         &self,
         a_1: Corner,
         b_1: Corner,
@@ -1250,7 +1295,7 @@ impl<'g> Resources<'g> {
         let _e9 = self.v_pixel_direction(point_1);
         return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_4);
     }
-    pub fn starting_point(&self, path_12: Path, found_1: Found) -> f32 {
+    pub(crate) fn starting_point(&self, path_12: Path, found_1: Found) -> f32 {
         rt::into(self.v_starting_point(path_12, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -1271,7 +1316,7 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(found_1.near);
     }
-    pub fn refine_none(
+    pub(crate) fn refine_none(
         &self,
         path_13: Path,
         found_2: Found,
@@ -1295,7 +1340,7 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_hit_on_path(path_13, _e14, exhausted_1, rt::Scalar(found_2.reads));
         return _e16;
     }
-    pub fn refine_binary(
+    pub(crate) fn refine_binary(
         &self,
         path_14: Path,
         found_3: Found,
@@ -1371,7 +1416,7 @@ impl<'g> Resources<'g> {
         let _e56 = self.v_hit_on_path(path_14, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
     }
-    pub fn refine_offset(
+    pub(crate) fn refine_offset(
         &self,
         path_15: Path,
         found_4: Found,
@@ -1405,7 +1450,7 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_hit_on_path(path_15, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
         return _e29;
     }
-    pub fn refine_offset_limited(
+    pub(crate) fn refine_offset_limited(
         &self,
         path_16: Path,
         found_5: Found,
@@ -1440,7 +1485,7 @@ impl<'g> Resources<'g> {
         let _e33 = hit;
         return _e33;
     }
-    pub fn refine_patch(
+    pub(crate) fn refine_patch(
         &self,
         path_17: Path,
         found_6: Found,
@@ -1540,7 +1585,7 @@ impl<'g> Resources<'g> {
         let _e98 = self.v_hit_on_path(path_17, _e95, rt::Scalar(1u32), _e97);
         return _e98;
     }
-    pub fn refine_secant(
+    pub(crate) fn refine_secant(
         &self,
         path_18: Path,
         found_7: Found,
@@ -1636,7 +1681,7 @@ impl<'g> Resources<'g> {
         let _e70 = self.v_hit_on_path(path_18, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
-    pub fn refine_slope(
+    pub(crate) fn refine_slope(
         &self,
         path_19: Path,
         found_8: Found,
@@ -1677,7 +1722,7 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_hit_on_path(path_19, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
         return _e52;
     }
-    pub fn refine_slope_iterative(
+    pub(crate) fn refine_slope_iterative(
         &self,
         path_20: Path,
         found_9: Found,
@@ -1744,7 +1789,7 @@ impl<'g> Resources<'g> {
         let _e72 = self.v_hit_on_path(path_20, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
         return _e72;
     }
-    pub fn refine_true_secant(
+    pub(crate) fn refine_true_secant(
         &self,
         path_21: Path,
         found_10: Found,
@@ -1833,7 +1878,7 @@ impl<'g> Resources<'g> {
         let _e67 = self.v_hit_on_path(path_21, _e64, rt::Scalar(0u32), _e66);
         return _e67;
     }
-    pub fn refine_stage(&self, path_22: Path, found_11: Found) -> Hit {
+    pub(crate) fn refine_stage(&self, path_22: Path, found_11: Found) -> Hit {
         rt::into(self.v_refine_stage(path_22, found_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -1887,7 +1932,7 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub fn toward_light(
+    pub(crate) fn toward_light(
         &self,
         light: Light,
         position: impl rt::Into<rt::Vec3<f32>>,
@@ -1906,7 +1951,7 @@ impl<'g> Resources<'g> {
         }
         return <Toward>::new(light.place.xyz().normalize(), rt::Scalar(1f32));
     }
-    pub fn whole_power(
+    pub(crate) fn whole_power(
         &self,
         base: impl rt::Into<rt::Scalar<f32>>,
         exponent: impl rt::Into<rt::Scalar<u32>>,
@@ -1950,7 +1995,7 @@ impl<'g> Resources<'g> {
         let _e23 = result;
         return _e23;
     }
-    pub fn shade_blinn_phong(
+    pub(crate) fn shade_blinn_phong(
         &self,
         normal: impl rt::Into<rt::Vec3<f32>>,
         view: impl rt::Into<rt::Vec3<f32>>,
@@ -1980,7 +2025,7 @@ impl<'g> Resources<'g> {
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub fn shade_stage(
+    pub(crate) fn shade_stage(
         &self,
         normal_1: impl rt::Into<rt::Vec3<f32>>,
         view_1: impl rt::Into<rt::Vec3<f32>>,
@@ -2006,7 +2051,7 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub fn reflected_light(
+    pub(crate) fn reflected_light(
         &self,
         position_1: impl rt::Into<rt::Vec3<f32>>,
         normal_2: impl rt::Into<rt::Vec3<f32>>,
@@ -2055,7 +2100,7 @@ impl<'g> Resources<'g> {
         let _e45 = light_1;
         return _e45;
     }
-    pub fn search_cells(
+    pub(crate) fn search_cells(
         &self,
         path_23: Path,
         params_10: impl rt::Into<rt::Vec4<f32>>,
@@ -2118,7 +2163,7 @@ impl<'g> Resources<'g> {
         let _e56 = reads_8;
         return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
     }
-    pub fn stays_inside(
+    pub(crate) fn stays_inside(
         &self,
         path_24: Path,
         grid_5: Grid,
@@ -2197,7 +2242,7 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(0f32);
     }
-    pub fn search_cone(
+    pub(crate) fn search_cone(
         &self,
         path_25: Path,
         params_11: impl rt::Into<rt::Vec4<f32>>,
@@ -2296,7 +2341,7 @@ impl<'g> Resources<'g> {
         let _e120 = reads_9;
         return <Found>::new(FOUND_EXHAUSTED, _e118, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e120);
     }
-    pub fn stays_above(
+    pub(crate) fn stays_above(
         &self,
         above: impl rt::Into<rt::Vec3<f32>>,
         slope_2: impl rt::Into<rt::Scalar<f32>>,
@@ -2332,7 +2377,7 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
-    pub fn search_frustum(
+    pub(crate) fn search_frustum(
         &self,
         path_26: Path,
         params_12: impl rt::Into<rt::Vec4<f32>>,
@@ -2462,7 +2507,7 @@ impl<'g> Resources<'g> {
         let _e181 = reads_10;
         return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
     }
-    pub fn search_linear(
+    pub(crate) fn search_linear(
         &self,
         path_27: Path,
         params_13: impl rt::Into<rt::Vec4<f32>>,
@@ -2524,7 +2569,7 @@ impl<'g> Resources<'g> {
         let _e63 = reads_11;
         return <Found>::new(FOUND_MISS, _e59, _e60, _e61, _e62, _e63);
     }
-    pub fn search_none(
+    pub(crate) fn search_none(
         &self,
         path_28: Path,
         params_14: impl rt::Into<rt::Vec4<f32>>,
@@ -2539,7 +2584,7 @@ impl<'g> Resources<'g> {
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
-    pub fn search_stage(&self, path_29: Path) -> Found {
+    pub(crate) fn search_stage(&self, path_29: Path) -> Found {
         rt::into(self.v_search_stage(path_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -2573,7 +2618,7 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub fn shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
+    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
         rt::into(self.v_shade_hit(pixel_1, at_3, hit_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -2606,7 +2651,7 @@ impl<'g> Resources<'g> {
         let _e93 = self.v_cell_of(((hit_1.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
         return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_1.exhausted), hit_1.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_1.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_1.reads));
     }
-    pub fn surface_plane(
+    pub(crate) fn surface_plane(
         &self,
         pixel_2: PixelIn,
         params_15: impl rt::Into<rt::Vec4<f32>>,
@@ -2704,7 +2749,7 @@ impl<'g> Resources<'g> {
         let _e203 = valid;
         return <Entered>::new(_e203, path_31, point_5, uv_9, tangent, bitangent, normal_3);
     }
-    pub fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
+    pub(crate) fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -2718,7 +2763,7 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub fn trace(&self, path_30: Path) -> Hit {
+    pub(crate) fn trace(&self, path_30: Path) -> Hit {
         rt::into(self.v_trace(path_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -2727,7 +2772,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_30, _e1);
         return _e2;
     }
-    pub fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {
+    pub(crate) fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {
         rt::into(self.v_shade_pixel(pixel_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
@@ -2746,7 +2791,7 @@ impl<'g> Resources<'g> {
 
 impl<'g> Resources<'g> {
     /// What the stages are called on.
-    pub fn of(bound: &crate::cpu::Bound<'g>) -> Self {
+    pub(crate) fn of(bound: &crate::cpu::Bound<'g>) -> Self {
         Self {
             color_map: bound.color_map,
             frame: bound.frame,

@@ -1291,7 +1291,8 @@ struct Probe {
         name: "Light",
         sampling: None,
         uses: &[],
-        text: r#"struct Light {
+        text: r#"// A light: infinitely far away, or at a point.
+struct Light {
     // Direction toward the light (w = 0), or its position (w = 1).
     place: vec4f,
     // Linear RGB: irradiance of a directional light, intensity of a point light.
@@ -1526,17 +1527,26 @@ struct Entered {
         name: "PixelOut",
         sampling: None,
         uses: &[],
-        text: r#"struct PixelOut {
+        text: r#"// Everything that is known of a pixel. Zeros where `hit` is 0.
+struct PixelOut {
+    // Linear RGB, and 1.
     color: vec4f,
+    // 1 where the pixel shows the surface.
     hit: u32,
+    // 1 where the search ran out of steps: the hit is the last point that it reached.
     exhausted: u32,
+    // Texture coordinates and normalised height of the hit, and its parameter on the path.
     uv: vec2f,
     height: f32,
+    // The hit in the world, and the displaced surface's unit normal there.
     position: vec3f,
     normal: vec3f,
+    // Metres from the eye along the view axis.
     depth: f32,
     t: f32,
+    // Column and row of the first texel of the dual cell that the hit lies in.
     cell: vec2i,
+    // Texels and cells that the search and the refinement read.
     reads: u32,
 }"#,
     },

@@ -53,8 +53,12 @@ impl Shared for Frame {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
+/// What one pass works on. The host keeps 256 bytes for each, so there is room for more.
 pub struct PassSettings {
+    /// From a pixel's centre to the point of it that is seen, in pixels.
     pub offset: rt::Vec2<f32>,
+    /// The rows of the picture that are shaded and read back at once, so that the records fit the least buffer that
+    /// adapters offer.
     pub first_row: u32,
     pub rows: u32,
 }
@@ -174,6 +178,7 @@ impl Shared for Corner {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
+/// A base triangle, in the world.
 pub struct Triangle {
     pub a: Corner,
     pub b: Corner,
@@ -199,6 +204,7 @@ impl Shared for Triangle {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
+/// What is read back of a pixel. 20 words.
 pub struct Record {
     pub color: rt::Vec4<f32>,
     pub position: rt::Vec3<f32>,
@@ -272,6 +278,7 @@ impl Shared for PixelIn {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
+/// Every stage's result for a ray.
 pub struct Probe {
     pub valid: u32,
     pub entry: rt::Vec2<f32>,

@@ -7,7 +7,7 @@ use relief_core::exact::{ExactHit, cell_walk};
 use relief_core::metrics::{ErrorReport, compare};
 use relief_core::{HeightMap, Hit, Path, PathMetric, Wrap};
 use relief_io::{HeightOptions, read_height};
-use relief_shaders::cpu::Resources;
+use relief_shaders::cpu::MethodTracer;
 use relief_shaders::{Selection, SlotMaps};
 
 use crate::baked::{maps_for, slots};
@@ -95,8 +95,8 @@ pub fn truth(map: &HeightMap, paths: &[Path]) -> Vec<ExactHit> {
 ///
 /// When that map is missing or is none of the height map.
 pub fn hits(map: &HeightMap, selection: &Selection, maps: &SlotMaps, paths: &[Path]) -> Vec<Hit> {
-    let resources = Resources::tracing(map, selection, maps);
-    paths.par_iter().map(|path| resources.first_hit(path)).collect()
+    let tracer = MethodTracer::over(map, selection, *maps);
+    paths.par_iter().map(|path| tracer.first_hit(path)).collect()
 }
 
 /// Rays with their true hits.

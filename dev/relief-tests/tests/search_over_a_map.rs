@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use relief_core::exact::{ExactHit, cell_walk};
 use relief_core::registry::{Guarantee, RayClass};
 use relief_core::{BakedMap, HeightMap, MapFormat, MapTexels, Path, Wrap};
-use relief_shaders::cpu::Resources;
+use relief_shaders::cpu::MethodTracer;
 use relief_shaders::{MapSlot, Selection, SlotMaps};
 use relief_tests::baked::{maps_for, maps_in, slots};
 use relief_tests::judge::{Tally, Verdict, judge};
@@ -45,8 +45,8 @@ fn paths(map: &HeightMap, seed: u64) -> impl Iterator<Item = (RayKind, Path)> + 
 
 /// A shader's answer to be judged: where its `t` says, which is checked, and there on the surface. Where a path begins
 /// below, the shader has the height of the path.
-fn answer(map: &HeightMap, resources: &Resources, path: &Path) -> ExactHit {
-    let mut hit = resources.first_hit(path);
+fn answer(map: &HeightMap, tracer: &MethodTracer, path: &Path) -> ExactHit {
+    let mut hit = tracer.first_hit(path);
     if hit.found {
         let [u, v, _] = path.at(hit.t);
         for (axis, place) in [u, v].into_iter().enumerate() {
@@ -62,12 +62,12 @@ fn answer(map: &HeightMap, resources: &Resources, path: &Path) -> ExactHit {
 /// The answers of a pair of stages to the rays for which it promises to be exact, and the reads that they took.
 fn trial(map: &HeightMap, selection: &Selection, format: MapFormat, rays: usize) -> (Tally, f64) {
     let baked = maps_in(format, map, selection);
-    let resources = Resources::tracing(map, selection, &slots(map, selection, &baked));
+    let tracer = MethodTracer::over(map, selection, slots(map, selection, &baked));
     let (mut tally, mut reads, steepest) = (Tally::default(), 0.0, steepest(map));
     let promised = |path: &Path| selection.guarantee(class_of(path)) == Guarantee::Exact;
     for (kind, path) in paths(map, 1).filter(|(_, path)| promised(path)).take(rays) {
         let truth = cell_walk(map, &path);
-        let other = answer(map, &resources, &path);
+        let other = answer(map, &tracer, &path);
         match judge(map, &path, &truth, &other, slack(map, steepest, &path)) {
             Ok(Verdict::Agree) => {}
             Ok(Verdict::Grazing) => tally.grazing += 1,
@@ -161,9 +161,9 @@ fn a_map_that_promises_too_much_and_another_wraps_map_are_noticed() {
             for (name, wrong) in wrong {
                 // Unchecked: that it is another wrap's would be noticed without a ray.
                 let maps = SlotMaps::from_iter([(MapSlot::Search, &wrong)]);
-                let resources = Resources::tracing(&map, &selection, &maps);
+                let tracer = MethodTracer::over(&map, &selection, maps);
                 let noticed = paths(&map, 2).take(20_000).filter(|(_, path)| {
-                    let other = answer(&map, &resources, path);
+                    let other = answer(&map, &tracer, path);
                     judge(&map, path, &cell_walk(&map, path), &other, slack(&map, steepest, path)).is_err()
                 });
                 let noticed = noticed.count();

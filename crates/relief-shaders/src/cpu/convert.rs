@@ -2,9 +2,7 @@
 
 use relief_core::{BakedMap, HeightMap, MapFormat, PathMetric, RayUse};
 
-use super::runtime::Vec4;
-use super::{Bound, Choice, ColorTexture, Frame, HeightTexture, Hit, Light, MapSettings, MapTexture, Path};
-use super::{Resources, SurfaceSettings};
+use super::{Bound, Choice, Frame, Hit, Light, MapSettings, MapTexture, Path, SurfaceSettings, Vec4};
 use crate::{MAX_LIGHTS, MapSlot, Selection, SlotMaps};
 
 impl From<&Path> for relief_core::Path {
@@ -135,24 +133,5 @@ impl<'a> Bound<'a> {
     /// The texture of a slot.
     pub(super) fn slot(&self, slot: MapSlot) -> MapTexture<'a> {
         MapTexture::new(self.maps.get(slot))
-    }
-}
-
-impl<'a> Resources<'a> {
-    /// What the stages are called on to trace a map: see [`SurfaceSettings::tracing`].
-    pub fn tracing(map: &'a HeightMap, selection: &Selection, maps: &SlotMaps<'a>) -> Self {
-        Self::of(&Bound {
-            frame: Frame::none(),
-            surface_settings: SurfaceSettings::tracing(map, selection, maps),
-            height_map: HeightTexture::new(map.width(), map.texels()),
-            color_map: ColorTexture::BLANK,
-            normal_map: ColorTexture::BLANK,
-            maps: *maps,
-        })
-    }
-
-    /// Search and refinement of one path.
-    pub fn first_hit(&self, path: &relief_core::Path) -> relief_core::Hit {
-        relief_core::Hit::from(&self.trace(Path::from(path)))
     }
 }

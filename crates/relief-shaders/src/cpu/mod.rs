@@ -1,7 +1,8 @@
 //! The shaders as Rust: the same functions, translated, with the same bits in exact sampling.
 //!
-//! [`Resources`] is what a GPU binds: the settings and the maps. Its methods are the shader's functions;
-//! [`Resources::shade_pixel`] is a whole pixel.
+//! * [`MethodTracer`] traces rays through a method.
+//! * [`Program`] is the whole shader over what is [`Bound`], for renderers.
+//! * The other structs are those of the shaders, and [`Shared`] has their bytes in a GPU's buffers.
 
 use crate::SlotMaps;
 
@@ -15,17 +16,22 @@ mod generated;
 #[rustfmt::skip]
 #[allow(missing_docs, unused_imports, clippy::all)]
 mod layout;
-pub mod runtime;
+mod method_tracer;
+mod program;
+mod runtime;
 
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
-    Choice, Corner, Entered, Found, Frame, Hit, Light, MapSettings, Path, PixelIn, PixelOut, Resources,
-    SurfaceSettings,
+    Choice, Corner, Entered, Found, Frame, Hit, Light, MapSettings, Path, PixelIn, PixelOut, SurfaceSettings,
 };
 pub use layout::{PassSettings, Probe, Record, Triangle};
+pub use method_tracer::MethodTracer;
+/// A vector, as shaders have it.
+pub use naga_rust_rt::{Vec2, Vec3, Vec4};
+pub use program::Program;
 pub use runtime::{ColorTexture, HeightTexture, MapTexture};
 
-/// Everything that can be bound.
+/// Everything that can be bound to a [`Program`].
 #[derive(Clone, Copy, Debug)]
 pub struct Bound<'a> {
     /// What changes with the frame.

@@ -10,7 +10,7 @@ use parry3d::shape::HeightField;
 use parry3d::utils::Array2;
 use relief_core::exact::{FastTracer, cell_walk};
 use relief_core::{HeightMap, Path};
-use relief_shaders::cpu::Resources;
+use relief_shaders::cpu::MethodTracer;
 use relief_shaders::{Selection, SlotMaps};
 use relief_tests::rng::Rng;
 
@@ -136,7 +136,7 @@ pub struct Contest<'a> {
     pub fast: FastTracer,
     /// The other program's.
     pub parry: HeightField,
-    shaders: Vec<(String, Resources<'a>)>,
+    shaders: Vec<(String, MethodTracer<'a>)>,
 }
 
 /// One of them.
@@ -146,7 +146,7 @@ pub enum Tracer<'a> {
     /// The truth.
     Walk(&'a HeightMap),
     /// A translated shader.
-    Shader(&'a Resources<'a>),
+    Shader(&'a MethodTracer<'a>),
     /// The other program.
     Parry(&'a HeightField),
 }
@@ -158,7 +158,7 @@ impl<'a> Contest<'a> {
             let selection = Selection::method(method).map_err(|error| error.to_string())?;
             let name =
                 format!("shader, {method} ({} + {})", selection.search().name, selection.refine().name);
-            Ok((name, Resources::tracing(map, &selection, &SlotMaps::default())))
+            Ok((name, MethodTracer::over(map, &selection, SlotMaps::default())))
         });
         Ok(Self {
             map,
@@ -175,8 +175,7 @@ impl<'a> Contest<'a> {
             (PARRY, Tracer::Parry(&self.parry)),
             ("exact, cell_walk in f64", Tracer::Walk(self.map)),
         ];
-        tracers
-            .extend(self.shaders.iter().map(|(name, resources)| (name.as_str(), Tracer::Shader(resources))));
+        tracers.extend(self.shaders.iter().map(|(name, tracer)| (name.as_str(), Tracer::Shader(tracer))));
         tracers
     }
 }
@@ -192,7 +191,7 @@ impl Tracer<'_> {
         let hit = match self {
             Tracer::Fast(tracer) => tracer.trace(&rays.paths[at]).hit,
             Tracer::Walk(map) => cell_walk(map, &rays.paths[at]).hit,
-            Tracer::Shader(resources) => resources.first_hit(&rays.paths[at]),
+            Tracer::Shader(tracer) => tracer.first_hit(&rays.paths[at]),
             Tracer::Parry(field) => {
                 let (ray, length) = &rays.parry[at];
                 return field.cast_local_ray(ray, *length, true).map(f64::from);
@@ -208,9 +207,7 @@ impl Tracer<'_> {
             Tracer::Fast(tracer) if rays.shadow => paths.filter(|path| tracer.is_blocked(path)).count(),
             Tracer::Fast(tracer) => paths.filter(|path| black_box(tracer.trace(path)).hit.found).count(),
             Tracer::Walk(map) => paths.filter(|path| black_box(cell_walk(map, path)).hit.found).count(),
-            Tracer::Shader(resources) => {
-                paths.filter(|path| black_box(resources.first_hit(path)).found).count()
-            }
+            Tracer::Shader(tracer) => paths.filter(|path| black_box(tracer.first_hit(path)).found).count(),
             Tracer::Parry(field) => rays.parry[range]
                 .iter()
                 .filter(|(ray, length)| black_box(field.cast_local_ray(ray, *length, true)).is_some())

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use relief_core::registry::Entry;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
-use relief_shaders::cpu::{Frame, PixelIn, Probe, Resources, Shared, SurfaceSettings};
+use relief_shaders::cpu::{Frame, PixelIn, Probe, Program, Shared, SurfaceSettings};
 use relief_shaders::{REFINE, SEARCH, Selection};
 use relief_tests::baked::{in_slots, maps_in, slots};
 use relief_tests::maps::NamedMap;
@@ -78,14 +78,14 @@ impl Case {
     }
 
     /// What the translated stages are called on.
-    pub fn resources(&self) -> Resources<'_> {
-        self.surface.resources(Frame::none())
+    pub fn program(&self) -> Program<'_> {
+        self.surface.program(Frame::none())
     }
 
     /// What the translated stages make of rays.
     pub fn on_cpu(&self, rays: &[PixelIn]) -> Vec<Probe> {
-        let resources = self.resources();
-        rays.iter().map(|ray| probe(&resources, ray, 0.0)).collect()
+        let program = self.program();
+        rays.iter().map(|ray| probe(&program, ray, 0.0)).collect()
     }
 }
 
@@ -105,15 +105,15 @@ fn surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> Jo
 }
 
 /// The stages over a ray whose path lies `higher` heights above the ray's own, as the probe shader writes them down.
-pub fn probe(resources: &Resources, ray: &PixelIn, higher: f32) -> Probe {
-    let at = resources.surface_stage(*ray);
+pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
+    let at = program.surface(*ray);
     if at.valid == 0 {
         return Probe::read(&[0; Probe::SIZE]);
     }
     let mut path = at.path;
     path.h.x += higher;
-    let found = resources.search_stage(path);
-    let hit = resources.refine_stage(path, found);
+    let found = program.search(path);
+    let hit = program.refine(path, found);
     Probe {
         valid: at.valid,
         entry: path.uv,

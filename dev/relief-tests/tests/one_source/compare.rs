@@ -1,7 +1,7 @@
 //! Whether two backends gave the same answers.
 
 use relief_core::Path;
-use relief_shaders::cpu::{PixelIn, Probe, Resources, Shared};
+use relief_shaders::cpu::{PixelIn, Probe, Program, Shared};
 
 use crate::cases::{Case, probe};
 
@@ -34,14 +34,14 @@ impl Comparison {
     /// Compares the answers of two backends to the same rays.
     pub fn new(case: &Case, rays: &[PixelIn], cpu: &[Probe], gpu: &[Probe]) -> Self {
         assert_eq!([cpu.len(), gpu.len()], [rays.len(); 2], "an answer a ray");
-        let resources = case.resources();
+        let program = case.program();
         let mut comparison = Self { rays: rays.len(), ..Self::default() };
         for (number, (cpu, gpu)) in cpu.iter().zip(gpu).enumerate() {
             if bits(cpu) == bits(gpu) {
                 continue;
             }
             comparison.different += 1;
-            let explained = is_explained(case, &resources, &rays[number], gpu);
+            let explained = is_explained(case, &program, &rays[number], gpu);
             let first = comparison.unexplained == 0;
             comparison.unexplained += usize::from(!explained);
             if comparison.example.is_none() || (first && !explained) {
@@ -102,15 +102,15 @@ fn bits(probe: &Probe) -> [u8; Probe::SIZE] {
 }
 
 /// Whether an answer is that of a path which lies at most the margin higher or lower than the ray's own.
-fn is_explained(case: &Case, resources: &Resources, ray: &PixelIn, gpu: &Probe) -> bool {
-    let moved = (-ROUNDINGS..=ROUNDINGS).map(|by| probe(resources, ray, f32::from(by) * f32::EPSILON));
+fn is_explained(case: &Case, program: &Program, ray: &PixelIn, gpu: &Probe) -> bool {
+    let moved = (-ROUNDINGS..=ROUNDINGS).map(|by| probe(program, ray, f32::from(by) * f32::EPSILON));
     let alike: Vec<Option<Probe>> = moved
         .map(|near| Some(near).filter(|near| same_path(near, gpu) && decided(near) == decided(gpu)))
         .collect();
     if gpu.found == 0 {
         return alike.iter().flatten().any(|near| same_miss(near, gpu));
     }
-    let path = Path::from(&resources.surface_stage(*ray).path);
+    let path = Path::from(&program.surface(*ray).path);
     // Where the path runs along the surface, paths that barely differ end far apart, with all of the surface between.
     let between = alike.windows(2).any(|pair| match pair {
         [Some(a), Some(b)] => {

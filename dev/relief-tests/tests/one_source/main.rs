@@ -151,10 +151,10 @@ fn a_wrong_wrap_is_seen() {
 fn only_differences_within_the_margin_are_explained() {
     for (search, refine) in [("cells", "patch"), ("linear", "binary")] {
         let (case, rays, cpu) = sample(search, refine);
-        let resources = case.resources();
+        let program = case.program();
         let moved = |roundings: f32| {
             let gpu: Vec<Probe> =
-                rays.iter().map(|ray| probe(&resources, ray, roundings * f32::EPSILON)).collect();
+                rays.iter().map(|ray| probe(&program, ray, roundings * f32::EPSILON)).collect();
             Comparison::new(&case, &rays, &cpu, &gpu)
         };
         let slightly = moved(2.5);
@@ -193,7 +193,7 @@ fn fast_sampling_reads_the_same_surface_in_every_wrap() {
         let mut compared = 0;
         for (ray, (exact, fast)) in rays.drain(..).zip(exact.iter().zip(&fast)) {
             // Far from the origin f32 has not the fraction of a texel left.
-            let base = case.resources().surface_stage(ray).uv;
+            let base = case.program().surface(ray).uv;
             if exact.found == 0 || fast.found == 0 || base.x.abs().max(base.y.abs()) > 8.0 {
                 continue;
             }

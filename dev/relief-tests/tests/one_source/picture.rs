@@ -7,7 +7,7 @@ use relief_core::Wrap;
 use relief_render::camera::Camera;
 use relief_render::job::{Job, JobSurface, Rendering, uncovered};
 use relief_shaders::Selection;
-use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Resources, SurfaceSettings, Triangle};
+use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, SurfaceSettings, Triangle};
 use relief_tests::baked::{in_slots, maps_for, slots};
 use relief_tests::maps;
 
@@ -100,10 +100,10 @@ impl Picture {
     /// What a pixel may be by the translated shaders: one answer, or several where the ray passes near an edge. An
     /// answer of nothing stands for a pixel that nothing covers.
     fn expected(&self, x: u32, y: u32) -> Vec<Option<PixelOut>> {
-        let resources = self.surface().resources(self.job.frame);
+        let program = self.surface().program(self.job.frame);
         let point = [x as f32 + 0.5, y as f32 + 0.5];
         let mut met: Vec<Met> =
-            self.surface().triangles.iter().filter_map(|each| self.meet(&resources, each, point)).collect();
+            self.surface().triangles.iter().filter_map(|each| self.meet(&program, each, point)).collect();
         met.sort_by(|a, b| a.depth.total_cmp(&b.depth));
         let mut answers = Vec::new();
         for Met { certain, pixel, .. } in met {
@@ -154,9 +154,9 @@ impl Picture {
         ))
     }
 
-    fn meet(&self, resources: &Resources, triangle: &Triangle, point: [f32; 2]) -> Option<Met> {
-        let vector = |v: relief_shaders::cpu::runtime::Vec3<f32>| Vec3::new(v.x, v.y, v.z).as_dvec3();
-        let direction = vector(resources.pixel_direction(point));
+    fn meet(&self, program: &Program, triangle: &Triangle, point: [f32; 2]) -> Option<Met> {
+        let vector = |v: relief_shaders::cpu::Vec3<f32>| Vec3::new(v.x, v.y, v.z).as_dvec3();
+        let direction = vector(program.pixel_direction(point));
         let eye = self.job.frame.eye;
         let eye = Vec3::new(eye.x, eye.y, eye.z).as_dvec3();
         let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| vector(corner.position));
@@ -174,8 +174,8 @@ impl Picture {
             return None;
         }
         let side = if front { 1.0 } else { -1.0 };
-        let pixel = resources.pixel_of(triangle.a, triangle.b, triangle.c, side, point);
-        Some(Met { depth, certain: least > EDGE, pixel: resources.shade_pixel(pixel) })
+        let pixel = program.pixel_of([triangle.a, triangle.b, triangle.c], side, point);
+        Some(Met { depth, certain: least > EDGE, pixel: program.shade_pixel(pixel) })
     }
 }
 

@@ -11,6 +11,7 @@ mod bindings;
 mod constants;
 mod declarations;
 mod dispatch;
+mod docs;
 mod layout;
 mod modules;
 mod naga_check;
@@ -44,9 +45,10 @@ pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
     let text = wesl_link::ordered(&linked)?;
     let (module, info) = valid("cpu", &linked)?;
     naga_check::refuse_untranslatable(&module, &info, &text, &modules)?;
-    let rust = rust::translate(&module, &info)?;
+    let docs = docs::Docs::of(&declarations);
+    let rust = docs.add(&rust::translate(&module, &info)?)?;
     let translated: BTreeSet<String> = module.types.iter().filter_map(|(_, ty)| ty.name.clone()).collect();
-    let layout = layout::write(&shared.iter().collect::<Vec<_>>(), &translated)?;
+    let layout = docs.add(&layout::write(&shared.iter().collect::<Vec<_>>(), &translated)?)?;
     let written = declarations::write(&modules, &declarations);
     let files = [("declarations.rs", written), ("cpu.rs", rust), ("layout.rs", layout)];
     let generated =

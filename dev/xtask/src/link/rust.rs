@@ -21,11 +21,26 @@ pub fn translate(module: &Module, info: &ModuleInfo) -> Result<String, String> {
         .write(&mut text, module, info)
         .map_err(|error| format!("translating to Rust: {error}"))?;
     let text = concrete_textures(module, &text.replace(&format!("{RUNTIME}::"), "rt::"))?;
+    let text = crate_alone(&text)?;
     let bound = bound(module);
     Ok(format!(
         "// The stages' translation. Written by `cargo xtask link`; do not edit.\n\n\
          use {RUNTIME} as rt;\nuse {RUNTIME}::SquareRoot as _;\n\n{text}\n{bound}"
     ))
+}
+
+/// Keeps the resources and their functions to the crate; its own types call them.
+fn crate_alone(text: &str) -> Result<String, String> {
+    let marks = ["pub struct Resources<'g> {", "impl<'g> Resources<'g> {"];
+    let [fields, functions] = marks.map(|mark| text.find(mark));
+    let (Some(fields), Some(functions)) = (fields, functions) else {
+        return Err("the translation declares its resources in another way than expected".to_owned());
+    };
+    let (before, resources) = text.split_at(fields);
+    let (fields, functions) = resources.split_at(functions - before.len());
+    let (fields, functions) =
+        (fields.replace("pub ", "pub(crate) "), functions.replace("\n    pub fn ", "\n    pub(crate) fn "));
+    Ok(format!("{before}#[derive(Clone, Copy, Debug)]\n{fields}{functions}"))
 }
 
 /// The constructor that takes, of all that can be bound, what the translated shaders use.
@@ -40,7 +55,7 @@ fn bound(module: &Module) -> String {
         let _ = writeln!(fields, "            {name}: {value},");
     }
     format!(
-        "impl<'g> Resources<'g> {{\n    /// What the stages are called on.\n    pub fn of(bound: &crate::cpu::Bound<'g>) -> \
+        "impl<'g> Resources<'g> {{\n    /// What the stages are called on.\n    pub(crate) fn of(bound: &crate::cpu::Bound<'g>) -> \
          Self {{\n        Self {{\n{fields}        }}\n    }}\n}}\n"
     )
 }

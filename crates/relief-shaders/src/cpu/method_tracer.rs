@@ -1,0 +1,61 @@
+//! Rays through a method.
+
+use relief_core::{BakedMap, HeightMap, Hit, Metric, Path};
+
+use super::{Bound, ColorTexture, Frame, HeightTexture, Program, SurfaceSettings};
+use crate::{MapError, Selection, SlotMaps};
+
+/// A method, ready to trace rays through a height map: what a shader finds, without a picture.
+///
+/// A [`Path`] is rounded to `f32`, as shaders have it. How near the answers come to the truth is what the method's
+/// [guarantees](crate::Selection::guarantee) say; [`FastTracer`](relief_core::exact::FastTracer) has the truth.
+///
+/// ```
+/// use relief_core::{HeightMap, Metric, Path, Wrap};
+/// use relief_shaders::Selection;
+/// use relief_shaders::cpu::MethodTracer;
+///
+/// let heights = HeightMap::from_fn(64, 64, Wrap::Repeat, |i, j| (i * j % 64) as f32 / 63.0)?;
+/// let relief = Selection::method("relief")?;
+/// let tracer = MethodTracer::new(&heights, Metric::UNIT, &relief, [])?;
+/// let hit = tracer.first_hit(&Path::between([0.1, 0.2, 1.0], [0.9, 0.6, 0.0]));
+/// assert!(hit.found && hit.reads > 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct MethodTracer<'a>(Program<'a>);
+
+impl<'a> MethodTracer<'a> {
+    /// The method over that height map, on a surface of that metric, with the baked maps that it reads. Maps that it does
+    /// not read may be among them.
+    ///
+    /// # Errors
+    ///
+    /// When a map that the method reads is missing, or is another one than it reads; the error says in what.
+    pub fn new(
+        heights: &'a HeightMap,
+        metric: Metric,
+        selection: &Selection,
+        maps: impl IntoIterator<Item = &'a BakedMap> + Clone,
+    ) -> Result<Self, MapError> {
+        Ok(Self::over(heights, selection, selection.slot_maps(maps, heights, metric)?))
+    }
+
+    /// The same over maps that are known to be the right ones: nothing is checked, and wrong maps give wrong answers.
+    pub fn over(heights: &'a HeightMap, selection: &Selection, maps: SlotMaps<'a>) -> Self {
+        Self(Program::new(&Bound {
+            frame: Frame::none(),
+            surface_settings: SurfaceSettings::tracing(heights, selection, &maps),
+            height_map: HeightTexture::new(heights.width(), heights.texels()),
+            color_map: ColorTexture::BLANK,
+            normal_map: ColorTexture::BLANK,
+            maps,
+        }))
+    }
+
+    /// Where a path ends by this method.
+    #[inline]
+    pub fn first_hit(&self, path: &Path) -> Hit {
+        Hit::from(&self.0.trace(super::Path::from(path)))
+    }
+}

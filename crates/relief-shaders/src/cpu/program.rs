@@ -1,0 +1,75 @@
+//! The shaders' functions that hosts call.
+
+use super::generated::Resources;
+use super::{Bound, Corner, Entered, Found, Hit, Path, PixelIn, PixelOut, Vec3};
+
+/// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact sampling.
+///
+/// A renderer calls [`Self::shade_pixel`] for every pixel that a triangle covers. Rays without a picture have
+/// [`MethodTracer`](super::MethodTracer).
+#[derive(Clone, Copy, Debug)]
+pub struct Program<'a>(Resources<'a>);
+
+impl<'a> Program<'a> {
+    /// The shaders over these settings and maps.
+    pub fn new(bound: &Bound<'a>) -> Self {
+        Self(Resources::of(bound))
+    }
+
+    /// Where the camera stands.
+    #[inline]
+    pub fn eye(&self) -> [f32; 3] {
+        let eye = self.0.frame.eye;
+        [eye.x, eye.y, eye.z]
+    }
+
+    /// The direction in which the camera sees a point of the picture, in pixels from its upper left corner. Its component
+    /// along the camera's axis is 1.
+    #[inline]
+    pub fn pixel_direction(&self, point: [f32; 2]) -> Vec3<f32> {
+        self.0.pixel_direction(point)
+    }
+
+    /// What the stages are given of a point of the picture that a triangle covers. `side` is 1 on its front, -1 on its back.
+    #[inline]
+    pub fn pixel_of(&self, corners: [Corner; 3], side: f32, point: [f32; 2]) -> PixelIn {
+        let [a, b, c] = corners;
+        self.0.pixel_of(a, b, c, side, point)
+    }
+
+    /// The surface stage: where the ray meets the surface, and its path through the relief.
+    #[inline]
+    pub fn surface(&self, pixel: PixelIn) -> Entered {
+        self.0.surface_stage(pixel)
+    }
+
+    /// The search stage.
+    #[inline]
+    pub fn search(&self, path: Path) -> Found {
+        self.0.search_stage(path)
+    }
+
+    /// The refinement stage.
+    #[inline]
+    pub fn refine(&self, path: Path, found: Found) -> Hit {
+        self.0.refine_stage(path, found)
+    }
+
+    /// Search and refinement of a path.
+    #[inline]
+    pub fn trace(&self, path: Path) -> Hit {
+        self.0.trace(path)
+    }
+
+    /// A whole pixel: all stages.
+    #[inline]
+    pub fn shade_pixel(&self, pixel: PixelIn) -> PixelOut {
+        self.0.shade_pixel(pixel)
+    }
+
+    /// A pixel whose hit is known already.
+    #[inline]
+    pub fn shade_hit(&self, pixel: PixelIn, entered: Entered, hit: Hit) -> PixelOut {
+        self.0.shade_hit(pixel, entered, hit)
+    }
+}

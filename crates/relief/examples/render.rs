@@ -1,0 +1,26 @@
+//! Renders a scene into memory.
+
+use std::error::Error;
+
+use relief::maps::Maps;
+use relief::render::mesh::torus;
+use relief::render::scene::{Scene, Surface};
+use relief::render::{picture, render};
+use relief::shaders::Selection;
+use relief::{HeightMap, Wrap};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let bumps = |i: u32, j: u32| (i as f32 * 0.2).sin().abs() * (j as f32 * 0.2).sin().abs();
+    // 2 cm between the lowest and the highest texel; the lowest lies on the mesh.
+    let heights = HeightMap::from_fn(94, 94, Wrap::Repeat, bumps)?.with_displacement(0.02, 0.0)?;
+    let surface = Surface::new(torus(96, 48)?, heights).with_selection(Selection::method("cone")?);
+    let scene = Scene::builder(surface).size(320, 240).build()?;
+
+    let rendered = render(&scene, &mut Maps::in_memory(), &|_task, _part| {})?;
+    let rgb = picture::srgb8(&rendered.rendering, scene.background().to_array());
+    println!("{} bytes of sRGB on the {}, {}", rgb.len(), rendered.backend, rendered.device);
+
+    let hits = rendered.rendering.pixels.iter().filter(|pixel| pixel.hit == 1).count();
+    println!("{hits} of {} pixels show the surface", rendered.rendering.pixels.len());
+    Ok(())
+}

@@ -1,0 +1,74 @@
+//! Displacement mapping: a height map and a mesh go in; a picture, baked maps or a shader that any engine can use comes out.
+//!
+//! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], and in [`exact`] the answer that every faster method is judged
+//! by. Every other crate of the project is a module, most of them behind a feature of that name; all are on by default.
+//!
+//! | module | feature | what it is for |
+//! | --- | --- | --- |
+//! | [`shaders`] | | methods, their shaders as WGSL, and rays through them on the CPU |
+//! | [`bake`] | `bake` | the auxiliary maps that methods read |
+//! | [`io`] | `io` | height maps, pictures and normal maps from and to files and bytes |
+//! | [`maps`] | `maps` (and `bake`) | baked maps looked up, baked and kept |
+//! | [`render`] | `render` (and `maps`, `io`) | scenes, and pictures of them on the CPU |
+//! | [`render::gpu`] | `gpu` (and `render`) | the same pictures on a GPU |
+//!
+//! # Load and inspect
+//!
+//! ```
+#![cfg_attr(feature = "io", doc = include_str!("../examples/inspect.rs"))]
+//! ```
+//!
+//! # Bake a map to a file
+//!
+//! ```
+#![cfg_attr(all(feature = "bake", feature = "io"), doc = include_str!("../examples/bake.rs"))]
+//! ```
+//!
+//! # Rays, exactly and by a method
+//!
+//! ```
+#![cfg_attr(feature = "maps", doc = include_str!("../examples/rays.rs"))]
+//! ```
+//!
+//! # Render into memory
+//!
+//! ```
+#![cfg_attr(feature = "render", doc = include_str!("../examples/render.rs"))]
+//! ```
+//!
+//! # Several surfaces, several frames
+//!
+//! ```
+#![cfg_attr(feature = "render", doc = include_str!("../examples/frames.rs"))]
+//! ```
+//!
+//! # A device of one's own
+//!
+//! ```
+#![cfg_attr(feature = "gpu", doc = include_str!("../examples/device.rs"))]
+//! ```
+//!
+//! # On the web
+//!
+//! Everything compiles for `wasm32-unknown-unknown`. Read files as bytes, keep maps in memory, and draw on a GPU with the
+//! functions that are `async`. Two things panic there: the CPU backend, whose ray casting asks the system's clock while it
+//! builds its tree, and the functions that wait for a GPU, [`Gpu::new`](render::gpu::Gpu::new),
+//! [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and [`block_on`](render::gpu::block_on).
+
+#[doc(inline)]
+pub use relief_core::*;
+
+/// Baking: from a height map to every map that displacement methods read.
+#[cfg(feature = "bake")]
+pub use relief_bake as bake;
+/// Height maps, pictures and normal maps from files, and pictures and float channels to files.
+#[cfg(feature = "io")]
+pub use relief_io as io;
+/// The baked maps that methods read, provided: looked up, baked, kept.
+#[cfg(feature = "maps")]
+pub use relief_maps as maps;
+/// Scenes, and the two backends that render them.
+#[cfg(feature = "render")]
+pub use relief_render as render;
+/// Methods, and their shaders as WGSL and as Rust.
+pub use relief_shaders as shaders;
