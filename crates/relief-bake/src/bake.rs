@@ -1,31 +1,9 @@
 //! A kind's bake, with what is the same for all of them.
 
-use relief_core::{HeightMap, HeightMapError, Metric};
+use relief_core::{HeightMap, Metric};
 
 use crate::kind::BITS;
-use crate::{BakeInput, Cancelled, Kind, Progress, Settings, Sink, SinkError, quantise};
-
-/// Why there is no baked map.
-#[derive(Debug, thiserror::Error)]
-pub enum BakeError {
-    /// It was cancelled.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-    /// Where it was to go cannot take it.
-    #[error(transparent)]
-    Sink(#[from] SinkError),
-    /// The height map cannot be used.
-    #[error(transparent)]
-    HeightMap(#[from] HeightMapError),
-    /// The kind cannot be baked from this map with these settings.
-    #[error("{kind}: {reason}")]
-    Impossible {
-        /// The kind.
-        kind: &'static str,
-        /// Why, and what to do.
-        reason: String,
-    },
-}
+use crate::{BakeError, BakeInput, Kind, Progress, Settings, Sink, quantise};
 
 /// Bakes a map of that kind into a sink. Kinds with the parameter [`BITS`] are baked from heights of so many bits, for which
 /// a copy of the map is made: see [`bake_last`].

@@ -1,6 +1,8 @@
 //! Which way green points, by which of both ways the normals are more nearly a relief's.
 
-use super::{FromNormalsError, IntegratedHeights, Integration, NormalSlopes, heights_from_slopes};
+use super::error::FromNormalsError;
+use super::integrate::{IntegratedHeights, Integration, heights_from_slopes};
+use super::slopes::NormalSlopes;
 use crate::Progress;
 
 /// Below this confidence the ways are told apart by chance: texels of white noise reach a hundredth of it or so.

@@ -3,12 +3,9 @@
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
-use super::FromNormalsError;
+use super::error::{FromNormalsError, SHORTEST, check_steepest};
 use crate::fill;
 use crate::kind::normal::Axes;
-
-/// A normal shorter than this has lost its direction: rounding to 8 bit alone moves its end by up to 0.007.
-pub const SHORTEST: f32 = 0.1;
 
 /// Normals whose length is off from 1 by more are counted: compression and filtering leave less.
 pub const UNIT_TOLERANCE: f32 = 0.1;
@@ -70,7 +67,7 @@ impl NormalSlopes {
         if normals.len() as u64 != u64::from(width) * u64::from(height) {
             return Err(FromNormalsError::WrongLength { width, height, given: normals.len() });
         }
-        super::check_steepest(steepest)?;
+        check_steepest(steepest)?;
         let row_length = width as usize;
         let mut along = [0, 1].map(|_| vec![0.0f32; normals.len()]);
         let [along_u, along_v] = &mut along;

@@ -9,7 +9,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 use crate::{Cancelled, Progress};
 
-/// Lines that a thread transforms, and columns that it transposes, together.
+/// Lines that a thread transforms together.
 const LINES: usize = 16;
 
 /// A plane goes on beyond its edges tiled, or mirrored half a sample beyond the last one.
@@ -137,19 +137,6 @@ impl LineTransform {
             *x = scale * room.line[place];
         }
     }
-}
-
-/// Columns become rows: `to` gets those of a plane of rows of `width`.
-pub(super) fn transpose(from: &[f64], width: usize, to: &mut [f64]) {
-    let height = from.len() / width;
-    to.par_chunks_mut(height * LINES).enumerate().for_each(|(block, columns)| {
-        let first = block * LINES;
-        for (j, row) in from.chunks(width).enumerate() {
-            for (column, &value) in columns.chunks_mut(height).zip(&row[first..]) {
-                column[j] = value;
-            }
-        }
-    });
 }
 
 #[cfg(test)]

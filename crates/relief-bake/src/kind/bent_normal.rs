@@ -22,8 +22,9 @@ use rayon::prelude::*;
 use relief_core::registry::Publication;
 use relief_core::{HeightMap, Metric, Rounding};
 
-use super::horizon::{self, Sweep, unit_vector};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::azimuths::{AZIMUTHS, TILES, texture, unit_vector};
+use crate::horizon_sweep::Sweep;
 use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink};
 
 /// The kind.
@@ -32,7 +33,7 @@ pub const KIND: Kind = Kind {
     summary: "the mean direction in which a texel sees the sky",
     revision: 1,
     publication: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
-    params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
+    params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, about the base normal",
     shapes: |size, _| vec![Shape::slices("", size, 1, 3)],
     reach: |_| Reach::Everything,
@@ -92,6 +93,6 @@ fn bake(
         range: [-1.0, 1.0],
         rounding: Rounding::Nearest,
     });
-    sink.begin(&horizon::texture(source, azimuths, 1, channels.to_vec()))?;
+    sink.begin(&texture(source, azimuths, 1, channels.to_vec()))?;
     Ok(to_nearest(sink, &channels, bits, &mut planes.each_mut().map(Vec::as_mut_slice))?)
 }

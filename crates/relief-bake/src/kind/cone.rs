@@ -8,29 +8,12 @@
 //! search such as that of the shaders needs for nothing to be passed from any start in the texel; others may be moved. That,
 //! and how it is found, is Relief's own.
 
-mod apexes;
-mod block;
-mod encoding;
-mod field;
-mod near;
-mod point;
-mod search;
-mod slope;
-mod walk;
-
-use pulp::Simd;
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
 use relief_core::{HeightMap, Metric};
 
-pub(super) use self::apexes::{Apexes, Region};
-pub(super) use self::block::{Block, Lanes, cells_of_block, is_in_block, offset_of};
-pub(super) use self::encoding::texture;
-pub(super) use self::field::{Field, Seen};
-pub(super) use self::search::{Search, Sort, State, bits_of};
-pub(super) use self::slope::{Patch, inside_segment, steepest_in_quarter, to_point};
-pub(super) use self::walk::{Group, LANES, Look};
 use super::{BITS, Kind, Reach};
+use crate::cone_search::{Empty, Region, Search, texture};
 use crate::{BakeError, BakeInput, Cancelled, Progress, Settings, Shape, Sink};
 
 /// From where the cones of a map are safe.
@@ -133,26 +116,6 @@ pub fn cone_ratios(
     let search = Search::new(map, metric.texel_m(map), region);
     let ratios = search.ratios(&Empty, progress)?;
     Ok(if apex == ConeApex::Filtered { least_around(map, &ratios) } else { ratios })
-}
-
-/// Cones that hold no surface.
-pub(super) struct Empty;
-
-impl Sort for Empty {
-    const NEAR: bool = true;
-
-    #[inline(always)]
-    fn slopes2<S: Simd>(
-        &self,
-        simd: S,
-        search: &Search,
-        texel: [i64; 2],
-        count: usize,
-        near: Lanes,
-        state: &mut State,
-    ) -> Lanes {
-        search.slopes2(simd, texel, count, near, state)
-    }
 }
 
 /// The least value of each texel's 3 by 3 neighbourhood.

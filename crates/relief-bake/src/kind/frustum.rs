@@ -76,8 +76,8 @@ use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
 use relief_core::{HeightMap, MaxPyramid, Rounding};
 
-use super::texel_pyramid::TexelPyramid;
 use super::{BITS, Kind, Reach};
+use crate::texel_pyramid::TexelPyramid;
 use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture, quantise};
 
 pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};

@@ -48,46 +48,14 @@
 //! With a relief of a tenth of the tile the error's median is below 0.001 degrees, its 95th percentile 0.2 to 0.4
 //! degrees on natural ground and 0.9 on white noise; it is largest for the shadows of lone spikes a texel wide.
 
-mod far;
-mod lines;
-mod near;
-mod sheared;
-mod sweep;
-
-use relief_core::registry::{Param, Publication};
+use relief_core::registry::Publication;
 use relief_core::{HeightMap, Metric, Rounding};
 
-pub(super) use lines::{Direction, Lines, Rows, Stretch, unit_vector};
-pub(super) use sheared::{Band, Plane};
-pub(super) use sweep::Sweep;
-
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
-use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink, Texture};
-
-/// Steps that are read from the texel's own ray. More are nearer to the truth, as one over their number, and slower.
-pub const NEAR_STEPS: usize = 8;
-
-/// How many azimuths.
-pub(super) const AZIMUTHS: Param = Param {
-    name: "azimuths",
-    summary: "directions along the base plane in which the horizon is looked for",
-    unit: "",
-    min: 4.0,
-    max: 256.0,
-    default: 16.0,
-    integer: true,
-};
-
-/// How far the horizon is looked for.
-pub(super) const TILES: Param = Param {
-    name: "tiles",
-    summary: "how far the horizon is looked for, in tiles",
-    unit: "tiles",
-    min: 1.0,
-    max: 16.0,
-    default: 1.0,
-    integer: true,
-};
+use crate::azimuths::{AZIMUTHS, TILES, texture};
+pub use crate::horizon_sweep::NEAR_STEPS;
+use crate::horizon_sweep::Sweep;
+use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink};
 
 /// The kind.
 pub const KIND: Kind = Kind {
@@ -135,19 +103,6 @@ pub fn horizons(
         take(azimuth, &mut sines)?;
     }
     Ok(())
-}
-
-/// A texture of so many slices of the size of the map, with notes that say how the azimuths lie.
-pub(super) fn texture(source: &BakeInput, azimuths: u32, slices: u32, channels: Vec<Channel>) -> Texture {
-    let [u, v] = source.metric.tile_m;
-    let notes = vec![
-        ("azimuths", format!("{azimuths}: 2 pi k / {azimuths}, in metres from +u towards +v")),
-        ("tile_m", format!("{u} {v}")),
-        ("scale_m", source.metric.scale_m.to_string()),
-        ("wrap", source.map.wrap().name().to_owned()),
-    ];
-    let size = [source.map.width(), source.map.height(), slices];
-    Texture { name: "", size, mips: Vec::new(), channels, notes }
 }
 
 fn bake(

@@ -1,4 +1,5 @@
-//! The map kinds, one file each. A new one is a file here and its name in the list below.
+//! The map kinds, one file each. A new one is a file here and its name in the list below. A folder of a kind's name holds
+//! what belongs to that kind alone; what several kinds share lies beside `kind`.
 
 pub mod bent_normal;
 pub mod cone;
@@ -10,7 +11,6 @@ pub mod normal;
 pub mod occlusion;
 pub mod pyramid;
 pub mod relaxed_cone;
-mod texel_pyramid;
 pub mod visibility;
 
 use relief_core::registry::{Param, Publication, UnknownName};

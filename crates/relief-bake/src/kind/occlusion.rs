@@ -6,7 +6,7 @@
 //! # What is stored
 //!
 //! The visibility `1 - mean(sin² H)` in `[0, 1]` over the azimuths, `H` the elevation of the
-//! [`horizon`]: the part of a uniform sky's light that reaches a plane parallel to the base at the
+//! [`horizon`](super::horizon): the part of a uniform sky's light that reaches a plane parallel to the base at the
 //! texel. It is the cosine-weighted part of the hemisphere about the *base* normal that is open, `1/π ∫ V cos θ dω`,
 //! since the sky of one azimuth above the horizon contributes `∫ from H to π/2 of sin e cos e de = cos² H / 2`. It is
 //! not about the relief's own normal.
@@ -20,8 +20,9 @@
 use relief_core::registry::Publication;
 use relief_core::{HeightMap, Metric, Rounding};
 
-use super::horizon::{self, Sweep};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::azimuths::{AZIMUTHS, TILES, texture};
+use crate::horizon_sweep::Sweep;
 use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink};
 
 /// The kind.
@@ -33,7 +34,7 @@ pub const KIND: Kind = Kind {
         paper: "Zhukov, Iones and Kronin 1998; Timonen and Westerholm 2010",
         section: "",
     },
-    params: &[horizon::AZIMUTHS, horizon::TILES, BITS_TO_NEAREST],
+    params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, off by at most their mean error in radians and what is between azimuths",
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
@@ -41,7 +42,7 @@ pub const KIND: Kind = Kind {
 };
 
 /// The visibility of the sky at every texel, row by row from the top. Parameters are those of
-/// [`horizon::horizons`]. The working set besides input and result is a quarter of the map, and for each thread 16 lines of
+/// [`horizons`](super::horizon::horizons). The working set besides input and result is a quarter of the map, and for each thread 16 lines of
 /// the map and their reach and 50 of its rows.
 ///
 /// # Errors
@@ -76,6 +77,6 @@ fn bake(
     let mut open = visibility(source.map, source.metric, azimuths, tiles, progress)?;
     let channels =
         [Channel { name: "visibility", unit: "1", range: [0.0, 1.0], rounding: Rounding::Nearest }];
-    sink.begin(&horizon::texture(source, azimuths, 1, channels.to_vec()))?;
+    sink.begin(&texture(source, azimuths, 1, channels.to_vec()))?;
     Ok(to_nearest(sink, &channels, bits, &mut [&mut open])?)
 }

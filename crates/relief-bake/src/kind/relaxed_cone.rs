@@ -15,8 +15,8 @@ use relief_core::registry::{Param, Publication};
 use relief_core::{HeightMap, Metric};
 
 use self::search::Relaxed;
-use super::cone::{Empty, Region, Search, texture};
 use super::{BITS, Kind, Reach};
+use crate::cone_search::{Empty, Region, Search, texture};
 use crate::{BakeError, BakeInput, Cancelled, Progress, Settings, Shape, Sink};
 
 /// From where the relaxed cones of a map hold.

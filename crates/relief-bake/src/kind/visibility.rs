@@ -3,7 +3,7 @@
 //! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed visibility*;
 //! Szirmay-Kalos and Umenhoffer 2008, section 6.2. Along a fixed azimuth and slope the first hit is a
 //! next-greater-element query: in a frame that rises with the rays, the first column that is higher than the texel. A
-//! stack of records along the sheared lines of the horizon's sweep (see [`horizon`]) answers it in
+//! stack of records along the sheared lines of the horizon's sweep (see [`horizon`](super::horizon)) answers it in
 //! O(1), and the cells that it leaves are solved: mostly one or two, and on ridges along the ray as many as the ridge
 //! is long.
 //!
@@ -39,8 +39,9 @@ use relief_core::{HeightMap, Metric, Rounding};
 
 pub use gather::Visibility;
 
-use super::horizon::{self, Band, Direction, Plane, Rows, unit_vector};
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::azimuths::{self, Direction, unit_vector};
+use crate::sheared_lines::{Band, Plane, Rows};
 use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink};
 
 const ELEVATIONS: Param = Param {
@@ -53,7 +54,8 @@ const ELEVATIONS: Param = Param {
     integer: true,
 };
 
-const TILES: Param = Param { summary: "how far a ray is followed, in tiles", default: 4.0, ..horizon::TILES };
+const TILES: Param =
+    Param { summary: "how far a ray is followed, in tiles", default: 4.0, ..azimuths::TILES };
 
 /// Rows of the map that one task puts in place together.
 const BAND: usize = 32;
@@ -67,7 +69,7 @@ pub const KIND: Kind = Kind {
         paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.2",
     },
-    params: &[horizon::AZIMUTHS, ELEVATIONS, TILES, BITS_TO_NEAREST],
+    params: &[azimuths::AZIMUTHS, ELEVATIONS, TILES, BITS_TO_NEAREST],
     guarantee: "the exact first hit with the bilinear surface, to rounding of f32",
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0) * settings.count(1), 3)],
     reach: |_| Reach::Everything,
@@ -191,7 +193,7 @@ fn bake(
     let map = source.map;
     let channel = |name, unit| Channel { name, unit, range: [0.0, 1.0], rounding: Rounding::Nearest };
     let channels = [channel("u", "tiles"), channel("v", "tiles"), channel("hit", "1")];
-    let mut texture = horizon::texture(source, azimuths, azimuths * elevations, channels.to_vec());
+    let mut texture = azimuths::texture(source, azimuths, azimuths * elevations, channels.to_vec());
     texture.notes.push(("elevations", format!("{elevations}: sin^2 = (e + 0.5) / {elevations}")));
     sink.begin(&texture)?;
     let mut planes = [0; 3].map(|_| vec![0.0f32; map.texels().len()]);

@@ -1,6 +1,6 @@
 //! Albedo in colour, once the normals are known.
 
-use super::{Exposure, Photo, Photometry, dot};
+use super::normals::{Exposure, Photo, Photometry, dot};
 use crate::fill;
 
 /// Collects the albedo of red, green and blue from photographs that come one after the other, so that one of them in colour

@@ -9,9 +9,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
-use super::super::texel_pyramid::TexelPyramid;
 use super::ahead::{self, Run};
 use super::diagonal;
+use crate::texel_pyramid::TexelPyramid;
 use crate::{Cancelled, Progress};
 
 /// Cells that are searched for at once. They share the walk through the pyramid, and the compiler compares them together; more of them

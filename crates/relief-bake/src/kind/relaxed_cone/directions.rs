@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
-use super::super::cone::{Field, Seen};
+use crate::cone_search::{Field, Seen};
 
 /// What may be lost to rounding, in parts of the gradient.
 const ROUNDING: f64 = 1e-12;

@@ -9,7 +9,7 @@
 //!   `g/2 - 2AD sin cos / g`. Its derivative vanishes where
 //!   `(B²C - 4ADB) + (2BC² - B³) t + (C³ - 2B²C) t² + (4ADC - BC²) t³ = 0`, `t = tan`. Where the curve leaves the patch it meets an edge.
 
-use super::super::cone::{Patch, inside_segment, to_point};
+use crate::cone_search::{Patch, inside_segment, to_point};
 
 /// Rounding of a sum of a few products, relative to the sum of their sizes.
 pub(super) const ROUNDING: f64 = 1e-14;

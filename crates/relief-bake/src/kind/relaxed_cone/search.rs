@@ -3,13 +3,13 @@
 use pulp::Simd;
 use relief_core::{HeightMap, Wrap};
 
-use super::super::cone::{
-    Apexes, Block, Group, LANES, Lanes, Look, Region, Search, Seen, Sort, State, bits_of, cells_of_block,
-    is_in_block, offset_of, steepest_in_quarter,
-};
 use super::directions::Directions;
 use super::falling::{ROUNDING, falling_slope2};
 use super::own::own_bound;
+use crate::cone_search::{
+    Apexes, Block, COLUMNS, Group, LANE_BITS, LANES, Lanes, Look, Region, Search, Seen, Sort, State, bits_of,
+    cells_of_block, is_in_block, offset_of, steepest_in_quarter,
+};
 
 /// The most images of the map that are looked at. Tiles a hundred times longer than wide need more; larger, and such a map
 /// takes hours for cones that hardly differ.
@@ -224,7 +224,7 @@ impl Falling<'_, '_> {
             let rise = simd.max_f64s(simd.sub_f64s(highest, S::as_simd_f64s(&self.lows).0[part]), zero);
             let least = simd.mul_f64s(S::as_simd_f64s(self.best).0[part], distance2);
             let matters = simd.and_m64s(falls, simd.less_than_f64s(least, simd.mul_f64s(rise, rise)));
-            *may = simd.select_u64s(matters, S::as_simd_u64s(&BITS).0[part], simd.splat_u64s(0));
+            *may = simd.select_u64s(matters, S::as_simd_u64s(&LANE_BITS).0[part], simd.splat_u64s(0));
         }
         may.into_iter().fold(0, |all, bit| all | bit)
     }
@@ -241,17 +241,11 @@ impl Falling<'_, '_> {
         for (part, may) in S::as_mut_simd_u64s(&mut may).0.iter_mut().enumerate() {
             let x = simd.sub_f64s(x, S::as_simd_f64s(&COLUMNS).0[part]);
             let falls = may_fall(simd, corners, x, y, half);
-            *may = simd.select_u64s(falls, S::as_simd_u64s(&BITS).0[part], simd.splat_u64s(0));
+            *may = simd.select_u64s(falls, S::as_simd_u64s(&LANE_BITS).0[part], simd.splat_u64s(0));
         }
         may.into_iter().fold(0, |all, bit| all | bit)
     }
 }
-
-/// A bit for each lane.
-const BITS: [u64; LANES] = [1, 2, 4, 8, 16, 32, 64, 128];
-
-/// How far each lane's texel is from the first.
-const COLUMNS: Lanes = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 impl Look for Falling<'_, '_> {
     const HIGHEST_CORNERS: bool = true;
@@ -272,7 +266,8 @@ impl Look for Falling<'_, '_> {
     ) {
         let first = self.apexes[0].texel;
         let by = [vertex[0] - first[0], vertex[1] - first[1]];
-        let wanted = excess.iter().zip(BITS).fold(0, |all, (&x, bit)| all | if x > 0.0 { bit } else { 0 });
+        let wanted =
+            excess.iter().zip(LANE_BITS).fold(0, |all, (&x, bit)| all | if x > 0.0 { bit } else { 0 });
         for seen in Seen::around(by, &self.search.field.around(vertex)) {
             // Each cell once, but where corners are as high as each other.
             let [h00, h10, h01, h11] = seen.heights;

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::kind::horizon::{Lines, Stretch};
+use crate::sheared_lines::{Lines, Stretch};
 use crate::{Cancelled, Progress};
 
 /// A column in whose neighbourhood the surface may stand above a ray.

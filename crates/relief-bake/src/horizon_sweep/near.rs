@@ -4,8 +4,11 @@ use std::ops::Range;
 
 use relief_core::HeightMap;
 
-use super::lines::Direction;
-use super::sheared::Run;
+use crate::azimuths::Direction;
+use crate::sheared_lines::Run;
+
+/// Steps that are read from the texel's own ray. More are nearer to the truth, as one over their number, and slower.
+pub const NEAR_STEPS: usize = 8;
 
 /// A place on the ray where it crosses the line between two texels: `first + share * (second - first)`.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +67,7 @@ impl Near {
     /// In a cell the surface over the ray is `a + b t + c t²` above the texel. Its slope `a/t + b + c t` is greatest
     /// at an end, or, where `a` and `c` are negative, at `t = sqrt(a/c)`, where it is `b - 2 sqrt(a c)`. In the first
     /// cell `a` is 0, and `b` the slope at the texel itself. Inside of cells beyond half of the way nothing is looked
-    /// for: see the bound in the kind's text.
+    /// for: see the bound in the text of the kind `horizon`.
     pub fn slopes(&self, band: &Padded, run: &Run, start: &mut [f32], slopes: &mut [f32]) {
         let own = band.row(run, [0, 0]);
         let start = &mut start[..slopes.len()];

@@ -2,50 +2,10 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
 use relief_core::{HeightMap, Wrap};
 
-/// A direction along the base plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Direction {
-    /// One step in texels; the component along the major axis is 1 or -1, the other at most as large.
-    pub step: [f64; 2],
-    /// Length of the step in metres.
-    pub step_m: f64,
-}
-
-impl Direction {
-    /// Azimuth number `index` of `azimuths`, at the angle `2π index / azimuths` in metres from `+u` towards `+v`.
-    pub fn azimuth(index: u32, azimuths: u32, texel_m: [f64; 2]) -> Self {
-        let [cos, sin] = unit_vector(index, azimuths);
-        let along = [cos / texel_m[0], sin / texel_m[1]];
-        let major = along[0].abs().max(along[1].abs());
-        Self { step: along.map(|x| snap(x / major)), step_m: 1.0 / major }
-    }
-
-    /// Whether the major axis is `v`.
-    pub fn is_steep(&self) -> bool {
-        self.step[1].abs() > self.step[0].abs()
-    }
-}
-
-/// Cosine and sine of azimuth number `index` of `azimuths`, with exact quarters.
-pub(crate) fn unit_vector(index: u32, azimuths: u32) -> [f64; 2] {
-    let angle = std::f64::consts::TAU * f64::from(index) / f64::from(azimuths);
-    [snap(angle.cos()), snap(angle.sin())]
-}
-
-/// Zero and one where rounding has spoilt them: a line a hair off an axis would read a second row for nothing.
-fn snap(x: f64) -> f64 {
-    const ROUNDING: f64 = 1e-12;
-    if x.abs() < ROUNDING {
-        0.0
-    } else if (x.abs() - 1.0).abs() < ROUNDING {
-        x.signum()
-    } else {
-        x
-    }
-}
+use crate::azimuths::Direction;
+use crate::transpose::transpose;
 
 /// A map, from which lines are taken.
 pub(crate) struct Rows<'a> {
@@ -64,15 +24,7 @@ impl<'a> Rows<'a> {
     pub fn with_transpose(map: &'a HeightMap) -> Self {
         let (width, height) = (map.width() as usize, map.height() as usize);
         let mut transposed = vec![0.0; width * height];
-        /// Columns of the map that one task reads together, so that a cache line is read once.
-        const BLOCK: usize = 16;
-        transposed.par_chunks_mut(BLOCK * height).enumerate().for_each(|(block, columns)| {
-            for (j, row) in map.texels().chunks_exact(width).enumerate() {
-                for (i, column) in columns.chunks_exact_mut(height).enumerate() {
-                    column[j] = row[block * BLOCK + i];
-                }
-            }
-        });
+        transpose(map.texels(), width, &mut transposed);
         Self { map, transposed: Some(transposed) }
     }
 

@@ -3,19 +3,16 @@
 use pulp::Simd;
 use relief_core::{HeightMap, Wrap};
 
-use super::super::texel_pyramid::TexelPyramid;
 use super::block::REACH;
-
-/// Texels of a row that are searched for at once. They share the walk through the pyramid, and the compiler compares them
-/// together; more of them share fewer of their nodes.
-pub(in crate::kind) const LANES: usize = 8;
+use super::lanes::{COLUMNS_F32, LANES};
+use crate::texel_pyramid::TexelPyramid;
 
 /// What lowers a squared slope so that in `f32` a node is passed over only if it surely can be: some twelve roundings of
 /// 2⁻²⁴.
 const CAUTION: f64 = 1.0 - 1.0 / (1u64 << 19) as f64;
 
 /// The map's pyramid and the shape of its texels.
-pub(in crate::kind) struct Walk<'a> {
+pub(crate) struct Walk<'a> {
     levels: TexelPyramid<'a>,
     size: [i64; 2],
     wrap: Wrap,
@@ -28,7 +25,7 @@ pub(in crate::kind) struct Walk<'a> {
 }
 
 /// Texels side by side, what they have found so far, and the nodes that are still to be looked into.
-pub(in crate::kind) struct Group {
+pub(crate) struct Group {
     /// The first texel.
     texel: [i64; 2],
     /// The lowest apex of each, rounded down; infinite for lanes without a texel.
@@ -59,7 +56,7 @@ impl Group {
 
 /// What is done with a vertex that may matter. It is to be inlined always, so that it is compiled for the vectors that the
 /// machine has; a closure would not be.
-pub(in crate::kind) trait Look {
+pub(crate) trait Look {
     /// Whether it is enough to look at a vertex when it is higher, seen from the cells around it, than the bar: for what looks at a
     /// cell from the highest corner. Else a vertex is looked at when it, or what is around it, may be steeper.
     const HIGHEST_CORNERS: bool;
@@ -287,7 +284,7 @@ impl<'a> Walk<'a> {
         let mut excess = [0.0; LANES];
         let mut any = false;
         for (part, excess) in S::as_mut_simd_f32s(&mut excess).0.iter_mut().enumerate() {
-            let by = S::as_simd_f32s(&COLUMNS).0[part];
+            let by = S::as_simd_f32s(&COLUMNS_F32).0[part];
             let away = simd.max_f32s(simd.sub_f32s(from, by), simd.sub_f32s(by, to));
             let sx = simd.mul_f32s(simd.max_f32s(simd.sub_f32s(away, half), zero), ax);
             let gx = simd.mul_f32s(simd.max_f32s(simd.sub_f32s(away, reach), zero), ax);
@@ -311,9 +308,6 @@ impl<'a> Walk<'a> {
         any.then_some(excess)
     }
 }
-
-/// How far each lane's texel is from the first.
-const COLUMNS: [f32; LANES] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 /// The larger one, in the form that compiles to one instruction.
 #[inline(always)]

@@ -5,9 +5,10 @@ use std::ops::Range;
 use rayon::prelude::*;
 use relief_core::{HeightMap, Metric};
 
-use super::lines::{Direction, Lines, Rows};
-use super::sheared::{Band, Plane, SKEW, Slab};
-use super::{NEAR_STEPS, far, near};
+use super::far;
+use super::near::{self, NEAR_STEPS};
+use crate::azimuths::Direction;
+use crate::sheared_lines::{Band, Lines, Plane, Rows, SKEW, Slab};
 use crate::{Cancelled, Progress};
 
 /// Into so many parts the lines are divided, which are worked on one after the other: more take less memory.
@@ -23,7 +24,7 @@ const LEAST_SLAB: usize = 64;
 ///
 /// Takes a quarter of the map (of small maps up to all of it), and for each thread 16 lines of the map and their reach, and
 /// 50 of its rows.
-pub(in crate::kind) struct Sweep<'a> {
+pub(crate) struct Sweep<'a> {
     map: &'a HeightMap,
     metric: Metric,
     azimuths: u32,

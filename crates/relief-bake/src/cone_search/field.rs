@@ -3,14 +3,14 @@
 use relief_core::HeightMap;
 
 /// A map, quick to read around a texel.
-pub(in crate::kind) struct Field<'a> {
+pub(crate) struct Field<'a> {
     pub map: &'a HeightMap,
     size: [i64; 2],
 }
 
 /// A dual cell as seen from a texel.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::kind) struct Seen {
+pub(crate) struct Seen {
     /// Corner `h00` in texels from the texel's centre.
     pub offset: [i64; 2],
     /// The heights `h00 h10 h01 h11`.

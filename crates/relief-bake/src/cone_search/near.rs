@@ -6,14 +6,14 @@
 use pulp::Simd;
 
 use super::apexes::Region;
-use super::block::{Block, CELLS_READ, CENTRE, Lanes, MASK, SIDE, vertex_at};
+use super::block::{Block, CELLS_READ, CENTRE, MASK, SIDE, vertex_at};
 use super::field::Field;
+use super::lanes::{LANES, Lanes, bits_of};
 use super::point::Point;
 use super::slope::{Patch, may_peak_inside, steepest_in_quarter, steepest_into};
-use super::walk::LANES;
 
 /// Squared slopes from the points of a row of texels to the blocks around them.
-pub(in crate::kind) struct NearRow {
+pub(crate) struct NearRow {
     region: Region,
     /// From the patches themselves at each texel, and beyond the last as they come.
     own: Vec<f64>,
@@ -76,7 +76,7 @@ impl NearRow {
 }
 
 /// The points whose slopes are worked out for a texel, and the geometry around them in metres.
-pub(in crate::kind) struct Near {
+pub(crate) struct Near {
     region: Region,
     /// The sides of a texel and one over them.
     side_m: [f64; 2],
@@ -114,10 +114,8 @@ impl Near {
                 S::as_mut_simd_f64s(slopes).0[part] = steepest;
                 S::as_mut_simd_u64s(&mut sets).0[part] = set;
             }
-            for (lane, mut set) in sets.into_iter().enumerate() {
-                while set != 0 {
-                    let cell = set.trailing_zeros() as usize;
-                    set &= set - 1;
+            for (lane, set) in sets.into_iter().enumerate() {
+                for cell in bits_of(set) {
                     let patch = self.patch(point, block, lane, cell / CELLS_READ * SIDE + cell % CELLS_READ);
                     slopes[lane] = patch.inside(slopes[lane]).max(slopes[lane]);
                 }

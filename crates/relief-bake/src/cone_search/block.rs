@@ -2,7 +2,7 @@
 
 use super::apexes::{APEXES, Apexes, RIM, Region};
 use super::field::{Field, Seen};
-use super::walk::LANES;
+use super::lanes::{LANES, Lanes};
 
 /// Cells of the block to each side of a texel's centre. A cell beyond is at least 2½ texels away, from where its corners tell nearly
 /// all about it; fewer, and most texels have to look into some of those; more, and the block takes longer than they do.
@@ -20,12 +20,9 @@ pub(super) const CELLS_READ: usize = SIDE - 1;
 /// The centre's place among the vertices.
 pub(super) const CENTRE: usize = REACH * SIDE + REACH;
 
-/// One number for each texel.
-pub(in crate::kind) type Lanes = [f64; LANES];
-
 /// Whether a cell at that offset from a texel is in its block.
 #[inline(always)]
-pub(in crate::kind) fn is_in_block(cell: [i64; 2]) -> bool {
+pub(crate) fn is_in_block(cell: [i64; 2]) -> bool {
     cell.iter().all(|x| (-(REACH as i64)..REACH as i64).contains(x))
 }
 
@@ -35,7 +32,7 @@ pub(super) const fn vertex_at(column: isize, row: isize) -> usize {
 }
 
 /// The heights of the vertices around texels side by side, row by row.
-pub(in crate::kind) struct Block {
+pub(crate) struct Block {
     pub vertices: [Lanes; SIDE * SIDE],
 }
 
@@ -98,7 +95,7 @@ impl Block {
 }
 
 /// The vertices at which the cells of a texel's block begin, those around its centre first.
-pub(in crate::kind) fn cells_of_block() -> impl Iterator<Item = usize> {
+pub(crate) fn cells_of_block() -> impl Iterator<Item = usize> {
     (0..REACH).flat_map(|ring| {
         let (from, to) = (REACH - 1 - ring, REACH + ring);
         (from..=to).flat_map(move |row| {
@@ -110,6 +107,6 @@ pub(in crate::kind) fn cells_of_block() -> impl Iterator<Item = usize> {
 
 /// How far a vertex is from the centre, in texels.
 #[inline(always)]
-pub(in crate::kind) fn offset_of(vertex: usize) -> [i64; 2] {
+pub(crate) fn offset_of(vertex: usize) -> [i64; 2] {
     [vertex % SIDE, vertex / SIDE].map(|place| place as i64 - REACH as i64)
 }

@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::lines::{Lines, Stretch};
-use super::sheared::{SKEW, Slab};
+use crate::sheared_lines::{Lines, SKEW, Slab, Stretch};
 use crate::{Cancelled, Progress};
 
 /// A vertex of the hull.

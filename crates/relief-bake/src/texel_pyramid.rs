@@ -1,4 +1,5 @@
-//! A maximum pyramid of texels, for searches of one direction or one vertex at a time.
+//! A maximum pyramid of texels, for searches of one direction or one vertex at a time: that of cones, and that of the kind
+//! `frustum`.
 
 use std::borrow::Cow;
 

@@ -6,10 +6,10 @@ use super::lines::Lines;
 
 /// Texels by which rows of a block are longer than what they hold, so that those of a map of a power of two do not all
 /// fall into the same cache lines.
-pub(in crate::kind) const SKEW: usize = 16;
+pub(crate) const SKEW: usize = 16;
 
 /// Some neighbouring slots of a sheared map, `stride` values each.
-pub(super) struct Slab<'a> {
+pub(crate) struct Slab<'a> {
     pub slots: Range<usize>,
     pub stride: usize,
     pub values: &'a mut [f32],
@@ -18,7 +18,7 @@ pub(super) struct Slab<'a> {
 /// Some neighbouring slots of a sheared map, for reading: the value of position `p` in slot `slots.start + k` is at
 /// `k * stride + offset + p`.
 #[derive(Clone)]
-pub(in crate::kind) struct Plane<'a> {
+pub(crate) struct Plane<'a> {
     pub texels: &'a [f32],
     pub stride: usize,
     pub offset: usize,
@@ -27,7 +27,7 @@ pub(in crate::kind) struct Plane<'a> {
 
 /// A part of a row of the map.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::kind) struct Run {
+pub(crate) struct Run {
     /// The row, from the band's first.
     pub row: usize,
     /// The columns of the map.
@@ -35,7 +35,7 @@ pub(in crate::kind) struct Run {
 }
 
 /// A band of rows of the map, as far as its texels lie in a plane's slots.
-pub(in crate::kind) struct Band {
+pub(crate) struct Band {
     /// The parts, row by row.
     pub runs: Vec<Run>,
     /// Columns that hold them all.

@@ -6,14 +6,20 @@ use super::field::Seen;
 use super::slope::{Patch, inside_segment, may_peak_inside};
 
 /// The most apexes of a texel.
-pub(in crate::kind) const APEXES: usize = 8;
+pub(crate) const APEXES: usize = 8;
 
 /// One number for each apex.
-pub(in crate::kind) type PerApex = [f64; APEXES];
+pub(crate) type PerApex = [f64; APEXES];
+
+/// The greatest of squared slopes.
+#[inline(always)]
+pub(super) fn most(slopes: &PerApex) -> f64 {
+    slopes.iter().fold(0.0, |most, &slope2| if slope2 > most { slope2 } else { most })
+}
 
 /// Where the apexes of a texel are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::kind) enum Region {
+pub(crate) enum Region {
     /// At its centre.
     Centre,
     /// Anywhere in its square.
@@ -51,8 +57,8 @@ pub(super) const RIM: [[i8; 2]; APEXES] =
 /// A bit for each apex.
 const APEX_BITS: [u64; APEXES] = [1, 2, 4, 8, 16, 32, 64, 128];
 
-/// Where the apexes of every texel are: those that suffice, see the proof of [`super::cone_ratios`].
-pub(in crate::kind) struct Places {
+/// Where the apexes of every texel are: those that suffice, see the proof of [`cone_ratios`](crate::kind::cone::cone_ratios).
+pub(crate) struct Places {
     pub region: Region,
     pub texel_m: [f64; 2],
     per_side: [f64; 2],
@@ -62,7 +68,7 @@ pub(in crate::kind) struct Places {
 
 /// The apexes of one texel.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::kind) struct Apexes {
+pub(crate) struct Apexes {
     /// The texel.
     pub texel: [i64; 2],
     /// Their heights; all the centre's without a footprint.

@@ -8,7 +8,7 @@ use pulp::Simd;
 
 /// Squared slope of a rise over an offset.
 #[inline]
-pub(in crate::kind) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
+pub(crate) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
     let rise = rise.max(0.0);
     let squared = offset[0] * offset[0] + offset[1] * offset[1];
     if squared > 0.0 { rise * rise / squared } else { 0.0 }
@@ -19,7 +19,7 @@ pub(in crate::kind) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
 /// The segment runs along one axis from `from` to `to`, at distance `beside` along the other. The rise is `α + βs`, the
 /// slope `(α + βs) / sqrt(s² + beside²)` has one maximum where it is positive, at `s = β beside² / α`.
 #[inline]
-pub(in crate::kind) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) -> f64 {
+pub(crate) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) -> f64 {
     let beta = (rise[1] - rise[0]) / (to - from);
     let alpha = rise[0] - beta * from;
     let squared = beside * beside;
@@ -36,7 +36,7 @@ pub(in crate::kind) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside
 /// The greatest squared slope of a patch itself in the quarter that begins at one of its corners, given its heights there, beside it
 /// along `x` and along `y`, and opposite, and one over its sides.
 #[inline(always)]
-pub(in crate::kind) fn steepest_in_quarter([h, aside, ahead, beyond]: [f64; 4], per_side: [f64; 2]) -> f64 {
+pub(crate) fn steepest_in_quarter([h, aside, ahead, beyond]: [f64; 4], per_side: [f64; 2]) -> f64 {
     // The slopes along an axis are linear along the other: greatest at the corner or half a side away.
     let (along_x, along_y) = ((aside - h) * per_side[0], (ahead - h) * per_side[1]);
     let half_x = 0.5 * (along_x + (beyond - ahead) * per_side[0]);
@@ -54,7 +54,7 @@ pub(super) fn steepest_into([h, aside, ahead, _]: [f64; 4], per_side: [f64; 2]) 
 
 /// One bilinear patch as seen from an apex.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::kind) struct Patch {
+pub(crate) struct Patch {
     /// Corner `h00` in metres from the apex.
     pub corner: [f64; 2],
     /// Its size in metres.

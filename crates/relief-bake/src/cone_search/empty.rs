@@ -1,0 +1,180 @@
+//! Cones that hold no surface: the steepest slope to everything.
+
+use pulp::Simd;
+use relief_core::Wrap;
+
+use super::apexes::{APEXES, Apexes, PerApex, most};
+use super::block::{Block, is_in_block};
+use super::field::Seen;
+use super::lanes::{LANES, Lanes, bits_of};
+use super::search::{MARGIN, Search, Sort, State};
+use super::walk::{Group, Look};
+
+/// Cones that hold no surface.
+pub(crate) struct Empty;
+
+impl Sort for Empty {
+    const NEAR: bool = true;
+
+    #[inline(always)]
+    fn slopes2<S: Simd>(
+        &self,
+        simd: S,
+        search: &Search,
+        texel: [i64; 2],
+        count: usize,
+        near: Lanes,
+        state: &mut State,
+    ) -> Lanes {
+        let apexes = Block::new(&search.field, texel).apexes(texel, search.places.region);
+        let mut best = near;
+        let (group, seeds) = (&mut state.group, &mut state.seeds[texel[0] as usize..]);
+        group.begin(texel);
+        for lane in 0..count {
+            let (apexes, best) = (&apexes[lane], &mut best[lane]);
+            if let Some(seed) = seeds[lane] {
+                let by = [0, 1].map(|axis| seed[axis] - apexes.texel[axis]);
+                let height = f64::from(search.field.map.texel(seed[0], seed[1]));
+                *best = most(&search.places.to_vertex(simd, apexes, by, height)).max(*best);
+            }
+            search.walk.lower(group, lane, apexes.low);
+            search.walk.raise_bar(group, lane, *best);
+        }
+        // Distances along the axes are independent, so the nearest image of a point is in a tile beside the apex's.
+        let tiles = if search.field.map.wrap() == Wrap::Repeat { [1; 2] } else { [0; 2] };
+        search.walk.walk(
+            simd,
+            group,
+            tiles,
+            &mut Steepest { search, apexes: &apexes, best: &mut best, seeds },
+        );
+        best
+    }
+}
+
+/// Looks for what is steepest for each lane.
+struct Steepest<'a, 'b> {
+    search: &'b Search<'a>,
+    apexes: &'b [Apexes; LANES],
+    best: &'b mut Lanes,
+    seeds: &'b mut [Option<[i64; 2]>],
+}
+
+impl Look for Steepest<'_, '_> {
+    const HIGHEST_CORNERS: bool = false;
+
+    #[inline(always)]
+    fn may_matter(&self, _: u32, _: [u32; 2], _: [f32; 2], _: [f32; 2]) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        group: &mut Group,
+        excess: &[f32; LANES],
+        vertex: [i64; 2],
+        height: f64,
+    ) {
+        for lane in (0..LANES).filter(|lane| excess[*lane] > 0.0) {
+            let (search, apexes, best) = (self.search, &self.apexes[lane], &mut self.best[lane]);
+            let by = [0, 1].map(|axis| vertex[axis] - apexes.texel[axis]);
+            let before = *best;
+            let slopes = search.places.to_vertex(simd, apexes, by, height);
+            *best = most(&slopes).max(*best);
+            if may_be_steeper_around(search, by, most(&slopes), *best) {
+                raise_around(simd, search, apexes, by, height, &slopes, best);
+            }
+            if *best > before {
+                self.seeds[lane] = Some(vertex);
+                search.walk.raise_bar(group, lane, *best);
+            }
+        }
+    }
+}
+
+/// Whether anything around a vertex with that squared slope may be steeper than `best`: see [`super::walk`].
+#[inline(always)]
+fn may_be_steeper_around(search: &Search, by: [i64; 2], slope2: f64, best: f64) -> bool {
+    let turn = search.places.turn(by, 1.0, search.walk.side_m());
+    turn <= 0.0 || slope2 * MARGIN >= best * turn * turn
+}
+
+/// Raises `best` to the squared slopes to the edges and the insides of cells around a vertex, outside of the block, and to the
+/// vertex from the rim, when the squared slopes to the vertex itself are given.
+#[inline(always)]
+fn raise_around<S: Simd>(
+    simd: S,
+    search: &Search,
+    apexes: &Apexes,
+    by: [i64; 2],
+    height: f64,
+    slopes: &PerApex,
+    best: &mut f64,
+) {
+    let (places, side) = (&search.places, search.walk.side_m());
+    search.raise_to_rim(apexes, by, height, slopes, best);
+    let turn = places.turn(by, 1.0, side);
+    let around = search.field.around([apexes.texel[0] + by[0], apexes.texel[1] + by[1]]);
+    if most(slopes) * MARGIN >= *best * turn {
+        for (from, axis, heights) in [
+            ([by[0] - 1, by[1]], 0, [around[1][0], height]),
+            (by, 0, [height, around[1][2]]),
+            ([by[0], by[1] - 1], 1, [around[0][1], height]),
+            (by, 1, [height, around[2][1]]),
+        ] {
+            *best = most(&places.to_edge(simd, apexes, from, axis, heights)).max(*best);
+        }
+    }
+    let least = if turn > 0.0 { *best * turn * turn / MARGIN } else { 0.0 };
+    for seen in Seen::around(by, &around) {
+        if is_in_block(seen.offset) {
+            continue;
+        }
+        for apex in bits_of(places.may_peak_inside(simd, apexes, &seen, *best)) {
+            if slopes[apex % APEXES] >= least && apex < places.region.count() {
+                *best = places.patch(apexes, apex, &seen).inside(*best).max(*best);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pulp::{Scalar, WithSimd};
+    use relief_tests::maps;
+
+    use super::super::apexes::Region;
+    use super::super::near::NearRow;
+    use super::super::search::{Above, Row};
+    use super::*;
+    use crate::Progress;
+
+    /// The ratios without any vectors.
+    fn scalar_ratios(search: &Search) -> Vec<f32> {
+        let (width, height) = (search.field.map.width() as usize, i64::from(search.field.map.height()));
+        let mut near = [NearRow::new(width), NearRow::new(width)];
+        let mut ratios = vec![0.0; width * height as usize];
+        for (row, ratios) in ratios.chunks_mut(width).enumerate() {
+            let mut state = State { group: Group::new(), seeds: vec![None; width] };
+            let row = row as i64;
+            Above { search, row: row - 1, near: &mut near[0] }.with_simd(Scalar::new());
+            Row { search, sort: &Empty, row, near: &mut near, state: &mut state, ratios }
+                .with_simd(Scalar::new());
+        }
+        ratios
+    }
+
+    #[test]
+    fn every_machine_finds_the_same() {
+        for (k, map) in maps::ALL.iter().enumerate() {
+            let map = map.build(Wrap::ALL[k % Wrap::ALL.len()]);
+            for region in [Region::Centre, Region::Footprint] {
+                let search = Search::new(&map, [0.02, 0.03], region);
+                let ratios = search.ratios(&Empty, &Progress::none()).expect("nobody cancels");
+                assert_eq!(ratios, scalar_ratios(&search), "{}", maps::ALL[k].name);
+            }
+        }
+    }
+}

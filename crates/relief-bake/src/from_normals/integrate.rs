@@ -1,0 +1,201 @@
+//! Slopes integrated to heights by least squares.
+
+use rayon::prelude::*;
+use relief_core::{HeightMap, HeightMapError, Wrap};
+
+use super::error::{FromNormalsError, check_steepest};
+use super::spectrum::{Border, LineTransform};
+use crate::Progress;
+use crate::kind::normal::Axes;
+use crate::transpose::transpose;
+
+/// How normals are read and integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Integration {
+    /// The axes of the normals.
+    pub axes: Axes,
+    /// Size of a texel along `u` and `v` in metres.
+    pub texel_m: [f64; 2],
+    /// How the map goes on beyond its edges.
+    pub wrap: Wrap,
+    /// How strongly waves of about two texels are kept down: 0 not at all.
+    pub damping: f64,
+    /// The steepest slope accepted, metres up for a metre along.
+    pub steepest: f64,
+}
+
+impl Default for Integration {
+    /// Tangent space, texels of 1 m, tiled, undamped, slopes up to 32 (88°).
+    fn default() -> Self {
+        Self { axes: Axes::Tangent, texel_m: [1.0; 2], wrap: Wrap::Repeat, damping: 0.0, steepest: 32.0 }
+    }
+}
+
+/// Heights that normals were integrated to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct IntegratedHeights {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Heights in metres, row by row from the top; their mean is 0.
+    pub heights_m: Vec<f32>,
+    /// Root mean square of what the slopes of these heights differ from those that were given, by both axes together.
+    pub misfit: f64,
+    /// Normals that were at or below the horizon or steeper than accepted.
+    pub too_steep: usize,
+}
+
+impl IntegratedHeights {
+    /// The height map: its lowest texel is 0, its highest 1, and its displacement gives back the heights in metres. A level
+    /// one has scale 0.
+    ///
+    /// # Errors
+    ///
+    /// When heights are not finite, which integration does not make them.
+    pub fn to_map(&self, wrap: Wrap) -> Result<HeightMap, HeightMapError> {
+        let (low, high) =
+            self.heights_m.iter().fold((f32::MAX, f32::MIN), |(low, high), &h| (low.min(h), high.max(h)));
+        let span = f64::from(high) - f64::from(low);
+        let texel = |&h: &f32| if span > 0.0 { ((f64::from(h) - f64::from(low)) / span) as f32 } else { 0.0 };
+        let texels = self.heights_m.iter().map(texel).collect();
+        HeightMap::new(self.size[0], self.size[1], texels, wrap)?.with_displacement(span, f64::from(low))
+    }
+}
+
+/// Heights from slopes along `u` and along `v` (down in the picture), in metres up for a metre along.
+///
+/// Takes two planes of `f64` beside what is given and returned.
+///
+/// # Errors
+///
+/// When sizes do not fit together, a value is not finite, a number is out of range, or it is cancelled.
+pub fn heights_from_slopes(
+    size: [u32; 2],
+    slopes: [&[f32]; 2],
+    how: &Integration,
+    progress: &Progress,
+) -> Result<IntegratedHeights, FromNormalsError> {
+    check(size, &slopes, how)?;
+    let [width, height] = size.map(|side| side as usize);
+    let border = if how.wrap == Wrap::Repeat { Border::Tiled } else { Border::Mirrored };
+    let transforms = [LineTransform::new(width, border), LineTransform::new(height, border)];
+    let mut plane = steepness(slopes, width, how);
+    let mut turned = vec![0.0; plane.len()];
+    transforms[0].lines(&mut plane, false, &progress.piece(0.0, 0.25))?;
+    transpose(&plane, width, &mut turned);
+    transforms[1].lines(&mut turned, false, &progress.piece(0.25, 0.5))?;
+    let [along_u, along_v] =
+        [(0, width), (1, height)].map(|(axis, side)| eigenvalues(&transforms[axis], side, how.texel_m[axis]));
+    turned.par_chunks_mut(height).zip(&along_u).for_each(|(column, u)| {
+        for (wave, v) in column.iter_mut().zip(&along_v) {
+            let seen = u.seen + v.seen;
+            // Nothing is seen of these waves: the least that fits is none.
+            *wave =
+                if seen > 0.0 { *wave / (seen + how.damping.powi(2) * (u.damped + v.damped)) } else { 0.0 };
+        }
+    });
+    transforms[1].lines(&mut turned, true, &progress.piece(0.5, 0.75))?;
+    transpose(&turned, height, &mut plane);
+    transforms[0].lines(&mut plane, true, &progress.piece(0.75, 1.0))?;
+    drop(turned);
+    let heights_m: Vec<f32> = plane.par_iter().map(|&h| h as f32).collect();
+    drop(plane);
+    let misfit = misfit(&heights_m, slopes, width, how);
+    Ok(IntegratedHeights { size, heights_m, misfit, too_steep: 0 })
+}
+
+/// Whether planes and numbers can be integrated.
+pub(super) fn check(size: [u32; 2], planes: &[&[f32]], how: &Integration) -> Result<(), FromNormalsError> {
+    let [width, height] = size;
+    HeightMap::check_size(width, height)?;
+    for plane in planes {
+        if plane.len() as u64 != u64::from(width) * u64::from(height) {
+            return Err(FromNormalsError::WrongLength { width, height, given: plane.len() });
+        }
+        if let Some(at) = plane.iter().position(|value| !value.is_finite()) {
+            let (column, row) = ((at % width as usize) as u32, (at / width as usize) as u32);
+            return Err(FromNormalsError::NotFinite { column, row });
+        }
+    }
+    let bad = |what, value, must| Err(FromNormalsError::BadNumber { what, value, must });
+    for side in how.texel_m {
+        if !(1e-30..=1e30).contains(&side) {
+            return bad("the size of a texel", side, "between 1e-30 and 1e30 m");
+        }
+    }
+    if !(0.0..=1.0).contains(&how.damping) {
+        return bad("the damping", how.damping, "between 0 and 1");
+    }
+    check_steepest(how.steepest)
+}
+
+/// What a wave along an axis adds to the diagonal.
+struct Eigenvalue {
+    /// Its share in the squared slopes: `sin²θ / texel²`.
+    seen: f64,
+    /// Its share in what damping keeps down: `((1 - cos θ) / 2)² / texel²`.
+    damped: f64,
+}
+
+fn eigenvalues(transform: &LineTransform, side: usize, texel_m: f64) -> Vec<Eigenvalue> {
+    (0..side)
+        .map(|k| {
+            let (sin, cos) = transform.turn(k).sin_cos();
+            let seen = if transform.is_invisible(k) { 0.0 } else { (sin / texel_m).powi(2) };
+            Eigenvalue { seen, damped: (0.5 * (1.0 - cos) / texel_m).powi(2) }
+        })
+        .collect()
+}
+
+/// The neighbours of a texel along a side.
+fn neighbours(wrap: Wrap, at: usize, side: usize) -> [usize; 2] {
+    [-1, 1].map(|step| wrap.index(at as i64 + step, side as u32) as usize)
+}
+
+/// `Dᵀs`: what the central differences' transpose makes of the slopes.
+fn steepness(slopes: [&[f32]; 2], width: usize, how: &Integration) -> Vec<f64> {
+    let height = slopes[0].len() / width;
+    let halves = how.texel_m.map(|texel| 0.5 / texel);
+    // Beyond an edge that is mirrored, slopes go on with the other sign.
+    let across = |before: f32, after: f32, at: usize, side: usize| {
+        let mirrored = how.wrap != Wrap::Repeat;
+        let before = if mirrored && at == 0 { -before } else { before };
+        let after = if mirrored && at + 1 == side { -after } else { after };
+        f64::from(before) - f64::from(after)
+    };
+    let mut out = vec![0.0; slopes[0].len()];
+    out.par_chunks_mut(width).enumerate().for_each(|(j, out)| {
+        let [above, below] = neighbours(how.wrap, j, height);
+        let row = |plane: usize, j: usize| &slopes[plane][j * width..(j + 1) * width];
+        let (here, above, below) = (row(0, j), row(1, above), row(1, below));
+        for (i, out) in out.iter_mut().enumerate() {
+            let [before, after] = neighbours(how.wrap, i, width);
+            *out = halves[0] * across(here[before], here[after], i, width)
+                + halves[1] * across(above[i], below[i], j, height);
+        }
+    });
+    out
+}
+
+/// Root mean square of `D h - s`, row by row so that threads do not change it.
+fn misfit(heights: &[f32], slopes: [&[f32]; 2], width: usize, how: &Integration) -> f64 {
+    let height = heights.len() / width;
+    let halves = how.texel_m.map(|texel| 0.5 / texel);
+    let rows: Vec<f64> = (0..height)
+        .into_par_iter()
+        .map(|j| {
+            let [above, below] = neighbours(how.wrap, j, height).map(|j| &heights[j * width..]);
+            let here = &heights[j * width..(j + 1) * width];
+            (0..width)
+                .map(|i| {
+                    let [before, after] = neighbours(how.wrap, i, width);
+                    let slope = |before: f32, after: f32| f64::from(after) - f64::from(before);
+                    let u =
+                        halves[0] * slope(here[before], here[after]) - f64::from(slopes[0][j * width + i]);
+                    let v = halves[1] * slope(above[i], below[i]) - f64::from(slopes[1][j * width + i]);
+                    u * u + v * v
+                })
+                .sum()
+        })
+        .collect();
+    (rows.iter().sum::<f64>() / heights.len() as f64).sqrt()
+}
