@@ -38,7 +38,7 @@ pub(crate) struct Direction {
 }
 
 impl Direction {
-    /// Azimuth number `index` of `azimuths`, at the angle `2π index / azimuths` in metres from `+u` towards `+v`.
+    /// Azimuth `index` of `azimuths`: at the angle `2π index / azimuths`, in metres, from `+u` towards `+v`.
     pub fn azimuth(index: u32, azimuths: u32, texel_m: [f64; 2]) -> Self {
         let [cos, sin] = unit_vector(index, azimuths);
         let along = [cos / texel_m[0], sin / texel_m[1]];
@@ -58,7 +58,7 @@ pub(crate) fn unit_vector(index: u32, azimuths: u32) -> [f64; 2] {
     [snap(angle.cos()), snap(angle.sin())]
 }
 
-/// Zero and one where rounding has spoilt them: a line a hair off an axis would read a second row for nothing.
+/// Zero and one where rounding spoilt them: a line a hair off an axis would read a second row for nothing.
 fn snap(x: f64) -> f64 {
     const ROUNDING: f64 = 1e-12;
     if x.abs() < ROUNDING {

@@ -5,8 +5,8 @@ use relief_core::{HeightMap, Metric};
 use crate::kind::BITS;
 use crate::{BakeError, BakeInput, Kind, Progress, Settings, Sink, quantise};
 
-/// Bakes a map of that kind into a sink. Kinds with the parameter [`BITS`] are baked from heights of so many bits, for which
-/// a copy of the map is made: see [`bake_last`].
+/// Bakes a map of that kind into a sink. Kinds with the parameter [`BITS`] are baked from heights of so many
+/// bits, for which a copy of the map is made: see [`bake_last`].
 ///
 /// # Errors
 ///
@@ -25,8 +25,9 @@ pub fn bake(
     (kind.bake)(&source, settings, progress, sink)
 }
 
-/// [`bake`] of a map that is not needed afterwards: no kind makes a copy of it. Every 2-D kind then takes at most one and a half
-/// times the memory of the map and its textures, and what each thread needs for some of the map's lines.
+/// [`bake`] of a map that is not needed afterwards, so that no copy of it is made. Every 2-D kind then takes
+/// at most one and a half times the memory of the map and its textures, and some of the map's lines for each
+/// thread.
 ///
 /// # Errors
 ///

@@ -20,8 +20,7 @@ pub struct WantedMap<'a> {
     pub metric: Metric,
     /// The levels.
     pub levels: MapLevels,
-    /// How values are stored. In fewer bits than they are baked in they are rounded to the side that keeps the kind's
-    /// promise.
+    /// How values are stored: in fewer bits they are rounded to the side that keeps the kind's promise.
     pub format: MapFormat,
 }
 
@@ -40,8 +39,7 @@ impl WantedMap<'_> {
         }
     }
 
-    /// The shape of the map made from a height map of so many columns and rows: what memory it takes is known before it
-    /// is baked.
+    /// The shape of the map made from a height map of so many columns and rows, known before it is baked.
     ///
     /// # Errors
     ///
@@ -81,7 +79,7 @@ impl WantedMap<'_> {
     }
 }
 
-/// The least size of a chain's finest level whose halves, rounded down but at least 1, have room for every level.
+/// The least finest level of a chain where each level has room; sides halve rounded down, to 1 at least.
 fn padded(sizes: &[[u32; 3]]) -> [u32; 2] {
     [0, 1].map(|axis| {
         let room = |(level, size): (usize, &[u32; 3])| if size[axis] == 1 { 1 } else { size[axis] << level };
@@ -93,8 +91,8 @@ fn padded(sizes: &[[u32; 3]]) -> [u32; 2] {
 ///
 /// # Errors
 ///
-/// As [`bake`](crate::bake), and when the kind has no texture of that name, no map has its shape, or a value has no
-/// stored value on its safe side.
+/// As [`bake`](crate::bake), and when the kind has no texture of that name, no map has its shape, or a value
+/// has no stored value on its safe side.
 pub fn baked_map(map: &HeightMap, wanted: &WantedMap, progress: &Progress) -> Result<BakedMap, BakeError> {
     let layout = wanted.layout([map.width(), map.height()])?;
     let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
@@ -179,7 +177,8 @@ fn zeros<T: Clone + Default>(count: u64) -> Result<Vec<T>, String> {
     Ok(values)
 }
 
-/// Stores planes of rows of `width` texels in rows of `row` values, `count` a texel. False when a value has no stored one.
+/// Stores planes, whose rows have `width` texels, in rows of `row` values, `count` a texel. False when a
+/// value cannot be stored.
 fn store<T: Send>(
     values: &mut [T],
     row: usize,

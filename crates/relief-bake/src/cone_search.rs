@@ -1,7 +1,8 @@
-//! The search for the slopes of cones: the steepest from the apexes of every texel, for eight texels at a time.
+//! The search for the slope of every texel's cone, for eight texels at a time.
 //!
-//! It looks at the cells around the texels first, then outward through a maximum pyramid. The kind `cone` uses it for cones
-//! that hold no surface, and `relaxed-cone` brings a [`Sort`] of cone of its own. How ratios are stored is also here.
+//! It looks at the cells around the texels first, then outward through a maximum pyramid. The kind `cone`
+//! uses it for cones that hold no surface; `relaxed-cone` gives it a [`Sort`] of cone of its own. How both
+//! store ratios is here too.
 
 mod apexes;
 mod block;

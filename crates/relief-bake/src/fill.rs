@@ -1,6 +1,7 @@
-//! Filling in of what is not known, from coarse to fine (push and pull, after Gortler et al. 1996, *The Lumigraph*).
+//! Values that are not known, filled in from coarse to fine: push and pull (Gortler et al. 1996, *The
+//! Lumigraph*).
 
-/// Replaces values that are not known by means of known ones around them. Where none is known, nothing changes.
+/// Replaces values that are not known by means of known ones around them; does nothing where none is known.
 pub(crate) fn fill(size: [usize; 2], values: &mut [f32], known: &[bool]) {
     if known.iter().all(|&known| known) {
         return;
@@ -29,7 +30,7 @@ fn pull([width, height]: [usize; 2], values: &mut [f32], weights: Vec<f32>) {
     }
     pull([across, down], &mut coarse, coarse_weights);
     for (at, (value, weight)) in values.iter_mut().zip(weights).enumerate().filter(|(_, (_, w))| *w < 1.0) {
-        // Bilinear between the centres of the coarser level: ¾ of the own parent, ¼ of the one on the nearer side.
+        // Bilinear between centres of the coarser level: ¾ of the own parent, ¼ of that on the nearer side.
         let parents = |place: usize, count: usize| {
             let own = place / 2;
             [own, if place.is_multiple_of(2) { own.saturating_sub(1) } else { (own + 1).min(count - 1) }]

@@ -1,7 +1,7 @@
 //! The sweep that finds the horizons of all texels, azimuth by azimuth (Timonen and Westerholm 2010).
 //!
-//! The first steps are read from each texel's own ray, what is farther from the sheared lines. The kinds `horizon`,
-//! `occlusion` and `bent-normal` use it; how exact it is says the kind `horizon`.
+//! The first steps are read from each texel's own ray; what lies farther is read from sheared lines. The
+//! kinds `horizon`, `occlusion` and `bent-normal` use it. The kind `horizon` says how exact it is.
 
 mod far;
 mod near;

@@ -38,8 +38,8 @@ impl<'a> Progress<'a> {
         Progress { from: self.from + from * span, to: self.from + to * span, ..*self }
     }
 
-    /// Reports the finished part of this work, from 0 to 1. To be called every few milliseconds, so that a cancelled bake
-    /// ends soon.
+    /// Reports the finished part of this work, from 0 to 1. To be called every few milliseconds, so that a
+    /// cancelled bake ends soon.
     ///
     /// # Errors
     ///

@@ -3,18 +3,19 @@
 use rayon::prelude::*;
 use relief_core::{HeightMap, HeightMapError, Rounding};
 
-/// The value that an unsigned normalised integer of so many bits, at most 32, gives back, for a value in `[0, 1]`; values
-/// outside are cut off, and NaN becomes 0. With 0 bits the value itself.
+/// The value that an unsigned normalised integer of so many bits, at most 32, gives back, for a value in
+/// `[0, 1]`; values outside are cut off, and NaN becomes 0. With 0 bits the value itself.
 ///
-/// The decoded value is `code / (2^bits - 1)` in `f32`, as a GPU decodes it; rounded down it is at most `value`, rounded
-/// up at least.
+/// The decoded value is `code / (2^bits - 1)` in `f32`, as a GPU decodes it; rounded down it is at most
+/// `value`, rounded up at least.
 #[inline]
 pub fn unorm(value: f32, bits: u32, rounding: Rounding) -> f32 {
     if bits == 0 { value } else { Unorm::new(bits).value(value, rounding) }
 }
 
-/// Rounds every value as [`unorm`] does, in parallel. `[low, high]` are the values that codes 0 and `2^bits - 1` stand for: a
-/// value becomes `low + (high - low) * unorm((value - low) / (high - low))`, all in `f32`.
+/// Rounds every value as [`unorm`] does, in parallel. `[low, high]` are the values that codes 0 and
+/// `2^bits - 1` stand for: a value becomes `low + (high - low) * unorm((value - low) / (high - low))`, all in
+/// `f32`.
 pub fn to_nearest(values: &mut [f32], [low, high]: [f32; 2], bits: u32) {
     if bits == 0 {
         return;
@@ -48,8 +49,8 @@ impl Unorm {
         match rounding {
             Rounding::Nearest => self.nearest(value),
             Rounding::Down => {
-                // The code below decodes to no more than the value, since rounding rises with what is rounded; for the same
-                // reason the next one may, too.
+                // The code below decodes to no more than the value, since rounding keeps the order; the next
+                // one may do so too.
                 let code = self.scaled(value) as u32;
                 let next = self.decode((f64::from(code) + 1.0).min(self.most));
                 if next <= value { next } else { self.decode(f64::from(code)) }

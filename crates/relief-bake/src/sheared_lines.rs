@@ -1,6 +1,7 @@
-//! Parallel lines along an azimuth that visit every texel once (Timonen and Westerholm 2010), and maps in their order.
+//! Parallel lines along an azimuth that visit every texel once, and maps in their order.
 //!
-//! The horizon sweep and the kind `visibility` look along them.
+//! They are those of Timonen and Westerholm 2010. The horizon sweep and the kind `visibility` look along
+//! them.
 
 mod lines;
 mod sheared_map;

@@ -7,8 +7,8 @@ use relief_core::Rounding;
 pub struct Channel {
     /// Its name in files, such as `height` or `cone`.
     pub name: &'static str,
-    /// The unit of its values: `m`, `heights` for fractions of the relief's depth, `heights/texel`, `tiles` for texture
-    /// coordinates, `1` for pure numbers.
+    /// The unit of its values: `m`, `heights` for fractions of the relief's depth, `heights/texel`, `tiles`
+    /// for texture coordinates, `1` for pure numbers.
     pub unit: &'static str,
     /// The values that 0 and 1 stand for when it is stored as an integer.
     pub range: [f32; 2],
@@ -75,7 +75,7 @@ impl Texture {
 #[error("{0}")]
 pub struct SinkError(pub String);
 
-/// Takes textures: first what it is, then its slices in order, level by level from the finest, slice by slice.
+/// Takes textures: first what one is, then its slices in order, level by level from the finest.
 pub trait Sink {
     /// A texture begins; its slices follow.
     ///

@@ -1,13 +1,13 @@
-//! A maximum pyramid of texels, for searches of one direction or one vertex at a time: that of cones, and that of the kind
-//! `frustum`.
+//! A maximum pyramid of texels, for searches of one direction or one vertex at a time: that of cones, and
+//! that of the kind `frustum`.
 
 use std::borrow::Cow;
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
-/// The highest texels of squares of texels, level by level; level 0 are the texels. Tighter than the maxima over dual cells, which
-/// share their texels with their neighbours.
+/// The highest texels of squares of texels, level by level; level 0 are the texels. Tighter than the maxima
+/// over dual cells, which share their texels with their neighbours.
 pub struct TexelPyramid<'a> {
     texels: TexelLevel<'a>,
     above: Vec<TexelLevel<'a>>,

@@ -139,12 +139,12 @@ fn the_filtered_variant_may_be_filtered_and_the_centres_may_not() {
 enum Fetch {
     /// The apex moves to the ray.
     Moved,
-    /// The apex stays at the nearest texel's centre; a ray that is not inside the cone goes on to the next texel.
+    /// The apex stays at the nearest texel's centre; a ray outside of the cone goes on to the next texel.
     Fixed,
 }
 
-/// Steps of a cone-stepping search until it is within a thousandth of a texel of the surface or has left the relief, and
-/// whether it has stepped past a hit.
+/// Steps of a cone-stepping search until it is within a thousandth of a texel of the surface or has left the
+/// relief, and whether it has stepped past a hit.
 fn search(
     map: &HeightMap,
     ratios: &[f32],
@@ -221,7 +221,8 @@ fn any_start_in_the_texel_is_safe_and_costs_no_step() {
     let ground = |roughness| {
         HeightMap::new(128, 128, fractal(7, 128, 128, roughness), Wrap::Repeat).expect("a valid map")
     };
-    // What cones cost that may be moved to the ray: little where maps are smooth from texel to texel, more at walls of a texel's width.
+    // What cones cost that may be moved to the ray: little where maps are smooth from texel to texel, more at
+    // walls of a texel's width.
     let mut cases =
         vec![("smooth ground", ground(0.4), 1.10, 1.15), ("rough ground", ground(0.5), 1.15, 1.15)];
     for (name, most_slope, most_steps) in [("jacksboro", 1.3, 1.3), ("cobbles", 1.5, 1.5)] {

@@ -29,7 +29,7 @@ fn baked(map: &HeightMap, metric: Metric, slices: u32, bits: u32) -> Vec<f32> {
     values
 }
 
-/// Whether a value is what is to be stored for a distance to the boxes: lower than the bound by no more than rounding takes.
+/// Whether a value is right for a distance to the boxes: below the bound by no more than rounding takes.
 fn is_bound(value: f32, distance: f64, half_diagonal: f64) -> bool {
     let over = distance * distance - half_diagonal * half_diagonal;
     let most = if over <= half_diagonal * half_diagonal { over / half_diagonal } else { over.sqrt() };

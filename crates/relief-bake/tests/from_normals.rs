@@ -14,8 +14,8 @@ fn metric(tile_m: [f64; 2], scale_m: f64) -> Metric {
     Metric::new(tile_m, scale_m).expect("positive lengths")
 }
 
-/// The heights of a map in metres, without what central differences do not see: the mean and, in a tiled map of even size,
-/// the waves that change sign from texel to texel.
+/// The heights of a map in metres, without what central differences do not see: the mean and, in a tiled map
+/// of even size, the waves that change sign from texel to texel.
 fn visible(map: &HeightMap, metric: Metric) -> Vec<f64> {
     let [width, height] = [map.width() as usize, map.height() as usize];
     let mut heights: Vec<f64> = map.texels().iter().map(|&h| f64::from(h) * metric.scale_m).collect();

@@ -1,4 +1,4 @@
-//! The quadrant frustum map against the brute force, against the surface, and in use against the exact first hit.
+//! The quadrant frustum map against brute force, against the surface, and in use against the exact first hit.
 
 use std::sync::atomic::AtomicBool;
 
@@ -144,8 +144,8 @@ fn rays_catch_a_map_that_is_too_low() {
     assert!(wrong);
 }
 
-/// Steps a ray of the frustum search, the quadtree search and the cell walk: mean over rays from the top of a relief a tenth of the
-/// tile deep, at elevations from 5 to 85 degrees.
+/// Steps a ray of the frustum search, the quadtree search and the cell walk: mean over rays from the top of a
+/// relief a tenth of the tile deep, at elevations from 5 to 85 degrees.
 fn steps(map: &HeightMap) -> [f64; 3] {
     let frusta = frustum_map(map, &Progress::none()).expect("not cancelled");
     let pyramid = MaxPyramid::new(map);

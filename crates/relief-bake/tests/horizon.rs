@@ -37,8 +37,8 @@ struct Bounds {
     most: f64,
 }
 
-/// Calls `judge` with the stored slope, the one of each judged texel's ray over all tiles that matter, and the bounds
-/// of the kind.
+/// Calls `judge` with the stored slope, the one of each judged texel's ray over all tiles that matter, and
+/// the bounds of the kind.
 fn each_horizon(map: &HeightMap, metric: Metric, mut judge: impl FnMut(u32, f64, f64, Bounds)) {
     let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
     horizons(map, metric, AZIMUTHS, 1, &Progress::none(), &mut |azimuth, sines| {

@@ -19,8 +19,8 @@ const THREADS: usize = 2;
 /// The most memory of a 2-D kind, input and output included, over these.
 const MOST: f64 = 1.5;
 
-/// The most memory of a volume, in maps besides the input: what the kinds' texts say, and a half for what grows with
-/// the side and the threads.
+/// The most memory of a volume, in maps besides the input: what the kinds' texts say, and a half for what
+/// grows with the side and the threads.
 const VOLUMES: [(&str, f64); 3] =
     [("distance", 3.0 + 0.5), ("horizon", 1.25 + 0.5), ("visibility", 2.0 + 4.0 + 3.0 + 0.5)];
 
@@ -43,7 +43,8 @@ impl Sink for Counted {
     }
 }
 
-/// What a bake of a map that is not needed afterwards allocates at most at a time besides it, in maps, and what came out.
+/// What a bake of a map that is not needed afterwards allocates at most besides it, in maps, and what came
+/// out.
 fn measure(kind: &Kind, map: HeightMap, bits: u32) -> (f64, Counted) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().expect("threads");
     let mut settings = kind.defaults();

@@ -56,7 +56,7 @@ fn normals_are_those_of_the_slopes() {
                     let [x, y, z] = at(&central.levels[0], texel);
                     flipped = flipped.max(brute::angle([x, -y, z], expected));
                 }
-                // The comparison would notice the other sign of green. (Central differences skip a checkerboard.)
+                // The other sign of green would be noticed. (Central differences skip a checkerboard.)
                 let level = ["constant", "checkerboard"].iter().any(|name| named.name.contains(name))
                     || map.height() == 1;
                 assert!(level || flipped > 1e-3, "{} {wrap}: green down was not noticed", named.name);

@@ -1,4 +1,4 @@
-//! The kind `relaxed-cone`: no falling ray comes out inside a cone, and the cones are wider than those of `cone`.
+//! The kind `relaxed-cone`: no falling ray comes out inside a cone, and cones are wider than those of `cone`.
 
 use rayon::prelude::*;
 use relief_bake::Progress;
@@ -31,8 +31,8 @@ fn slope(ratios: &[f32], place: usize) -> f64 {
     1.0 / f64::from(ratios[place])
 }
 
-/// The slopes that brute force asks for, from apexes of texels of every map in every wrap, beside those of relaxed cones and of cones.
-/// Sampling patches misses some of a supremum, never finds more.
+/// The slopes that brute force asks for, from apexes of texels of every map in every wrap, beside those of
+/// relaxed cones and of cones. Sampling patches misses some of a supremum, never finds more.
 #[test]
 fn is_between_brute_force_and_the_cone_and_from_centres_equal_to_brute_force() {
     let cases: Vec<(usize, usize)> =

@@ -44,8 +44,7 @@ fn every_hit_is_the_first() {
                 each_ray(&map, metric, |path, steps| {
                     rays += 1;
                     hits += usize::from(steps.is_some());
-                    // A distance in f32 is off by 2⁻²⁴ of itself, in which ray and surface part by a few heights a
-                    // step.
+                    // A distance in f32 is off by 2⁻²⁴; ray and surface part by a few heights a step.
                     let slack = 1e-6 * (1.0 + steps.unwrap_or(0.0) * 0.1) * (1.0 + path.h[1]);
                     let within = steps.is_none_or(|steps| steps <= path.exit);
                     assert!(

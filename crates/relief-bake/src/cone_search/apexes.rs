@@ -49,20 +49,21 @@ impl Region {
     }
 }
 
-/// The apexes of a footprint, in order along the rim of the texel's square, as columns and rows of the 3 by 3 points at -1, 0 and 1
-/// times half its side.
+/// The apexes of a footprint, in order along the rim of the texel's square: columns and rows from the centre,
+/// in halves of its side.
 pub(super) const RIM: [[i8; 2]; APEXES] =
     [[-1, -1], [0, -1], [1, -1], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]];
 
 /// A bit for each apex.
 const APEX_BITS: [u64; APEXES] = [1, 2, 4, 8, 16, 32, 64, 128];
 
-/// Where the apexes of every texel are: those that suffice, see the proof of [`cone_ratios`](crate::kind::cone::cone_ratios).
+/// Where the apexes of every texel are: those that suffice, see the proof of
+/// [`cone_ratios`](crate::kind::cone::cone_ratios).
 pub(crate) struct Places {
     pub region: Region,
     pub texel_m: [f64; 2],
     per_side: [f64; 2],
-    /// In metres from the texel's centre along `u` and `v`, in the order of [`RIM`]; all at the centre without a footprint.
+    /// In metres from the texel's centre along `u` and `v`, in the order of [`RIM`]; 0 without a footprint.
     at_m: [PerApex; 2],
 }
 
@@ -122,8 +123,8 @@ impl Places {
         slopes
     }
 
-    /// Squared slopes from the apexes to the steepest point strictly inside the edge from a vertex so many texels away to the next
-    /// one along an axis: [`inside_segment`] for all apexes at once.
+    /// Squared slopes from the apexes to the steepest point strictly inside an edge: [`inside_segment`] for
+    /// all apexes at once. The edge leads from a vertex so many texels away to the next one along an axis.
     #[inline(always)]
     pub fn to_edge<S: Simd>(
         &self,
@@ -156,9 +157,9 @@ impl Places {
         slopes
     }
 
-    /// What the squared slope of one end of a segment of that length is at least, in parts of what it is anywhere on the segment
-    /// from the apexes, when the segment is not farther than `reach` texels along either axis from the vertex so many texels away:
-    /// see [`super::walk`]. Not positive where nothing is known.
+    /// A lower bound of the squared slope to one end of a segment, in parts of that to any point of it: see
+    /// [`super::walk`]. The segment has that length and is nowhere farther, along either axis, than `reach`
+    /// texels from the vertex so many texels away. Not positive where nothing is known.
     #[inline(always)]
     pub fn turn(&self, by: [i64; 2], reach: f64, length_m: f64) -> f64 {
         let gap =
@@ -216,7 +217,7 @@ impl Places {
     /// Squared slope to a vertex from the steepest point inside the piece of the rim that follows an apex.
     pub fn rim_slope2(&self, apexes: &Apexes, apex: usize, vertex: [i64; 2], height: f64) -> f64 {
         let mut ends = [apex, (apex + 1) % APEXES];
-        // The rim turns back; a segment runs forward.
+        // Half of the rim runs backward; a segment runs forward.
         if RIM[ends[0]] > RIM[ends[1]] {
             ends.reverse();
         }

@@ -4,14 +4,15 @@ use super::apexes::{APEXES, Apexes, RIM, Region};
 use super::field::{Field, Seen};
 use super::lanes::{LANES, Lanes};
 
-/// Cells of the block to each side of a texel's centre. A cell beyond is at least 2½ texels away, from where its corners tell nearly
-/// all about it; fewer, and most texels have to look into some of those; more, and the block takes longer than they do.
+/// Cells of the block to each side of a texel's centre. Cells beyond are at least 2½ texels away, where their
+/// corners tell nearly all. With fewer, most texels must look into some cells beyond; with more, the block
+/// takes longer than those.
 pub(super) const REACH: usize = 3;
 
 /// Vertices along a side of what is read: the block, and one more for the texel to the right or below.
 pub(super) const SIDE: usize = 2 * REACH + 2;
 
-/// Numbers of vertices have no other bits: the compiler then knows that they are within an array of so many.
+/// Numbers of vertices are masked with this: the compiler then knows that they are within an array.
 pub(super) const MASK: usize = (SIDE * SIDE).next_power_of_two() - 1;
 
 /// Cells along a side of what is read.
@@ -59,7 +60,7 @@ impl Block {
         let mut heights = [*centre; APEXES];
         if region == Region::Footprint {
             for (heights, [column, row]) in heights.iter_mut().zip(RIM) {
-                // Halfway to the neighbours along one axis or both; along an axis without a step both are the centre.
+                // Halfway to the neighbours along one axis or both; without a step they are the centre.
                 let place = |column: i8, row: i8| vertex_at(isize::from(column), isize::from(row));
                 let [aside, ahead] = [place(column, 0), place(0, row)].map(|vertex| &self.vertices[vertex]);
                 let beyond = &self.vertices[place(column, row)];

@@ -40,7 +40,7 @@ impl Sort for Empty {
             search.walk.lower(group, lane, apexes.low);
             search.walk.raise_bar(group, lane, *best);
         }
-        // Distances along the axes are independent, so the nearest image of a point is in a tile beside the apex's.
+        // Distances along the axes are independent: the nearest image is in a tile beside the apex's.
         let tiles = if search.field.map.wrap() == Wrap::Repeat { [1; 2] } else { [0; 2] };
         search.walk.walk(
             simd,
@@ -101,8 +101,8 @@ fn may_be_steeper_around(search: &Search, by: [i64; 2], slope2: f64, best: f64) 
     turn <= 0.0 || slope2 * MARGIN >= best * turn * turn
 }
 
-/// Raises `best` to the squared slopes to the edges and the insides of cells around a vertex, outside of the block, and to the
-/// vertex from the rim, when the squared slopes to the vertex itself are given.
+/// Raises `best` to the squared slopes around a vertex: to it from the rim, to its edges, and to the insides
+/// of its cells outside of the block. Those from the apexes to the vertex itself are given.
 #[inline(always)]
 fn raise_around<S: Simd>(
     simd: S,

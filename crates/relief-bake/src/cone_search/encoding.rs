@@ -5,11 +5,11 @@ use relief_core::{HeightMap, Metric, Rounding};
 
 use crate::{BakeError, Channel, Sink, Texture, quantise};
 
-/// What rounding of the closed forms, of the stored value and of its decoding in `f32` may add to a slope, relatively.
+/// What rounding may add to a slope, relatively: in closed forms, the stored value and its decoding in `f32`.
 const RELATIVE: f64 = 1e-6;
 /// What rounding may add to a rise, in heights.
 const RISE: f64 = 1e-15;
-/// No apex is nearer than this to a point that its own patch does not hold, in texels. Smaller would widen nothing.
+/// A point outside of an apex's own patch is at least so many texels away. A smaller number is as safe.
 const NEAREST: f64 = 0.25;
 
 /// The ratio of a cone with that squared slope, rounded to the safe side.

@@ -1,7 +1,7 @@
 //! Texels side by side that are searched for at once: one lane each.
 
-/// Texels of a row that are searched for at once. They share the walk through the pyramid, and the compiler compares them
-/// together; more of them share fewer of their nodes.
+/// How many texels of a row are searched for at once. They share the walk through the pyramid and are
+/// compared together; more of them would have fewer nodes in common.
 pub(crate) const LANES: usize = 8;
 
 /// One number for each texel.

@@ -1,7 +1,7 @@
 //! The steepest slopes from the apexes of texels to the cells around them, for a few texels at once.
 //!
-//! Neighbouring texels share most of their apexes: a corner of their squares is that of four, the middle of a side that of two. So it is
-//! points of the surface that are worked out here, and each texel takes the steepest of its eight.
+//! Neighbouring texels share most of their apexes: a corner belongs to four squares, the middle of a side to
+//! two. So slopes are worked out for points of the surface, and each texel takes the steepest of its eight.
 
 use pulp::Simd;
 
@@ -15,9 +15,9 @@ use super::slope::{Patch, may_peak_inside, steepest_in_quarter, steepest_into};
 /// Squared slopes from the points of a row of texels to the blocks around them.
 pub(crate) struct NearRow {
     region: Region,
-    /// From the patches themselves at each texel, and beyond the last as they come.
+    /// Of the patches themselves at each texel; beyond the last as they come.
     own: Vec<f64>,
-    /// From each sort of point, one for the column before the first texel, one for each texel, and then as they come.
+    /// From each sort of point: for the column before the first texel, for each texel, then as they come.
     points: [Vec<f64>; 3],
 }
 
@@ -36,7 +36,7 @@ impl NearRow {
     #[inline(always)]
     pub fn fill<S: Simd>(&mut self, simd: S, near: &Near, field: &Field, row: i64) {
         self.region = near.region;
-        // A centre has no use for the column before the first; the same is done for it all the same.
+        // Centres do not need the column before the first; it is filled for them too.
         let width = field.map.width() as usize;
         for first in (0..=width).step_by(LANES) {
             let block = Block::new(field, [first as i64 - 1, row]);
@@ -84,8 +84,9 @@ pub(crate) struct Near {
     points: Vec<Point>,
 }
 
-/// Squared slopes from the points of texels side by side: of the centres; or of the middles of the right sides, of the lower
-/// sides, and of the lower right corners, with the slopes from the sides' pieces to the nearest vertices among those of their middles.
+/// Squared slopes from the points of texels side by side: the centres alone; or the middles of the right
+/// sides, the middles of the lower sides, and the lower right corners. Those of a side's middle include the
+/// slopes from the side's pieces to the nearest vertices.
 type PerPoint = [Lanes; 3];
 
 impl Near {
@@ -136,8 +137,8 @@ impl Near {
         }
     }
 
-    /// Squared slopes to vertices and edges and from the rim, for as many texels as a vector has lanes; and the cells whose inside
-    /// may be steeper, a bit each.
+    /// Squared slopes to vertices and edges and from the rim, for as many texels as a vector has lanes; and
+    /// the cells whose inside may be steeper, a bit each.
     #[inline(always)]
     fn point_slopes2<S: Simd>(
         &self,

@@ -1,6 +1,6 @@
 //! A point of the surface that texels have for an apex, and all that it is near to.
 //!
-//! Where everything is relative to the point is the same for all texels, so all that depends on it is worked out once for a map.
+//! Where things are from the point is the same for all texels, so it is worked out once for a map.
 
 use pulp::Simd;
 
@@ -10,8 +10,8 @@ use super::block::{CELLS_READ, CENTRE, REACH, SIDE, vertex_at};
 pub(super) struct Point {
     /// Its place from the texel's centre, in texels.
     pub at: [f64; 2],
-    /// The ends of the rim's pieces that meet there, the point itself between them: the four vertices around each, of which each
-    /// is the mean.
+    /// The ends of the rim's pieces that meet there, the point itself between them. Each is the mean of the
+    /// four vertices around it, which are listed.
     pub apexes: [[usize; 4]; 3],
     pub to_vertices: Vec<ToVertex>,
     pub to_edges: Vec<ToEdge>,
@@ -75,8 +75,8 @@ impl ToEdge {
         })
     }
 
-    /// Squared slope to the steepest point strictly inside the edge, for the rises of its ends: see
-    /// [`super::slope::inside_segment`], of which this is the part that depends on heights.
+    /// Squared slope to the steepest point strictly inside the edge, for the rises of its ends: the part of
+    /// [`super::slope::inside_segment`] that depends on heights.
     #[inline(always)]
     pub fn slope2<S: Simd>(&self, simd: S, rise: (S::f64s, S::f64s)) -> S::f64s {
         let times = |x: S::f64s, y: f64| simd.mul_f64s(x, simd.splat_f64s(y));
@@ -96,8 +96,8 @@ impl ToEdge {
 }
 
 impl Point {
-    /// The point at that place in halves of a texel from the centre: 0 or 1 along each axis. It is near to the blocks of all
-    /// texels that have it.
+    /// The point at that place in halves of a texel from the centre: 0 or 1 along each axis. Near to it are
+    /// the blocks of all texels that have it.
     pub fn new(halves: [u8; 2], side_m: [f64; 2]) -> Self {
         let at = halves.map(|half| 0.5 * f64::from(half));
         let metres = |place: [f64; 2]| [place[0] * side_m[0], place[1] * side_m[1]];
@@ -152,8 +152,8 @@ impl Point {
         point
     }
 
-    /// Adds the pieces of the rim that meet in the middle of a side, to the vertices that are not on the rim of a block: from
-    /// those hardly any texel needs it, and they are left to the walk.
+    /// Adds the pieces of the rim that meet in the middle of a side, for the vertices inside of the block.
+    /// For those on the block's border hardly any texel needs them; these are left to the walk.
     fn add_rim(
         &mut self,
         halves: [u8; 2],
@@ -162,7 +162,7 @@ impl Point {
         metres: &impl Fn([f64; 2]) -> [f64; 2],
     ) {
         let steps = halves.map(isize::from);
-        // The mean of the four vertices around a place in halves of a texel, each half being 0 or 1 from a vertex.
+        // The four vertices of which a place is the mean: from the first one, 0 or 1 steps along each axis.
         let around = |first: [isize; 2], steps: [isize; 2]| {
             [[0, 0], [steps[0], 0], [0, steps[1]], steps].map(|[x, y]| vertex_at(first[0] + x, first[1] + y))
         };

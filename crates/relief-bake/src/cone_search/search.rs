@@ -1,4 +1,4 @@
-//! Texels side by side, from the cells around them outward.
+//! The search, row by row, and what every sort of cone needs from it.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -14,10 +14,10 @@ use super::near::{Near, NearRow};
 use super::walk::{Group, Walk};
 use crate::{Cancelled, Progress};
 
-/// Rows that go on from one to the next: what was steepest for a texel is mostly steepest, or nearly, for the one below.
+/// Rows that one task goes down: what was steepest for a texel is mostly steepest, or nearly, below it.
 const ROWS: usize = 32;
 
-/// A bound is trusted to prune only when it is below by more than rounding.
+/// A bound prunes only when it is below the best by more than rounding.
 pub(super) const MARGIN: f64 = 1.0 + 1e-9;
 
 /// A map and all that its texels are searched with.
@@ -35,12 +35,13 @@ pub(crate) struct State {
     pub seeds: Vec<Option<[i64; 2]>>,
 }
 
-/// A sort of cone. What it does is to be inlined always, so that it is compiled for the vectors that the machine has.
+/// A sort of cone. Its methods must be `inline(always)`, so that they are compiled for the machine's vectors.
 pub(crate) trait Sort: Sync {
     /// Whether the slopes to the blocks are needed.
     const NEAR: bool;
 
-    /// Squared slopes of the cones of `count` texels from the one given, and those to their blocks, when they are needed.
+    /// Squared slopes of the cones of `count` texels from `texel` on. `near` has those to their blocks, where
+    /// they are needed.
     fn slopes2<S: Simd>(
         &self,
         simd: S,
@@ -88,7 +89,7 @@ impl<'a> Search<'a> {
         Ok(ratios)
     }
 
-    /// The greatest squared slope to a cell; or less, when it is not above `least`.
+    /// The greatest squared slope to a cell, or `least` where that is more.
     #[inline(always)]
     pub fn to_cell<S: Simd>(&self, simd: S, apexes: &Apexes, seen: &Seen, least: f64) -> f64 {
         let (places, [h00, h10, h01, h11]) = (&self.places, seen.heights);

@@ -1,8 +1,8 @@
 //! The steepest slope from an apex to a bilinear patch, in closed form.
 //!
-//! Everything is relative to an apex in metres; heights are texel heights. Slopes are squared, and a slope that does not
-//! rise counts as 0. Every value returned belongs to a pair of surface points (or to the limit of such pairs), so that
-//! rounding can lose a little of a supremum but never the order of it: the tops are flat.
+//! Places are in metres from an apex; heights are texel heights. Slopes are squared, and one that does not
+//! rise counts as 0. Every value returned is the slope between two points of the surface, or a limit of such
+//! slopes. So rounding loses only a little of a supremum: tops are flat.
 
 use pulp::Simd;
 
@@ -14,16 +14,17 @@ pub(crate) fn to_point(rise: f64, offset: [f64; 2]) -> f64 {
     if squared > 0.0 { rise * rise / squared } else { 0.0 }
 }
 
-/// Squared slope to the steepest point strictly inside a segment, on which the rise is linear; 0 when that is at an end.
+/// Squared slope to the steepest point inside a segment with a linear rise; 0 when that is at an end.
 ///
-/// The segment runs along one axis from `from` to `to`, at distance `beside` along the other. The rise is `α + βs`, the
-/// slope `(α + βs) / sqrt(s² + beside²)` has one maximum where it is positive, at `s = β beside² / α`.
+/// The segment runs along one axis from `from` to `to`, at distance `beside` along the other. The rise is
+/// `α + βs`, the slope `(α + βs) / sqrt(s² + beside²)` has one maximum where it is positive, at
+/// `s = β beside² / α`.
 #[inline]
 pub(crate) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) -> f64 {
     let beta = (rise[1] - rise[0]) / (to - from);
     let alpha = rise[0] - beta * from;
     let squared = beside * beside;
-    // s between the ends, multiplied out by α > 0. On the segment's own line the slope has no maximum but at an end.
+    // s between the ends, times α > 0. On the segment's own line the slope is greatest at an end.
     let scaled = beta * squared;
     if !(squared > 0.0 && alpha > 0.0 && from * alpha < scaled && scaled < to * alpha) {
         return 0.0;
@@ -33,8 +34,8 @@ pub(crate) fn inside_segment(rise: [f64; 2], from: f64, to: f64, beside: f64) ->
     top * top / (s * s + squared)
 }
 
-/// The greatest squared slope of a patch itself in the quarter that begins at one of its corners, given its heights there, beside it
-/// along `x` and along `y`, and opposite, and one over its sides.
+/// The greatest squared slope of a patch itself in the quarter at one of its corners. Given are the heights
+/// at that corner, beside it along `x`, along `y`, and opposite, and one over the sides.
 #[inline(always)]
 pub(crate) fn steepest_in_quarter([h, aside, ahead, beyond]: [f64; 4], per_side: [f64; 2]) -> f64 {
     // The slopes along an axis are linear along the other: greatest at the corner or half a side away.
@@ -44,8 +45,8 @@ pub(crate) fn steepest_in_quarter([h, aside, ahead, beyond]: [f64; 4], per_side:
     (along_x * along_x).max(half_x * half_x) + (along_y * along_y).max(half_y * half_y)
 }
 
-/// The squared slope of the steepest way up from a corner of a patch into it, given the same; a way that leaves it is left to
-/// its edges.
+/// The squared slope of the steepest way up from a corner, given the same; 0 where that way leaves the patch,
+/// whose edges then count.
 #[inline(always)]
 pub(super) fn steepest_into([h, aside, ahead, _]: [f64; 4], per_side: [f64; 2]) -> f64 {
     let (along_x, along_y) = ((aside - h) * per_side[0], (ahead - h) * per_side[1]);
@@ -67,14 +68,16 @@ impl Patch {
     /// Squared slope to the steepest critical point strictly inside the patch; 0 where there is none.
     ///
     /// With the rise `A + Bx + Cy + Dxy` the steepest point of the line `x = const` has the squared slope
-    /// `(C + Dx)² + (B + A/x)²`. Its derivative vanishes where `D²x⁴ + CDx³ - ABx - A² = 0`, and there `y = A / (Dx)`.
-    /// Along the ray from the apex the slope is `A/r + g + Dr sin cos`, which has a maximum only for `A < 0`. Then, for
-    /// `x > 0`, the quartic `P` is negative at 0 and positive far out, and the slope has a maximum only at a root at
-    /// which `P` falls. `P` is concave up to the point of inflection `x = -C / 2D` and convex behind it, so there is at
-    /// most one such root, and Newton's iteration from the point of inflection tends to it from one side.
+    /// `(C + Dx)² + (B + A/x)²`. Its derivative vanishes where `D²x⁴ + CDx³ - ABx - A² = 0`, and there
+    /// `y = A / (Dx)`. Along the ray from the apex the slope is `A/r + g + Dr sin cos`, which has a maximum
+    /// only for `A < 0`. Then, for `x > 0`, the quartic `P` is negative at 0 and positive far out, and the
+    /// slope has a maximum only at a root at which `P` falls. `P` is concave up to the point of inflection
+    /// `x = -C / 2D` and convex behind it, so there is at most one such root, and Newton's iteration from the
+    /// point of inflection tends to it from one side.
     ///
-    /// The slopes of the lines `x = const`, and likewise of `y = const`, are sums of two squares of which each has no maximum inside of
-    /// an interval, so they are bounded by those at its ends: 0 is returned where that is not above `least`.
+    /// The squared slope of a line `x = const`, and likewise of `y = const`, is a sum of two squares. Neither
+    /// has a maximum inside of an interval, so the sum is bounded by their greatest values at the ends. Where
+    /// that bound is not above `least`, 0 is returned.
     pub fn inside(&self, least: f64) -> f64 {
         let [h00, h10, h01, h11] = self.rise;
         let ([x0, y0], [ax, ay]) = (self.corner, self.size);
@@ -131,9 +134,10 @@ fn most_on_lines([a, b, c, d]: [f64; 4], [from, to]: [f64; 2]) -> f64 {
     along_x * along_x + along_y * along_y
 }
 
-/// Whether patches may have a critical point inside that is steeper than the squared slopes `best`: necessary for what
-/// [`Patch::inside`] finds, for as many patches as a vector has lanes. Their corners' heights, the apexes' heights, the places of
-/// corner `h00` from the apexes in metres, one over the sides of a texel, and the squared distances from the apexes.
+/// Whether patches may have a critical point inside that is steeper than `best`, for as many patches as a
+/// vector has lanes: where not, [`Patch::inside`] finds none. Given are the heights of corners and apexes,
+/// the place of corner `h00` in metres from the apexes, one over the sides of a texel, the squared distances
+/// from the apexes, and the best squared slopes.
 #[inline(always)]
 pub(super) fn may_peak_inside<S: Simd>(
     simd: S,
@@ -157,7 +161,7 @@ pub(super) fn may_peak_inside<S: Simd>(
         simd.sub_f64s(simd.sub_f64s(h00, apex), simd.mul_f64s(along_x, x)),
         simd.sub_f64s(bent, simd.mul_f64s(along_y, y)),
     );
-    // Critical points lie on the hyperbola D x y = A, which must cross the patch, and they are maxima only for A < 0.
+    // Critical points lie on the hyperbola D x y = A, which must cross the patch; maxima only for A < 0.
     let p = simd.mul_f64s(twist, simd.mul_f64s(right, y));
     let q = simd.mul_f64s(twist, simd.mul_f64s(x, down));
     let r = simd.mul_f64s(twist, simd.mul_f64s(right, down));

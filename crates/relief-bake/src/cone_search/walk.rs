@@ -1,4 +1,4 @@
-//! Every vertex that may matter to a few texels side by side, and few others: a shared descent of a maximum pyramid.
+//! A walk down a maximum pyramid, shared by texels side by side, to the vertices that may matter to them.
 
 use pulp::Simd;
 use relief_core::{HeightMap, Wrap};
@@ -7,8 +7,8 @@ use super::block::REACH;
 use super::lanes::{COLUMNS_F32, LANES};
 use crate::texel_pyramid::TexelPyramid;
 
-/// What lowers a squared slope so that in `f32` a node is passed over only if it surely can be: some twelve roundings of
-/// 2⁻²⁴.
+/// Lowers squared slopes, so that in `f32`, with some twelve roundings of 2⁻²⁴, no node that matters is
+/// passed over.
 const CAUTION: f64 = 1.0 - 1.0 / (1u64 << 19) as f64;
 
 /// The map's pyramid and the shape of its texels.
@@ -54,15 +54,16 @@ impl Group {
     }
 }
 
-/// What is done with a vertex that may matter. It is to be inlined always, so that it is compiled for the vectors that the
-/// machine has; a closure would not be.
+/// What is done with a vertex that may matter. Its methods must be `inline(always)`, so that they are
+/// compiled for the machine's vectors; a closure would not be.
 pub(crate) trait Look {
-    /// Whether it is enough to look at a vertex when it is higher, seen from the cells around it, than the bar: for what looks at a
-    /// cell from the highest corner. Else a vertex is looked at when it, or what is around it, may be steeper.
+    /// Whether cells are looked at from their highest corner alone. Then a vertex is looked at where its
+    /// rise, over the distance of the cells around it, is above the bar; else where it, or a point of these
+    /// cells, may be steeper.
     const HIGHEST_CORNERS: bool;
 
-    /// Whether anything around the vertices of a node may matter, which is so many columns and rows from the apexes of all lanes: the
-    /// least and the most along either axis of the map, with the cells around the vertices.
+    /// Whether anything around the vertices of a node may matter. From the apexes of all lanes to these
+    /// vertices and the cells around them it is at least `from` and at most `to` columns and rows of the map.
     fn may_matter(&self, level: u32, at: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool;
 
     /// Looks at a vertex of that height for the lanes whose excess is positive.
@@ -98,9 +99,10 @@ struct Sight {
 struct Rows {
     /// The last row is ahead of the group, not behind.
     is_ahead: bool,
-    /// Squared distance along `v` from the apexes to the nearest row, and to the cells before it, in longer sides of a texel.
+    /// Squared distance along `v` from the apexes to the nearest row, and to the cells before it, in units of
+    /// a texel's longer side.
     near2: [f32; 2],
-    /// Vertices of these rows that are fewer columns away from a texel have only cells of its block around them.
+    /// Vertices of these rows fewer columns away from a texel have only cells of its block around them.
     block: f32,
 }
 
@@ -144,14 +146,16 @@ impl<'a> Walk<'a> {
         group.bar[lane] = (slope2 * self.side_m * self.side_m * CAUTION) as f32;
     }
 
-    /// Looks for a lane at every vertex that may itself be steeper for the lane than its
-    /// bar, or may be a corner of a cell that holds a steeper point, unless all cells around it are in the lane's block. In the map and in its images at most so many
-    /// tiles away; images are looked at outward until their highest point is too far to matter to any lane.
+    /// Looks, for each lane, at every vertex that may be steeper than its bar, or be a corner of a cell that
+    /// holds a steeper point, unless all cells around it are in the lane's block. Vertices are those of the
+    /// map and of its images at most so many tiles away. Images are gone through outward, until their highest
+    /// point is too far to matter to any lane.
     ///
-    /// A cell that is steeper than all of its corners at their distance is so by little: a segment of length `a` at least the
-    /// distance `g` away is seen under an angle of at most `a / g`, and the slope falls with the cosine of the angle from where it
-    /// is greatest. So an edge has a corner not below `cos(a / 2g) ≥ 1 - a²/4g²` of its slope (that factor, squared, is not above
-    /// the square of the cosine), and a cell, whose every point is on a line between two edges, a corner not below the square of that.
+    /// A cell is hardly steeper than its corners. A segment of length `a`, at least the distance `g` away, is
+    /// seen under an angle of at most `a / g`, and the slope falls with the cosine of the angle from where it
+    /// is greatest. So one end has at least `cos(a / 2g)` of the greatest slope, and at least `1 - a²/4g²` of
+    /// its square. Every point of a cell is on a line between two edges, so one corner has at least the
+    /// square of that factor.
     #[inline(always)]
     pub fn walk<S: Simd>(&self, simd: S, group: &mut Group, tiles: [i64; 2], look: &mut impl Look) {
         for y in 0..=tiles[1] {
@@ -242,7 +246,7 @@ impl<'a> Walk<'a> {
         image.begin[axis] + if image.is_mirrored[axis] { self.size[axis] - 1 - at } else { at }
     }
 
-    /// The first and last column or row of a node. Beyond what `f32` counts exactly they are rounded as all else is.
+    /// The first and last column or row of a node; rounded beyond what `f32` counts exactly.
     #[inline(always)]
     fn span(&self, image: &Image, axis: usize, at: u32, level: u32) -> [f32; 2] {
         let first = i64::from(at) << level;
@@ -255,8 +259,8 @@ impl<'a> Walk<'a> {
         [(image.begin[axis] + ends[0]) as f32, (image.begin[axis] + ends[1]) as f32]
     }
 
-    /// The least and the most columns or rows, along the map, from all apexes to the cells around those given, which are counted from
-    /// the first texel; the last texel is `lanes` behind it.
+    /// The least and the most columns or rows, along the map, from all apexes to the cells around
+    /// `from..=to`. These are counted from the first texel; the last texel is `lanes` after it.
     #[inline(always)]
     fn around(&self, [from, to]: [f32; 2], lanes: usize, is_mirrored: bool) -> [f32; 2] {
         let around = [from - lanes as f32 - 1.0 - self.half, to + 1.0 + self.half];

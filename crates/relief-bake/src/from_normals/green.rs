@@ -5,22 +5,24 @@ use super::integrate::{IntegratedHeights, Integration, heights_from_slopes};
 use super::slopes::NormalSlopes;
 use crate::Progress;
 
-/// Below this confidence the ways are told apart by chance: texels of white noise reach a hundredth of it or so.
+/// Below this confidence the ways are told apart by chance; white noise reaches a hundredth of it or so.
 const UNSURE: f64 = 0.05;
 
-/// Differences below this part of the slopes are rounding: a relief that goes up and down along one axis alone fits both ways.
+/// Differences below this part of the slopes are rounding: a relief that goes up and down along one axis
+/// alone fits both ways.
 const ROUNDING: f64 = 1e-4;
 
 /// Which way green points in a tangent-space normal map.
 ///
-/// Slopes of a relief have no curl; with one of them turned over they have one, unless the relief goes up and down along one
-/// axis alone. What of the slopes fits no relief ([`IntegratedHeights::misfit`]) is nothing for the right way, but for noise
-/// and cliffs, and for the wrong one about half of their square.
+/// Slopes of a relief have no curl. With one of them turned over they have one, unless the relief goes up and
+/// down along one axis alone. So the part of the slopes that fits no relief ([`IntegratedHeights::misfit`])
+/// is nothing for the right way, but for noise and cliffs; for the wrong way it is about half of their
+/// square.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GreenFit {
-    /// Whether green points down in the picture (DirectX). When [`Self::is_sure`] is false it is taken to point up.
+    /// Whether green points down in the picture (DirectX). Where that is not sure it is taken to point up.
     pub is_down: bool,
-    /// How sure that is, from 0 (nothing to see) to 1: the difference of the two squared misfits over their sum.
+    /// How sure that is, from 0 to 1: the difference of the two squared misfits over their sum.
     pub confidence: f64,
     /// The misfits with green up and with green down.
     pub misfits: [f64; 2],
@@ -40,8 +42,8 @@ impl GreenFit {
     }
 }
 
-/// Heights from slopes of normals that were read with green up, whichever way it points: both are tried, and the slopes become
-/// those that fit better. Takes twice the time of one and 4 bytes a texel more.
+/// Heights from the slopes of normals that were read with green up, whichever way it points. Both ways are
+/// tried; returned are the slopes that fit better. Takes twice the time of one way and 4 bytes a texel more.
 ///
 /// # Errors
 ///

@@ -38,15 +38,15 @@ pub struct IntegratedHeights {
     pub size: [u32; 2],
     /// Heights in metres, row by row from the top; their mean is 0.
     pub heights_m: Vec<f32>,
-    /// Root mean square of what the slopes of these heights differ from those that were given, by both axes together.
+    /// Root mean square difference of the slopes of these heights from those given, by both axes together.
     pub misfit: f64,
     /// Normals that were at or below the horizon or steeper than accepted.
     pub too_steep: usize,
 }
 
 impl IntegratedHeights {
-    /// The height map: its lowest texel is 0, its highest 1, and its displacement gives back the heights in metres. A level
-    /// one has scale 0.
+    /// The height map: its lowest texel is 0, its highest 1, and its displacement gives back the heights in
+    /// metres. A level one has scale 0.
     ///
     /// # Errors
     ///
@@ -88,7 +88,7 @@ pub fn heights_from_slopes(
     turned.par_chunks_mut(height).zip(&along_u).for_each(|(column, u)| {
         for (wave, v) in column.iter_mut().zip(&along_v) {
             let seen = u.seen + v.seen;
-            // Nothing is seen of these waves: the least that fits is none.
+            // These waves are not seen: the least that fits is 0.
             *wave =
                 if seen > 0.0 { *wave / (seen + how.damping.powi(2) * (u.damped + v.damped)) } else { 0.0 };
         }

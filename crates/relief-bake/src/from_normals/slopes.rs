@@ -17,7 +17,7 @@ pub struct NormalFaults {
     pub without_direction: usize,
     /// Column and row of the first of those.
     pub first_without_direction: Option<[u32; 2]>,
-    /// They have a direction and a length that is off from 1 by more than [`UNIT_TOLERANCE`]; only the direction is used.
+    /// They have a direction, and a length off from 1 by more than [`UNIT_TOLERANCE`], which is not used.
     pub not_unit: usize,
     /// They point along the surface or into it, which no relief's do.
     pub below_horizon: usize,
@@ -42,20 +42,22 @@ impl NormalFaults {
 pub struct NormalSlopes {
     /// Columns and rows.
     pub size: [u32; 2],
-    /// Slopes along `u` and along `v` (down in the picture), metres up for a metre along, row by row from the top.
+    /// Slopes along `u` and along `v` (down in the picture), in metres a metre, row by row from the top.
     pub along: [Vec<f32>; 2],
     /// What was wrong with the normals.
     pub faults: NormalFaults,
 }
 
 impl NormalSlopes {
-    /// The slopes of normals in those axes, given row by row from the top, of any length. Normals at or below the horizon,
-    /// and those steeper than `steepest` (metres up for a metre along), keep their direction and become as steep as accepted;
-    /// where there is no direction the slopes are filled in smoothly from those around.
+    /// The slopes of normals in those axes, given row by row from the top, of any length. Normals at or below
+    /// the horizon, and those steeper than `steepest` (metres up for a metre along), keep their direction and
+    /// become as steep as accepted; where there is no direction the slopes are filled in smoothly from those
+    /// around.
     ///
     /// # Errors
     ///
-    /// When the number of normals is not that of the size, when the steepest slope is no slope, or when no normal has a direction.
+    /// When the number of normals is not that of the size, when the steepest slope is no slope, or when no
+    /// normal has a direction.
     pub fn of_normals(
         size: [u32; 2],
         normals: &[[f32; 3]],

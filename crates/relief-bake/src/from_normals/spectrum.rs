@@ -19,8 +19,8 @@ pub(super) enum Border {
     Mirrored,
 }
 
-/// The transform of lines of one length: of Hartley when they are tiled, of cosines (DCT-II) when they are mirrored. Both
-/// are real and made from one real FFT.
+/// The transform of lines of one length: of Hartley when they are tiled, of cosines (DCT-II) when they are
+/// mirrored. Both are real and made from one real FFT.
 pub(super) struct LineTransform {
     border: Border,
     length: usize,
@@ -53,8 +53,8 @@ impl LineTransform {
         }
     }
 
-    /// Whether central differences of the wave of index `k` vanish: the constant one, and in a tiled line of even length the
-    /// one that changes its sign from sample to sample.
+    /// Whether central differences of the wave of index `k` vanish: the constant one, and in a tiled line of
+    /// even length the one that changes its sign from sample to sample.
     pub fn is_invisible(&self, k: usize) -> bool {
         k == 0 || (self.border == Border::Tiled && 2 * k == self.length)
     }
@@ -104,7 +104,8 @@ impl LineTransform {
         // The constant and the alternating wave have no imaginary part, so that both assignments agree.
     }
 
-    /// `C[k] = Σ x[n] cos(πk(2n+1)/2N)`, from an FFT of the even samples and then the odd ones backwards (Makhoul 1980).
+    /// `C[k] = Σ x[n] cos(πk(2n+1)/2N)`, from an FFT of the even samples and then the odd ones backwards
+    /// (Makhoul 1980).
     fn cosines(&self, line: &mut [f64], room: &mut Room) {
         for (n, &x) in line.iter().enumerate() {
             let place = if n % 2 == 0 { n / 2 } else { self.length - 1 - n / 2 };

@@ -40,9 +40,9 @@ impl Hull {
 
     /// The slope of the tangent to the hull from a point in front of it.
     ///
-    /// From near to far the vertices are seen under a slope that first rises and then falls. Texels are close to
-    /// their line, so the top is almost always a few vertices away; else it is found by halving, so that no map makes
-    /// it slow.
+    /// From near to far the vertices are seen under a slope that first rises and then falls. Texels are close
+    /// to their line, so the top is almost always a few vertices away; else it is found by halving, so that
+    /// no map makes it slow.
     #[inline]
     fn tangent(&self, position: f32, height: f32) -> f32 {
         const STEPS: usize = 8;
@@ -56,7 +56,7 @@ impl Hull {
     }
 }
 
-/// Lines that one task looks along: as many as there are texels in a cache line, for lines across the map's rows.
+/// Lines that one task looks along: as many as a cache line has texels, for lines across the map's rows.
 const LANES: usize = 16;
 
 /// What a task works with, of a few lines: their texels, and what they are sampled at.
@@ -67,8 +67,8 @@ struct Scratch {
     heights: Vec<f32>,
 }
 
-/// For every texel of the slab the greatest slope, in heights a step, under which it sees the line that passes it, from
-/// `nearest` steps away on.
+/// Fills the slab with the greatest slope, in heights a step, under which each texel sees the line that
+/// passes it, from `nearest` steps away on.
 pub(super) fn slopes(
     lines: &Lines,
     nearest: usize,

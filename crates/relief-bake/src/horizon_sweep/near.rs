@@ -7,7 +7,7 @@ use relief_core::HeightMap;
 use crate::azimuths::Direction;
 use crate::sheared_lines::Run;
 
-/// Steps that are read from the texel's own ray. More are nearer to the truth, as one over their number, and slower.
+/// Steps that are read from the texel's own ray. The error falls as one over their number, the time grows.
 pub const NEAR_STEPS: usize = 8;
 
 /// A place on the ray where it crosses the line between two texels: `first + share * (second - first)`.
@@ -18,8 +18,8 @@ struct Crossing {
     share: f32,
 }
 
-/// The part of the ray in one dual cell, the same for every texel: the surface over it is `chord + bend (t - from) (t
-/// - to)`, `t` in steps.
+/// The part of the ray in one dual cell, the same for every texel: the surface over it is
+/// `chord + bend (t - from) (t - to)`, `t` in steps.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     from: f32,
@@ -61,13 +61,13 @@ impl Near {
         Self { pieces: pieces.collect(), twist: (x * y) as f32 }
     }
 
-    /// For every texel of a part of a [`Padded`] band's rows the greatest slope, in heights a step, under which it sees
-    /// its ray; `start` is room for as many values.
+    /// The greatest slope, in heights a step, under which each texel of a run sees the surface along its ray;
+    /// `start` is room for as many values.
     ///
-    /// In a cell the surface over the ray is `a + b t + c t²` above the texel. Its slope `a/t + b + c t` is greatest
-    /// at an end, or, where `a` and `c` are negative, at `t = sqrt(a/c)`, where it is `b - 2 sqrt(a c)`. In the first
-    /// cell `a` is 0, and `b` the slope at the texel itself. Inside of cells beyond half of the way nothing is looked
-    /// for: see the bound in the text of the kind `horizon`.
+    /// In a cell the surface over the ray is `a + b t + c t²` above the texel. Its slope `a/t + b + c t` is
+    /// greatest at an end, or, where `a` and `c` are negative, at `t = sqrt(a/c)`, where it is
+    /// `b - 2 sqrt(a c)`. In the first cell `a` is 0, and `b` the slope at the texel itself. Beyond half of
+    /// the way only the ends of cells are looked at; the kind `horizon` bounds what that misses.
     pub fn slopes(&self, band: &Padded, run: &Run, start: &mut [f32], slopes: &mut [f32]) {
         let own = band.row(run, [0, 0]);
         let start = &mut start[..slopes.len()];

@@ -11,7 +11,7 @@ use crate::azimuths::Direction;
 use crate::sheared_lines::{Band, Lines, Plane, Rows, SKEW, Slab};
 use crate::{Cancelled, Progress};
 
-/// Into so many parts the lines are divided, which are worked on one after the other: more take less memory.
+/// Parts into which the lines are divided, worked on one after the other. More of them take less memory.
 const SLABS: usize = 4;
 
 /// Rows that one task finishes together: more of them share their surroundings, and take more memory.
@@ -22,8 +22,8 @@ const LEAST_SLAB: usize = 64;
 
 /// A map about to be looked over, azimuth by azimuth.
 ///
-/// Takes a quarter of the map (of small maps up to all of it), and for each thread 16 lines of the map and their reach, and
-/// 50 of its rows.
+/// Takes a quarter of the map (of small maps up to all of it), and for each thread 16 lines of the map and
+/// their reach, and 50 of its rows.
 pub(crate) struct Sweep<'a> {
     map: &'a HeightMap,
     metric: Metric,
@@ -39,8 +39,8 @@ impl<'a> Sweep<'a> {
         Self { map, metric, azimuths, tiles: tiles.max(1), rows: Rows::new(map), slab: Vec::new() }
     }
 
-    /// Finds the sines of an azimuth's horizons and has them added to planes of the size of the map: `add` gets a part of
-    /// a row of each, and the sines there; it gets every texel once.
+    /// Finds the sines of an azimuth's horizons and adds them to planes of the map's size. `add` gets a part
+    /// of a row of each plane and the sines there, and every texel once.
     ///
     /// # Errors
     ///
@@ -136,8 +136,8 @@ impl Aim<'_> {
 struct Tilt(f32);
 
 impl Tilt {
-    /// Of a step over which a height of 1 is that slope. Beyond the limits every sine is 0 or 1 to rounding, and
-    /// squares would not fit in `f32`.
+    /// For steps over which a rise by a height of 1 is that slope. Beyond the limits every sine is 0 or 1 to
+    /// rounding, and squares would not fit in `f32`.
     fn new(metres: f64) -> Self {
         const MOST: f64 = 1e18;
         Self(metres.clamp(1.0 / MOST, MOST) as f32)

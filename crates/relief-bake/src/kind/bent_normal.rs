@@ -1,22 +1,22 @@
 //! Bent normals, from horizons in closed form.
 //!
-//! Landis 2002, *Production-ready global illumination*; the integrals over horizons as in Max 1988 and Timonen and
-//! Westerholm 2010.
+//! Landis 2002, *Production-ready global illumination*; the integrals over horizons as in Max 1988 and
+//! Timonen and Westerholm 2010.
 //!
 //! # What is stored
 //!
-//! The mean of all directions in which the sky is seen, each weighted by the same solid angle, as a unit vector in
-//! tangent space: `x` along `+u`, `y` along `-v` (up in the picture, as in glTF's normal maps), `z` along the base
-//! normal. Channels have the range `[-1, 1]`. Where no sky is seen it is the base normal. The sky of the azimuth `φ`
-//! above the horizon `H` adds
+//! The mean of all directions in which the sky is seen, each weighted by the same solid angle, as a unit
+//! vector in tangent space: `x` along `+u`, `y` along `-v` (up in the picture, as in glTF's normal maps), `z`
+//! along the base normal. Channels have the range `[-1, 1]`. Where no sky is seen it is the base normal. The
+//! sky of the azimuth `φ` above the horizon `H` adds
 //!
 //! * along the base, in the direction of `φ`: `∫ from H to π/2 of cos² e de = (π/2 - H - sin H cos H) / 2`,
 //! * upward: `∫ from H to π/2 of sin e cos e de = cos² H / 2`.
 //!
 //! # Accuracy
 //!
-//! Exact in elevation, for the horizons that it is given; the rectangle rule between azimuths. Because the azimuths
-//! are spread evenly, an open plain has exactly the base normal.
+//! Exact in elevation, for the horizons that it is given; the rectangle rule between azimuths. Because the
+//! azimuths are spread evenly, an open plain has exactly the base normal.
 
 use rayon::prelude::*;
 use relief_core::registry::Publication;
@@ -40,8 +40,8 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// The bent normal of every texel as three planes, row by row from the top: along `+u`, along `-v`, up. Parameters and the
-/// working set besides input and result are those of [`super::occlusion::visibility`].
+/// The bent normal of every texel as three planes, row by row from the top: along `+u`, along `-v`, up.
+/// Parameters and the working set besides input and result are those of [`super::occlusion::visibility`].
 ///
 /// # Errors
 ///

@@ -3,10 +3,10 @@
 //! * Dummer, *Cone Step Mapping: An Iterative Ray-Heightfield Intersection Algorithm*, 2006.
 //! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008, section 4.3.5.
 //!
-//! Published cone maps bound the texels, not the bilinear surface between them, and are made for texel centres but moved to the ray.
-//! The cones here stand clear of the bilinear surface. The default ones are as wide as can be and stay where they stand, which a
-//! search such as that of the shaders needs for nothing to be passed from any start in the texel; others may be moved. That,
-//! and how it is found, is Relief's own.
+//! Published cone maps bound the texels, not the bilinear surface between them. They are made for texel
+//! centres, but searches move them to the ray. The cones here hold nothing of the bilinear surface. The
+//! default ones are as wide as can be and stay at the centre: a search that leaves them there, as that of the
+//! shaders does, passes over nothing. Others may be moved. That, and how they are found, is Relief's own.
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
@@ -19,17 +19,18 @@ use crate::{BakeError, BakeInput, Cancelled, Progress, Settings, Shape, Sink};
 /// From where the cones of a map are safe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConeApex {
-    /// From the surface at the texel's centre, as published. For searches that leave the cone there, wherever in
-    /// the texel the ray is; a cone moved to the ray cuts the surface. Such a search misses nothing: a ray in the cone meets no
-    /// surface until it leaves it, and where it is not in the cone of its texel the texel's own patches are solved, as the
-    /// shaders' search `cone` does. It takes a half to two thirds of the steps of one that moves the apex.
+    /// From the surface at the texel's centre, as published: for searches that leave the cone there, wherever
+    /// in the texel the ray is. Moved to the ray, the cone would cut the surface. Such a search misses
+    /// nothing: in the cone a ray meets no surface, and where it is outside of its texel's cone, the texel's
+    /// own patches are solved, as the shaders' search `cone` does. It takes a half to two thirds of the steps
+    /// of one that moves the apex.
     Centre,
-    /// From the surface at any place of the texel's square: for searches that move the apex to the ray and fetch the
-    /// nearest texel. No wider cones are safe for these. They are narrower than those of the centres, on natural ground by a tenth;
-    /// where walls are a texel wide by up to a third.
+    /// From the surface at any place of the texel's square: for searches that move the apex to the ray and
+    /// fetch the nearest texel. No wider cones are safe for these. They are narrower than those of the
+    /// centres: on natural ground by a tenth, where walls are a texel wide by up to a third.
     Footprint,
-    /// From the surface at any place of the squares of the texel and its eight neighbours: for searches that move the
-    /// apex and fetch through a bilinear filter.
+    /// From the surface at any place of the squares of the texel and its eight neighbours: for searches that
+    /// move the apex and fetch through a bilinear filter.
     Filtered,
 }
 
@@ -66,42 +67,49 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// The cone ratio of every texel, row by row: metres from the axis for each unit of texel height above the apex.
+/// The cone ratio of every texel, row by row: metres from the axis for a texel height of 1 above the apex.
 ///
-/// The metres are those of `metric.tile_m`; a height of 1 is the whole relief whatever `metric.scale_m` is, so the ratio
-/// outlives a change of scale. It is finite and not negative, is not limited to 1, and exceeds 1e12 texels over peaks,
-/// where nothing limits the cone.
+/// The metres are those of `metric.tile_m`; a height of 1 is the whole relief whatever `metric.scale_m` is,
+/// so the ratio outlives a change of scale. It is finite and not negative, is not limited to 1, and exceeds
+/// 1e12 texels over peaks, where nothing limits the cone.
 ///
 /// # Guarantee
 ///
-/// For every point `p` of the bilinear surface `f` over the apexes of a texel and every other point `q`, also outside of the
-/// map, `f(q) - f(p) ≤ |q - p| / ratio`, with `|q - p|` in metres. With [`ConeApex::Footprint`] the apexes of texel
-/// `(i, j)` are the closed square `[i, i + 1] x [j, j + 1]` in texture coordinates times size, which is where a fetch of the
-/// nearest texel gives it; on a border between squares both texels' cones are safe. With [`ConeApex::Centre`] it is the
-/// centre alone. The ratio is the supremum, less 1e-6 of it and what an error of 4e-15 of a height makes: no wider cone is
-/// safe.
+/// For every point `p` of the bilinear surface `f` over the apexes of a texel and every other point `q`, also
+/// outside of the map, `f(q) - f(p) ≤ |q - p| / ratio`, with `|q - p|` in metres. With
+/// [`ConeApex::Footprint`] the apexes of texel `(i, j)` are the closed square `[i, i + 1] x [j, j + 1]` in
+/// texture coordinates times size, which is where a fetch of the nearest texel gives it; on a border between
+/// squares both texels' cones are safe. With [`ConeApex::Centre`] it is the centre alone. The ratio is the
+/// supremum, less 1e-6 of it and what an error of 4e-15 of a height makes: no wider cone is safe.
 ///
-/// [`ConeApex::Filtered`] is the least ratio of [`ConeApex::Footprint`] in the 3 by 3 texels around. A place of a texel's
-/// square is filtered from four texels of which each has that texel among its 3 by 3, so that each of the four values is
-/// safe, and so is any mean of them or of an increasing function of them. Filtering those of
-/// [`ConeApex::Centre`] is not safe, whatever function of the ratio is filtered; of [`ConeApex::Footprint`] nothing is proven.
+/// [`ConeApex::Filtered`] is the least ratio of [`ConeApex::Footprint`] in the 3 by 3 texels around. At a
+/// place of a texel's square, a filter mixes four texels, and each has that texel among its 3 by 3. So each
+/// of the four values is safe there, and so is any mean of them, or of an increasing function of them.
+/// Filtering the ratios of [`ConeApex::Centre`] is not safe, whatever function of them is filtered; for
+/// [`ConeApex::Footprint`] nothing is proven.
 ///
 /// # Proof
 ///
-/// Let `R` be the square, `p` in `R`. (1) The mean slope from `p` to `q` is a mean of the mean slopes before and behind the
-/// point at which the segment leaves `R`. The first is at most the greatest `|∇f|` in `R`, whose square is convex in each
-/// of the four patches and so is greatest at a corner of its part in `R`. So `p` may be taken on the rim. (2) Move `p` along one
-/// of the eight pieces of the rim that lie within one patch, say along `y`, and `q` with it: `f(p)` is linear, `f(q)` is
-/// linear while `q` stays between two lines of vertices, and their distance is fixed, so the slope is greatest where `p`
-/// is an end of its piece or `q` is on an edge along `x`. In the latter case the rise is affine in `q.x` and
-/// `p.y` and the distance a norm of `(q.x - p.x, q.y - p.y)`: stationary inside only where the rise is
-/// linear in that vector, when it is the same towards the rim of the domain. So `p` is one of the eight ends, or `q` is
-/// a vertex. (3) From an end the supremum over a cell is at a vertex, on an edge, or at a stationary point inside; for a
-/// vertex it is inside a piece, or at its end. All of these are in closed form. (4) A node of the maximum pyramid is skipped only when its
-/// highest point over the lowest apex, at their least distance, is less steep than what was found by more than a cell can be
-/// steeper than its corners: see the module `walk`. (5) Under repeat all
-/// images that are near enough are looked at. Under clamp and mirror folding the plane onto the map keeps heights and brings no two points
-/// farther apart, so the steepest pairs are on the map itself.
+/// Let `R` be the square and `p` a point of it.
+///
+/// 1. *`p` is on the rim.* The mean slope from `p` to `q` is a mean of the mean slopes before and behind the
+///    point at which the segment leaves `R`. The first is at most the greatest `|∇f|` in `R`, whose square is
+///    convex in each of the four patches and so is greatest at a corner of its part in `R`. So `p` may be
+///    taken on the rim.
+/// 2. *`p` is one of eight ends, or `q` is a vertex.* Move `p` along one of the eight pieces of the rim that
+///    lie within one patch, say along `y`, and `q` with it. `f(p)` is linear, `f(q)` is linear while `q`
+///    stays between two lines of vertices, and their distance is fixed. So the slope is greatest where `p` is
+///    an end of its piece or `q` is on an edge along `x`. On the edge the rise is affine in `q.x` and `p.y`,
+///    and the distance a norm of `(q.x - p.x, q.y - p.y)`. The slope is stationary inside only where the rise
+///    is linear in that vector; then it is the same towards the rim of the domain.
+/// 3. *Closed forms.* From an end the supremum over a cell is at a vertex, on an edge, or at a stationary
+///    point inside. For a vertex it is inside a piece of the rim, or at its end. All have closed forms.
+/// 4. *Nodes passed over.* A node of the maximum pyramid is skipped only when its highest point over the
+///    lowest apex, at their least distance, is less steep than what was found by more than a cell can be
+///    steeper than its corners: see the module `cone_search::walk`.
+/// 5. *Beyond the map.* Under repeat all images that are near enough are looked at. Under clamp and mirror,
+///    folding the plane onto the map keeps heights and brings no two points farther apart, so the steepest
+///    pairs are on the map itself.
 ///
 /// # Errors
 ///

@@ -2,20 +2,23 @@
 //!
 //! * Kolb and Rezk-Salama 2005, "Efficient empty space skipping for per-pixel displacement mapping".
 //! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art", section 4.3.2.
-//! * van Herk 1992, "A fast algorithm for local minimum and maximum filters on rectangular and octagonal kernels", and Gil and
-//!   Werman 1993, "Computing 2-D min, median, and max filters": three comparisons a texel and axis at any radius.
+//! * van Herk 1992, "A fast algorithm for local minimum and maximum filters on rectangular and octagonal
+//!   kernels", and Gil and Werman 1993, "Computing 2-D min, median, and max filters": three comparisons a
+//!   texel and axis at any radius.
 //!
 //! # Guarantee
 //!
-//! *From anywhere over dual cell `(i, j)`, the surface at most `radius` texels away along both axes is nowhere below the
-//! cell's `erosion` and nowhere above its `dilation`; both are attained.*
+//! *From anywhere over dual cell `(i, j)`, the surface at most `radius` texels away along both axes is
+//! nowhere below the cell's `erosion` and nowhere above its `dilation`; both are attained.*
 //!
-//! Proof. These places make up the square of cells `i - radius ..= i + radius` by `j - radius ..= j + radius`. A bilinear
-//! patch is a mean of its corners with weights that are not negative, so over whole cells the surface takes its extremes at
-//! texels, and the texels of that square are `i - radius ..= i + radius + 1` by the like, wrapped as the map is. Their
-//! extremes are what is stored, axis by axis, which is the same because the window is a product of intervals. Nothing
-//! rounds: in `f32` the bound is exact. With `bits` it holds for the surface of the heights decoded from so many bits, and is as
-//! exact: rounding to the nearest never swaps two heights, so that the extremes of rounded heights are the rounded extremes.
+//! Proof. These places make up the square of cells `i - radius ..= i + radius` by
+//! `j - radius ..= j + radius`. A bilinear patch is a mean of its corners with weights that are not negative,
+//! so over whole cells the surface takes its extremes at texels, and the texels of that square are
+//! `i - radius ..= i + radius + 1` by the like, wrapped as the map is. Their extremes are stored. They are
+//! taken axis by axis, which is the same, because the window is a product of intervals. Nothing rounds: in
+//! `f32` the bound is exact. With `bits` it holds for the surface of the heights decoded from so many bits,
+//! and is as exact: rounding to the nearest never swaps two heights, so the extremes of rounded heights are
+//! the rounded extremes.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -74,8 +77,9 @@ pub struct WindowBounds {
     pub max: Vec<f32>,
 }
 
-/// The extremes of the surface over every dual cell grown by `radius` texels. Takes no longer for a larger radius, and one
-/// plane of memory besides the two that it returns (and 16 bytes a row, for each 512 columns).
+/// The extremes of the surface over every dual cell grown by `radius` texels. Takes no longer for a larger
+/// radius, and one plane of memory besides the two that it returns (and 16 bytes a row, for each 512
+/// columns).
 ///
 /// # Errors
 ///
@@ -126,7 +130,7 @@ const STRIP: usize = 512;
 /// Texels between two looks at the progress: well below a millisecond of work.
 const BATCH: usize = 1 << 16;
 
-/// The `pick` over every window of a map; `worst` is what any height is picked before. `along_rows` is room for a plane.
+/// The `pick` over every window of a map, any height before `worst`. `along_rows` is room for a plane.
 fn extremes(
     map: &HeightMap,
     radius: u32,
@@ -197,8 +201,8 @@ fn extremes(
 struct Windows {
     /// Texels of a window.
     length: usize,
-    /// The texels, wrapped, from the first window's first to the last window's last: window `i` is `length` of them from
-    /// place `i` on.
+    /// The texels, wrapped, from the first window's first to the last window's last: window `i` is `length`
+    /// of them from place `i` on.
     texels: Vec<u32>,
 }
 
@@ -213,8 +217,8 @@ impl Windows {
     }
 }
 
-/// The `pick` of every window of so many texels, in blocks of as many windows: what of a window lies in its own block is
-/// picked backward from the block's end, what lies in the next block forward from there.
+/// The `pick` of every window of so many texels, in blocks of as many windows. The part of a window in its
+/// own block is picked backward from the block's end, the part in the next block forward from there.
 fn pick_row(texels: &[f32], length: usize, pick: impl Fn(f32, f32) -> f32, worst: f32, picked: &mut [f32]) {
     for (block, picked) in picked.chunks_mut(length).enumerate() {
         let (own, next) = texels[block * length..].split_at(length);
@@ -244,7 +248,7 @@ struct Strip<'a> {
     rows: Vec<&'a mut [f32]>,
 }
 
-/// A plane of that width cut into rectangles of [`STRIP`] columns and so many rows. Takes 16 bytes a row of each.
+/// A plane of that width in rectangles of [`STRIP`] columns and so many rows, at 16 bytes a row of each.
 fn strips(plane: &mut [f32], width: usize, rows: usize) -> Vec<Strip<'_>> {
     let mut strips = Vec::new();
     for (band, plane) in plane.chunks_mut(width * rows).enumerate() {

@@ -1,49 +1,55 @@
-//! Distance fields for sphere tracing: how far a ray may go from any point above the relief, in any direction.
+//! Distance fields for sphere tracing: how far a ray may go, in any direction, from a point above the relief.
 //!
-//! Szirmay-Kalos and Umenhoffer 2008, section 4.3.4, after Hart 1993 and Donnelly 2005. Danielsson's transform, which they
-//! use, is not exact; here each height slice is one exact two-dimensional transform, along columns and then along rows (Felzenszwalb
-//! and Huttenlocher 2012).
+//! Szirmay-Kalos and Umenhoffer 2008, section 4.3.4, after Hart 1993 and Donnelly 2005. Danielsson's
+//! transform, which they use, is not exact; here each height slice is one exact two-dimensional transform,
+//! along columns and then along rows (Felzenszwalb and Huttenlocher 2012).
 //!
 //! # What is stored
 //!
-//! A volume of `W x H x slices` voxels, to be read trilinearly at `(u, v, height)`, with the map's wrap along `u` and `v` and
-//! clamped along the height: voxel `(i, j, k)` has its centre over texel `(i, j)` at height `(k + ½) / slices`. A value is a
-//! length in metres of the [`Metric`], negative where the surface may be nearer than the voxels can tell.
+//! A volume of `W x H x slices` voxels, to be read trilinearly at `(u, v, height)`, with the map's wrap along
+//! `u` and `v` and clamped along the height: voxel `(i, j, k)` has its centre over texel `(i, j)` at height
+//! `(k + ½) / slices`. A value is a length in metres of the [`Metric`], negative where the surface may be
+//! nearer than the voxels can tell.
 //!
 //! # Guarantee
 //!
-//! For every point `q` with a height of at least 0 (under `clamp` also outside of the footprint), the trilinear fetch at `q`
-//! is at most the distance from `q` to the bilinear surface, and not positive below it.
+//! For every point `q` with a height of at least 0 (under `clamp` also outside of the footprint), the
+//! trilinear fetch at `q` is at most the distance from `q` to the bilinear surface, and not positive below
+//! it.
 //!
-//! *Proof.* Let `S` be the closed set on and below the bilinear surface, `d` the distance to it, `c` the eight voxel centres
-//! around `q` and `w` their trilinear weights, so that `q = Σ w c`.
+//! *Proof.* Let `S` be the closed set on and below the bilinear surface, `d` the distance to it, `c` the
+//! eight voxel centres around `q` and `w` their trilinear weights, so that `q = Σ w c`.
 //!
-//! 1. *At a voxel centre* the transform gives the distance `b` to the union of boxes that stand on dual cells and reach up to
-//!    the highest of their four corners. A patch never rises above its corners, so `S` lies in the union and `b(c) ≤ d(c)`.
-//!    It is exact because the point of a dual cell that is nearest to a texel centre is one of the cell's corners: the least
-//!    over boxes is the least over texels `x` of `|c - x|² + max(0, z - h⁺(x))²`, with `h⁺` the highest of the 3x3 texels
-//!    around `x`, which are the corners of the four boxes that meet there. Texels beyond the edge of a clamped or mirrored
-//!    map need not be looked at, since each repeats the `h⁺` of one inside that is nearer, or a lower one.
+//! 1. *At a voxel centre* the transform gives the distance `b` to the union of boxes that stand on dual cells
+//!    and reach up to the highest of their four corners. A patch never rises above its corners, so `S` lies
+//!    in the union and `b(c) ≤ d(c)`. It is exact because the point of a dual cell that is nearest to a texel
+//!    centre is one of the cell's corners: the least over boxes is the least over texels `x` of
+//!    `|c - x|² + max(0, z - h⁺(x))²`, with `h⁺` the highest of the 3x3 texels around `x`, which are the
+//!    corners of the four boxes that meet there. Texels beyond the edge of a clamped or mirrored map need not
+//!    be looked at, since each repeats the `h⁺` of one inside that is nearer, or a lower one.
 //! 2. *Between voxel centres*: let `s` be the point of `S` next to `q`. Then `b(c)² ≤ |c - s|²`, and
-//!    `Σ w |c - s|² = |q - s|² + Σ w |c - q|²`, where the last sum is `Σ over axes a² f (1 - f)` for the voxel's sides `a` and
-//!    the fractions `f` of `q` in it, thus at most `δ²` with `δ` half of the voxel's diagonal. So `Σ w b² ≤ d(q)² + δ²`.
-//! 3. *Stored* is `φ(b²)` with `φ(t) = (t - δ²) / δ` up to `t = 2δ²` and `sqrt(t - δ²)` above. `φ` rises and is concave (at
-//!    `2δ²` its slope falls from `1/δ` to `1/2δ`), so the fetch is `Σ w φ(b²) ≤ φ(Σ w b²) ≤ φ(d(q)² + δ²)`, which is `d(q)`
-//!    from `d(q) = δ` on and `d(q)²/δ ≤ d(q)` before. Far from the surface that costs `δ²/2d` only, where subtracting half of
-//!    the diagonal would cost `δ` everywhere.
-//! 4. *Ends of the volume*: `d` grows with the height, since a ball lifted out of `S` stays out of it. So the last slice is a
-//!    bound for all that is above it; and slice 0 holds `φ(0)`, the value at height 0, as the fetch between height 0 and its
-//!    centre needs, and that is below what its own centre would allow. Outside of a clamped footprint the fetch is that of
-//!    the nearest point of the border, and clamping coordinates takes `S` into itself and brings no two points further
-//!    apart.
-//! 5. *Rounding*: every stored value is lowered by `2^-19 (|value| + 6δ)`, more than what the `f32` of five roundings of
-//!    the square, of `φ` and of a trilinear interpolation in `f32` can add (neighbours differ by `4√2 δ` at most), and by
-//!    `δ/128`, the way between `q` and the point that a texture unit fetches for it when its weights have 8 bits.
+//!    `Σ w |c - s|² = |q - s|² + Σ w |c - q|²`, where the last sum is `Σ over axes a² f (1 - f)` for the
+//!    voxel's sides `a` and the fractions `f` of `q` in it, thus at most `δ²` with `δ` half of the voxel's
+//!    diagonal. So `Σ w b² ≤ d(q)² + δ²`.
+//! 3. *Stored* is `φ(b²)` with `φ(t) = (t - δ²) / δ` up to `t = 2δ²` and `sqrt(t - δ²)` above. `φ` rises and
+//!    is concave (at `2δ²` its slope falls from `1/δ` to `1/2δ`), so the fetch is
+//!    `Σ w φ(b²) ≤ φ(Σ w b²) ≤ φ(d(q)² + δ²)`, which is `d(q)` from `d(q) = δ` on and `d(q)²/δ ≤ d(q)`
+//!    before. Far from the surface that costs `δ²/2d` only, where subtracting half of the diagonal would cost
+//!    `δ` everywhere.
+//! 4. *Ends of the volume*: `d` grows with the height, since a ball lifted out of `S` stays out of it. So the
+//!    last slice bounds all that is above it. Slice 0 holds `φ(0)`, the value at height 0, which the fetch
+//!    between height 0 and its centre needs; its centre would allow more. Outside of a clamped footprint the
+//!    fetch is that of the nearest point of the border, and clamping coordinates takes `S` into itself and
+//!    brings no two points further apart.
+//! 5. *Rounding*: every stored value is lowered by `2^-19 (|value| + 6δ)`, more than what the `f32` of five
+//!    roundings of the square, of `φ` and of a trilinear interpolation in `f32` can add (neighbours differ by
+//!    `4√2 δ` at most), and by `δ/128`, the way between `q` and the point that a texture unit fetches for it
+//!    when its weights have 8 bits.
 //!
 //! # Cost
 //!
-//! O(1) a voxel. Slices are made one after the other, each by all threads; the working set is three planes of `f32` beside
-//! the map (`h⁺`, one transform and the slice) and, for each thread, 16 lines.
+//! O(1) a voxel. Slices are made one after the other, each by all threads; the working set is three planes of
+//! `f32` beside the map (`h⁺`, one transform and the slice) and, for each thread, 16 lines.
 
 mod line;
 mod monotone;
@@ -84,14 +90,15 @@ const SLICES: Param = Param {
 /// Lines that a thread transposes together: one cache line of `f32` from each column.
 const LINES: usize = 16;
 
-/// What stored values are lowered by, relative to themselves and six half diagonals. Smaller, rounding could break the bound.
+/// What stored values are lowered by, relative to themselves and six half diagonals. Smaller, rounding could
+/// break the bound.
 const ROUNDING: f32 = 1.0 / (1 << 19) as f32;
 
 /// Parts of the half diagonal that a texture unit's 8-bit weights may move the fetched point by: 1 of 128.
 const WEIGHTS: f32 = 1.0 / 128.0;
 
-/// What integers are lowered by before they are rounded down, in parts of the range: twice what scaling to the range and back
-/// can add in `f32`.
+/// What integers are lowered by before they are rounded down, in parts of the range: twice what scaling to
+/// the range and back can add in `f32`.
 const DECODING: f32 = 1.0 / (1 << 21) as f32;
 
 /// A distance field about to be made: what its slices share.
@@ -102,7 +109,7 @@ pub struct DistanceField {
     repeats: bool,
     /// The most texels that a distance is long, along `u` and `v`.
     reach: [usize; 2],
-    /// The unit of all squares, so that they fit `f32` whatever the metric: the longest of texel and relief, in metres.
+    /// The unit of lengths, in metres: the longest of texel and relief, so that squares fit `f32`.
     unit_m: f64,
     /// Size of a texel along `u` and `v` and height of the relief, in that unit.
     texel: [f64; 2],
@@ -148,8 +155,8 @@ impl DistanceField {
         [(least * (1.0 + 1e-6)) as f32, (longest.max(self.half_diagonal) * self.unit_m) as f32]
     }
 
-    /// Makes the slices from the lowest up and hands each over, its values in metres row by row from the top. Ends early
-    /// with the first error.
+    /// Makes the slices from the lowest up and hands each over, its values in metres row by row from the top.
+    /// Ends early with the first error.
     ///
     /// # Errors
     ///
@@ -177,8 +184,8 @@ impl DistanceField {
         Ok(progress.at(1.0)?)
     }
 
-    /// Squared distances within each column at that height. [`LINES`] columns lie together, and within them as many rows, column
-    /// by column: what [`Self::along_rows`] reads at once.
+    /// Squared distances within each column at that height. [`LINES`] columns lie together, and within them
+    /// as many rows, column by column: what [`Self::along_rows`] reads at once.
     fn along_columns(&self, level: f64, columns: &mut [f32], progress: &Progress) -> Result<(), Cancelled> {
         let height = self.size[1] as usize;
         let blocks = self.size[0].div_ceil(LINES as u32) as f32;
@@ -208,7 +215,7 @@ impl DistanceField {
         let [width, height] = [self.size[0] as usize, self.size[1] as usize];
         let blocks = self.size[1].div_ceil(LINES as u32) as f32;
         let line = || Line::new(width, self.texel[0], self.reach[0], self.repeats);
-        // Longer than a row, so that those of a map of a power of two do not all fall into the same cache lines.
+        // Longer than a row, so that rows of a power of two do not all fall into the same cache lines.
         let stride = width + LINES;
         slice.par_chunks_mut(width * LINES).enumerate().try_for_each_init(
             || (line(), vec![0.0f32; stride * LINES]),

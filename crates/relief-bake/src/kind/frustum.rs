@@ -1,71 +1,78 @@
-//! The quadrant frustum map: for every dual cell and each of four quadrants, the steepest empty frustum on its top.
+//! The quadrant frustum map: for every dual cell the widest empty frustum in each of four quadrants.
 //!
-//! Published here first. It stands between pyramids (boxes of empty space; Tevs, Ihrke and Seidel 2008) and cone maps (Dummer
-//! 2006): a frustum is as wide as a cone, knows the direction as far as its quadrant, and its step is one division an axis.
+//! Published here first. It stands between pyramids (boxes of empty space; Tevs, Ihrke and Seidel 2008) and
+//! cone maps (Dummer 2006): a frustum is as wide as a cone, knows the direction as far as its quadrant, and
+//! its step is one division an axis.
 //!
 //! # What is stored
 //!
-//! For dual cell `c = (i, j)` its *top* `z`, the greatest of its four heights, and for each quadrant the *least slope* `S ≥ 0`, in
-//! heights a texel, such that over all of the quadrant the surface `f` is
+//! For dual cell `c = (i, j)` its *top* `z`, the greatest of its four heights, and for each quadrant the
+//! *least slope* `S ≥ 0`, in heights a texel, such that over all of the quadrant the surface `f` is
 //!
 //! ```text
 //! f(x, y) ≤ z + S d(x, y),   d = max(distance of x from the cell's columns, distance of y from its rows)
 //! ```
 //!
-//! in texels. The quadrant that goes forward along both axes is `x ≥ i, y ≥ j`; backward along `x` it is `x ≤ i + 1`. A ray
-//! that is somewhere over the cell stays in the quadrant of its direction, to either side where it does not move along an axis.
-//! Lengths in metres do not come into it: the map is valid in any metric.
+//! in texels. The quadrant that goes forward along both axes is `x ≥ i, y ≥ j`; backward along `x` it is
+//! `x ≤ i + 1`. A ray that is somewhere over the cell stays in the quadrant of its direction; along an axis
+//! on which it does not move, either side will do. Metres do not come into it: the map is valid in any
+//! metric.
 //!
 //! # How a ray uses it
 //!
-//! While the ray is over the cell and above `z`, it is above the surface; where it sinks below `z` there, the cell's
-//! patch is solved. Let it leave the cell above `z`, at height `h0 + h1 t`, moving `v` texels along an axis a unit of `t`, and let
-//! `t_v` be where it leaves the cell along that axis. Then it is above the surface as far as it is above `z + S d`, which
-//! is until the least over the axes of
+//! While the ray is over the cell and above `z`, it is above the surface; where it sinks below `z` there, the
+//! cell's patch is solved. Otherwise let its height be `h0 + h1 t`, let it move `v` texels along an axis a
+//! unit of `t`, and leave the cell along that axis at `t_v`. It is above the surface as far as it is above
+//! `z + S d`: until the least, over the axes, of
 //!
 //! ```text
 //! t = (h0 - z + S |v| t_v) / (S |v| - h1)
 //! ```
 //!
-//! without a limit on an axis whose denominator is not positive. For `d` is `max |v| (t - t_v)` over the axes that it has left; it
-//! is convex in `t`, the ray is linear (or bends down), so the gap is concave and cannot close and open again before. For a ray that bends
-//! up, with `h2 t²`, the limit is the first root of each axis' quadratic.
+//! An axis whose denominator is not positive sets no limit. For `d` is the greatest `|v| (t - t_v)` of the
+//! axes along which the ray has left the cell. That is convex in `t`, and the ray is linear (or bends down),
+//! so the gap is concave and does not close before. For a ray that bends up, with `h2 t²`, the limit is the
+//! first root of each axis' quadratic.
 //!
 //! # Guarantee
 //!
-//! *The inequality holds everywhere on the bilinear surface, in any wrap, for the values stored. In floats, `S` is above the least
-//! slope for which it does by less than its last bit and 2⁻⁴⁸; in `bits`, by less than a step.*
+//! *The inequality holds everywhere on the bilinear surface, in any wrap, for the values stored. In floats,
+//! `S` exceeds the least such slope by less than its last bit and 2⁻⁴⁸; in `bits`, by less than a step.*
 //!
-//! Proof, for the quadrant forward along both axes; the others are its mirror images. Let `p, q` count columns and rows of
-//! texels from the cell's near corner, `d(p, q) = max(p, q, 1) - 1`, and call `h - z ≤ S d` the demand of a texel.
+//! Proof, for the quadrant forward along both axes; the others are its mirror images. Let `p, q` count
+//! columns and rows of texels from the cell's near corner, `d(p, q) = max(p, q, 1) - 1`, and call
+//! `h - z ≤ S d` the demand of a texel.
 //!
-//! 1. *Off the diagonal.* Over the cell `[p, p+1] x [q, q+1]` with `p > q`, `d` is `x - i - 1`, and with `p < q` it is
-//!    `y - j - 1`: linear over the cell. `f - z - S d` is then bilinear, so it is greatest at a corner: it is nowhere
-//!    positive just when the corners' demands are met.
-//! 2. *On the diagonal*, over `[k, k+1]²` with `k ≥ 1`, `d = k - 1 + max(u, v)` with `u, v` in `[0, 1]` is not bilinear, and corners
-//!    are not enough: the patch through corners that just meet their demands can pass it by `S/4`. On the triangle
-//!    `u ≥ v`, `d` is linear, and `f - z - S d` is `α + β u + γ v + δ u v`, whose second derivatives have the determinant `-δ² ≤ 0`:
-//!    it has no maximum inside, so it is greatest on an edge. Along the two outer edges it is linear, so the corners' demands settle
-//!    them. Along `u = v` it is a quadratic, and the least `S` for which that is nowhere positive has a closed form: see
-//!    `diagonal.rs`. The triangle `u ≤ v` shares that edge. So these two kinds of demand together are met just when the surface is
-//!    below the frustum.
+//! 1. *Off the diagonal.* Over the cell `[p, p+1] x [q, q+1]` with `p > q`, `d` is `x - i - 1`, and with
+//!    `p < q` it is `y - j - 1`: linear over the cell. `f - z - S d` is then bilinear, so it is greatest at a
+//!    corner: it is nowhere positive just when the corners' demands are met.
+//! 2. *On the diagonal*, over `[k, k+1]²` with `k ≥ 1`, `d = k - 1 + max(u, v)` with `u, v` in `[0, 1]` is
+//!    not bilinear, and corners are not enough: the patch through corners that just meet their demands can
+//!    pass it by `S/4`. On the triangle `u ≥ v`, `d` is linear, and `f - z - S d` is `α + β u + γ v + δ u v`,
+//!    whose second derivatives have the determinant `-δ² ≤ 0`: it has no maximum inside, so it is greatest on
+//!    an edge. Along the two outer edges it is linear, so the corners' demands settle them. Along `u = v` it
+//!    is a quadratic, and the least `S` for which that is nowhere positive has a closed form: see
+//!    `diagonal.rs`. The triangle `u ≤ v` shares that edge. So these two kinds of demand together are met
+//!    just when the surface is below the frustum.
 //! 3. *The cell itself.* Over it `d` is 0 and `f ≤ z`, as for every patch (see the kind `pyramid`).
-//! 4. *The quadrant is infinite, but its nearest images suffice.* The surface is the same at a point and at its images: under
-//!    `repeat` those moved by whole tiles along either axis, under `mirror` also those mirrored at the tiles' edges, under `clamp`
-//!    beyond the outermost texels those moved along the axis. Each is independent for the two axes, and `d`
-//!    does not fall as a point moves away along one. So of the images of a point that lie in the quadrant, the one nearest along both axes has the
-//!    least `d`, and where `f ≤ z + S d` holds there it holds at all, as `S ≥ 0`. Under `repeat` the nearest images lie in
-//!    `[i, i + W] x [j, j + H]`; under `mirror` in `[i, 2W - 1]` along `x`, which holds every column ahead and then those behind,
-//!    mirrored; under `clamp` in `[i, W - 1]`; rows likewise. The demands of the texels and the diagonal cells in these
-//!    are all that is searched for.
-//! 5. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by less than 2⁻⁵¹ of it; a diagonal's
-//!    is never below the true one. The greatest is raised by 2⁻⁵⁰ of it and rounded up to `f32`. The search passes over a node of
-//!    the pyramid only where its bound is below what is found already by more than the rounding of the comparison, so it returns
-//!    the greatest of all demands. Heights and tops are not rounded. With `bits`, heights are decoded from so many bits first, so the top is one
+//! 4. *The quadrant is infinite, but its nearest images suffice.* The surface is the same at a point and at
+//!    its images: under `repeat` those moved by whole tiles along either axis, under `mirror` also those
+//!    mirrored at the tiles' edges, under `clamp` beyond the outermost texels those moved along the axis.
+//!    Each is independent for the two axes, and `d` does not fall as a point moves away along one. So of the
+//!    images of a point that lie in the quadrant, the one nearest along both axes has the least `d`, and
+//!    where `f ≤ z + S d` holds there it holds at all, as `S ≥ 0`. Under `repeat` the nearest images lie in
+//!    `[i, i + W] x [j, j + H]`; under `mirror` in `[i, 2W - 1]` along `x`, which holds every column ahead
+//!    and then those behind, mirrored; under `clamp` in `[i, W - 1]`; rows likewise. The demands of the
+//!    texels and the diagonal cells in these are all that is searched for.
+//! 5. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by less than
+//!    2⁻⁵¹ of it; a diagonal's is never below the true one. The greatest is raised by 2⁻⁵⁰ of it and rounded
+//!    up to `f32`. The search passes over a node of the pyramid only where its bound is below what is found
+//!    already by more than the rounding of the comparison, so it returns the greatest of all demands. Heights
+//!    and tops are not rounded. With `bits`, heights are decoded from so many bits first, so the top is one
 //!    that is stored exactly; slopes are rounded up, to steps of a power of two over `2^bits - 1`.
 //!
-//! The half cells before texel 0 of a clamped or mirrored map, and all cells outside, are found by [`FrustumMap::at`]; that is
-//! proven there.
+//! The half cells before texel 0 of a clamped or mirrored map, and all cells outside, are found by
+//! [`FrustumMap::at`]; that is proven there.
 
 mod ahead;
 mod diagonal;
@@ -163,8 +170,8 @@ fn bake(
     Ok(())
 }
 
-/// The least power of two that is not below the steepest slope; 1 without one. Dividing by it and multiplying again is
-/// exact, so that what is rounded to the safe side stays there.
+/// The least power of two that is not below the steepest slope; 1 without one. Dividing by it and multiplying
+/// again is exact, so that what is rounded to the safe side stays there.
 fn range_for(steepest: f32) -> f32 {
     let mut range = 2.0;
     while range * 0.5 >= steepest && range > f32::MIN_POSITIVE {

@@ -1,5 +1,5 @@
-//! The map kinds, one file each. A new one is a file here and its name in the list below. A folder of a kind's name holds
-//! what belongs to that kind alone; what several kinds share lies beside `kind`.
+//! The map kinds, one file each. A new one is a file here and its name in the list below. A kind's folder
+//! holds what belongs to that kind alone; what several kinds share lies beside `kind`.
 
 pub mod bent_normal;
 pub mod cone;
@@ -94,13 +94,13 @@ pub const BITS: Param = Param {
     integer: true,
 };
 
-/// The same for kinds whose promise has no side: heights are not quantised first, so that an 8-bit normal map, say, is made
-/// from the heights as they are.
+/// The same for kinds whose promise has no side: heights are not quantised first, so that an 8-bit normal
+/// map, say, is made from the heights as they are.
 pub const BITS_TO_NEAREST: Param =
     Param { summary: "bits of the stored values, rounded to the nearest: 8 or 16, 0 for floats", ..BITS };
 
-/// Hands a slice to the sink, each plane rounded in place to integers of so many bits of its channel's range; with 0 bits as
-/// it is.
+/// Hands a slice to the sink, each plane rounded in place to integers of so many bits of its channel's range;
+/// with 0 bits as it is.
 fn to_nearest(
     sink: &mut dyn Sink,
     channels: &[Channel],

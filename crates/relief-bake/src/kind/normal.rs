@@ -1,38 +1,40 @@
 //! Normal maps, with the moments that filtering them needs.
 //!
-//! Szirmay-Kalos and Umenhoffer 2008, sections 2.1 and 2.2, eq. 9; Dupuy et al. 2013 (LEADR) for the mip levels.
+//! Szirmay-Kalos and Umenhoffer 2008, sections 2.1 and 2.2, eq. 9; for mip levels Dupuy et al. 2013 (LEADR).
 //!
 //! # What is stored
 //!
 //! At every texel centre the unit normal of the relief in the [`Metric`]: with slopes `su` along `u` and `sv`
-//! along `v` (which points down in the picture), it is `(-su, sv, 1)` over its length in tangent space, where `x` points along
-//! the tangent, `y` up in the picture, which is along `-B` (green as in OpenGL and glTF; the other sign is an option), and `z`
-//! outward. These are eq. 9's signs for a downward `v`. In world space, for the built-in plane, it is `(-su, 1, -sv)`.
+//! along `v` (which points down in the picture), it is `(-su, sv, 1)` over its length in tangent space, where
+//! `x` points along the tangent, `y` up in the picture, which is along `-B` (green as in OpenGL and glTF; the
+//! other sign is an option), and `z` outward. These are eq. 9's signs for a downward `v`. In world space, for
+//! the built-in plane, it is `(-su, 1, -sv)`.
 //!
-//! Mip levels hold the normal of the *mean slope* and, as three more channels, the central second moments of the slopes along
-//! `u` and `v` over the texel (`uu`, `uv`, `vv`, the same whatever space and green): a shader adds them to the roughness of the
-//! material. They are 0 in level 0. Sides halve rounded down; texels are weighted by area, so that the last level holds mean
-//! and moments of the whole map.
+//! Mip levels hold the normal of the *mean slope* and, as three more channels, the central second moments of
+//! the slopes along `u` and `v` over the texel (`uu`, `uv`, `vv`, the same whatever space and green): a
+//! shader adds them to the roughness of the material. They are 0 in level 0. Sides halve rounded down; texels
+//! are weighted by area, so that the last level holds mean and moments of the whole map.
 //!
 //! # Guarantee
 //!
-//! For heights sampled from a smooth surface `h` in metres, texels `a` by `b` metres, away from the edges of a clamped or
-//! mirrored map, the angle between the stored and the true normal is at most
-//! `sqrt((a² max|h_uuu|)² + (b² max|h_vvv|)²) / 6` plus `4e-7` plus `1.2e-7 (scale/a + scale/b)`: it falls with the square of
-//! the texel.
+//! For heights sampled from a smooth surface `h` in metres, texels `a` by `b` metres, away from the edges of
+//! a clamped or mirrored map, the angle between the stored and the true normal is at most
+//! `sqrt((a² max|h_uuu|)² + (b² max|h_vvv|)²) / 6` plus `4e-7` plus `1.2e-7 (scale/a + scale/b)`: it falls
+//! with the square of the texel.
 //!
-//! *Proof.* By Taylor's theorem a central difference misses the slope by at most `a²/6 max|h_uuu|`. The angle between the
-//! normals of two slopes is at most the distance of the slopes, because `s ↦ (-s, 1)/|(-s, 1)|` has derivatives of at most 1:
-//! `1/(1+|s|²)` radially and `1/sqrt(1+|s|²)` across. Heights rounded to `f32` are off by `2^-25`, which moves their difference
-//! by `2^-24` and the slope by `2^-25 scale/a`; the subtraction and the two products add `2^-23` of the slope, which turns the
-//! normal by less than that times `|s|/(1+|s|²)`, and dividing by the length three roundings. With
-//! [`Derivative::Patches`] the difference between the weights of a one-sided slope to either side is proportional to the
-//! texel, as is that of the slopes themselves, so that the order is the same with another constant; opposite slopes cancel there,
-//! and rounding adds up to `4e-7` times the steepest of them.
+//! *Proof.* By Taylor's theorem a central difference misses the slope by at most `a²/6 max|h_uuu|`. The angle
+//! between the normals of two slopes is at most the distance of the slopes, because `s ↦ (-s, 1)/|(-s, 1)|`
+//! has derivatives of at most 1: `1/(1+|s|²)` radially and `1/sqrt(1+|s|²)` across. Heights rounded to `f32`
+//! are off by `2^-25`, which moves their difference by `2^-24` and the slope by `2^-25 scale/a`; the
+//! subtraction and the two products add `2^-23` of the slope, which turns the normal by less than that times
+//! `|s|/(1+|s|²)`, and dividing by the length three roundings. With [`Derivative::Patches`] the slopes to
+//! either side, and their weights, differ in proportion to the texel, so that the order is the same with
+//! another constant. Opposite slopes cancel there, and rounding adds up to `4e-7` times the steepest of them.
 //!
-//! Stored in `bits` the components are rounded to the nearest, each by at most `1 / (2^bits - 1)`, so the angle grows by at
-//! most `asin(sqrt(3) / (2^bits - 1))`: 0.39° with 8 bits, 0.0015° with 16. (0 is no code: a flat map comes back tilted by
-//! `sqrt(2) / (2^bits - 1)`.) Nothing here is one-sided, hence heights are not quantised first.
+//! Stored in `bits` the components are rounded to the nearest, each by at most `1 / (2^bits - 1)`, so the
+//! angle grows by at most `asin(sqrt(3) / (2^bits - 1))`: 0.39° with 8 bits, 0.0015° with 16. (0 is no code:
+//! a flat map comes back tilted by `sqrt(2) / (2^bits - 1)`.) Nothing here is one-sided, hence heights are
+//! not quantised first.
 //!
 //! # Cost
 //!
@@ -175,8 +177,8 @@ fn wider(a: [[f32; 2]; 2], b: [[f32; 2]; 2]) -> [[f32; 2]; 2] {
     [0, 1].map(|axis| [a[axis][0].min(b[axis][0]), a[axis][1].max(b[axis][1])])
 }
 
-/// The channels, for slopes between those extremes. A variance is at most a quarter of the squared range (Popoviciu), a
-/// covariance at most the root of the product of two.
+/// The channels, for slopes between those extremes. A variance is at most a quarter of the squared range
+/// (Popoviciu), a covariance at most the root of the product of two.
 fn channels(extremes: [[f32; 2]; 2], mips: bool) -> Vec<Channel> {
     let channel = |name, range| Channel { name, unit: "1", range, rounding: Rounding::Nearest };
     let half = extremes.map(|[low, high]| if high > low { 0.5 * (high - low) * (1.0 + 1e-5) } else { 1.0 });

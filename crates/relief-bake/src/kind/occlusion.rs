@@ -1,21 +1,21 @@
 //! Ambient occlusion, from horizons in closed form.
 //!
-//! Zhukov, Iones and Kronin 1998, *An ambient light illumination model*, of which Max 1988's horizons are all that is
-//! needed over a height field; Timonen and Westerholm 2010.
+//! Zhukov, Iones and Kronin 1998, *An ambient light illumination model*, of which Max 1988's horizons are all
+//! that is needed over a height field; Timonen and Westerholm 2010.
 //!
 //! # What is stored
 //!
 //! The visibility `1 - mean(sin² H)` in `[0, 1]` over the azimuths, `H` the elevation of the
-//! [`horizon`](super::horizon): the part of a uniform sky's light that reaches a plane parallel to the base at the
-//! texel. It is the cosine-weighted part of the hemisphere about the *base* normal that is open, `1/π ∫ V cos θ dω`,
-//! since the sky of one azimuth above the horizon contributes `∫ from H to π/2 of sin e cos e de = cos² H / 2`. It is
-//! not about the relief's own normal.
+//! [`horizon`](super::horizon): the part of a uniform sky's light that reaches a plane parallel to the base
+//! at the texel. It is the cosine-weighted part of the hemisphere about the *base* normal that is open,
+//! `1/π ∫ V cos θ dω`, since the sky of one azimuth above the horizon contributes
+//! `∫ from H to π/2 of sin e cos e de = cos² H / 2`. It is not about the relief's own normal.
 //!
 //! # Accuracy
 //!
-//! Exact in elevation, for the horizons that it is given. Between azimuths the mean is the rectangle rule, which for
-//! 16 azimuths leaves about a hundredth on rough ground; an error `ε` of a horizon, in radians, moves the visibility
-//! by at most `ε`, since `|d sin² H / dH| = |sin 2H| <= 1`.
+//! Exact in elevation, for the horizons that it is given. Between azimuths the mean is the rectangle rule,
+//! which for 16 azimuths leaves about a hundredth on rough ground; an error `ε` of a horizon, in radians,
+//! moves the visibility by at most `ε`, since `|d sin² H / dH| = |sin 2H| <= 1`.
 
 use relief_core::registry::Publication;
 use relief_core::{HeightMap, Metric, Rounding};
@@ -42,8 +42,8 @@ pub const KIND: Kind = Kind {
 };
 
 /// The visibility of the sky at every texel, row by row from the top. Parameters are those of
-/// [`horizons`](super::horizon::horizons). The working set besides input and result is a quarter of the map, and for each thread 16 lines of
-/// the map and their reach and 50 of its rows.
+/// [`horizons`](super::horizon::horizons). The working set besides input and result is a quarter of the map,
+/// and for each thread 16 lines of the map and their reach and 50 of its rows.
 ///
 /// # Errors
 ///

@@ -1,24 +1,26 @@
 //! The pyramid of least and greatest heights.
 //!
 //! * Oh, Ki and Lee 2006, "Pyramidal displacement mapping": a quadtree of the empty space above the surface.
-//! * Tevs, Ihrke and Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering": the
-//!   maxima of texels, with bilinear patches between them.
+//! * Tevs, Ihrke and Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable dynamic height field
+//!   rendering": the maxima of texels, with bilinear patches between them.
 //! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art", section 4.3.3.
 //!
-//! Those take the extremes of *texels*, which does not bound the surface between texel centres: level 0 here is taken over
-//! dual cells. The pyramids themselves are [`relief_core::MinPyramid`] and [`relief_core::MaxPyramid`]; see there for which cells a
-//! node covers where a side is no power of two, and for cells outside of the map.
+//! Those take the extremes of *texels*, which does not bound the surface between texel centres: level 0 here
+//! is taken over dual cells. The pyramids themselves are [`relief_core::MinPyramid`] and
+//! [`relief_core::MaxPyramid`]; see there for which cells a node covers where a side is no power of two, and
+//! for cells outside of the map.
 //!
 //! # Guarantee
 //!
-//! *At every level, the surface over the cells of node `(i, j)` is nowhere below its `min` and nowhere above its `max`.*
+//! *At every level the surface over the cells of a node is nowhere below its `min` and nowhere above its
+//! `max`.*
 //!
-//! Proof. A patch is `(1-x)(1-y) h00 + x(1-y) h10 + (1-x)y h01 + xy h11` with `x, y` in `[0, 1]`: the four weights are not
-//! negative and sum to 1, so it lies between the least and the greatest corner, and level 0 holds exactly these. Every node
-//! above is the extreme of nodes below that together cover its cells. Nothing is padded, so nothing is covered that is not
-//! there. Taking extremes does not round: in `f32` the bound is exact, and over the cells of one node it is attained, at
-//! a texel. With `bits`, heights are decoded from so many bits first, and each node is one of them: stored in as many
-//! bits it is still exact.
+//! Proof. A patch is `(1-x)(1-y) h00 + x(1-y) h10 + (1-x)y h01 + xy h11` with `x, y` in `[0, 1]`: the four
+//! weights are not negative and sum to 1, so it lies between the least and the greatest corner, and level 0
+//! holds exactly these. Every node above is the extreme of nodes below that together cover its cells. Nothing
+//! is padded, so nothing is covered that is not there. Taking extremes does not round: in `f32` the bound is
+//! exact, and over the cells of one node it is attained, at a texel. With `bits`, heights are decoded from so
+//! many bits first, and each node is one of them: stored in as many bits it is still exact.
 
 use relief_core::registry::{Param, Publication};
 use relief_core::{HeightMap, MaxPyramid, MinPyramid, Rounding};

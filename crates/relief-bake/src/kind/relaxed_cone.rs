@@ -3,8 +3,9 @@
 //! * Policarpo and Oliveira, *Relaxed Cone Stepping for Relief Mapping*, GPU Gems 3, chapter 18, 2007.
 //! * Szirmay-Kalos and Umenhoffer, *Displacement Mapping on the GPU: State of the Art*, 2008, section 4.4.3.
 //!
-//! The published bake marches rays between pairs of texels, which passes over what lies between the samples. Here a cone is
-//! limited by falling patches only, and by bounds that hold for the bilinear surface; that is Relief's own.
+//! The published bake marches rays between pairs of texels, which passes over what lies between the samples.
+//! Here a cone is limited by falling patches only, and by bounds that hold for the bilinear surface; that is
+//! Relief's own.
 
 mod directions;
 mod falling;
@@ -24,8 +25,8 @@ use crate::{BakeError, BakeInput, Cancelled, Progress, Settings, Shape, Sink};
 pub enum RelaxedApex {
     /// From the surface at the texel's centre, as published.
     Centre,
-    /// From the surface at any place of the texel's square: for searches that move the apex to the ray and fetch the
-    /// nearest texel.
+    /// From the surface at any place of the texel's square: for searches that move the apex to the ray and
+    /// fetch the nearest texel.
     Footprint,
 }
 
@@ -62,46 +63,52 @@ pub const KIND: Kind = Kind {
     bake,
 };
 
-/// The relaxed cone ratio of every texel, row by row: metres from the axis for each unit of texel height above the apex, in
-/// the metric of [`super::cone::cone_ratios`].
+/// The relaxed cone ratio of every texel, row by row: metres from the axis for a texel height of 1 above the
+/// apex, in the metric of [`super::cone::cone_ratios`].
 ///
 /// # Guarantee
 ///
-/// Let `p` be a point of the bilinear surface `f` over an apex of the texel: its centre, or any place of its closed square.
-/// Let a straight ray begin at or above `p`, on the vertical through `p`, and fall. If the ray is below the surface at some
-/// point inside the cone `{z ≥ f(p) + r / ratio}` at `p`, it is below the surface from there until it leaves the cone. So
-/// where it leaves, it is at or above the surface if it met none before, or below it after exactly one entry; a search that
-/// steps from border to border brackets the *first* hit between the last two points. Rays that rise or bend, as shadow rays do,
-/// may come out again: for them nothing is promised.
+/// Let `p` be a point of the bilinear surface `f` over an apex of the texel: its centre, or any place of its
+/// closed square. Let a straight ray begin at or above `p`, on the vertical through `p`, and fall. If the ray
+/// is below the surface at some point inside the cone `{z ≥ f(p) + r / ratio}` at `p`, it is below the
+/// surface from there until it leaves the cone. So where it leaves, it is at or above the surface if it met
+/// none before, or below it after exactly one entry; a search that steps from border to border brackets the
+/// *first* hit between the last two points. Rays that rise or bend, as shadow rays do, may come out again:
+/// for them nothing is promised.
 ///
 /// # Proof
 ///
-/// Let such a ray come out of the surface at `q`, at the distance `r > 0` from `p`, inside the cone. Just before `q` it runs
-/// below a patch `X` that holds `q`, and out of it although it falls itself: so `f` falls there along the ray,
-/// `∇f_X(q)·(q - p) < 0`. And `q` is in the cone: `(f(q) - f(p)) / r ≥ 1 / ratio`. Hence the cone is safe if its slope is above
+/// Let such a ray come out of the surface at `q`, at the distance `r > 0` from `p`, inside the cone. Just
+/// before `q` it runs below a patch `X` that holds `q`, and out of it although it falls itself: so `f` falls
+/// there along the ray, `∇f_X(q)·(q - p) < 0`. And `q` is in the cone: `(f(q) - f(p)) / r ≥ 1 / ratio`. Hence
+/// the cone is safe if its slope is above
 ///
 /// ```text
 /// sup (f(q) - f(p)) / |q - p|   over p in the apexes, q in a patch X with ∇f_X(q)·(q - p) ≤ 0.
 /// ```
 ///
-/// That is also necessary: a nearly horizontal ray through the peak behind such a `q` comes out again. With [`RelaxedApex::Centre`]
-/// the supremum is found in closed form, patch by patch, in the module `falling`, and the ratio is what it allows, less what `cone`
-/// gives away to rounding: no wider cone holds.
+/// That is also necessary: a nearly horizontal ray through the peak behind such a `q` comes out again. With
+/// [`RelaxedApex::Centre`] the supremum is found in closed form, patch by patch, in the module `falling`, and
+/// the ratio is what it allows, less what `cone` gives away to rounding: no wider cone holds.
 ///
-/// With [`RelaxedApex::Footprint`], where the apexes that suffice for `cone` do not (which `q` count depends on `p`), it is bounded,
-/// patch by patch, by the least of two numbers, and by none where no pair falls:
+/// With [`RelaxedApex::Footprint`] the apexes that suffice for `cone` do not, since which `q` count depends
+/// on `p`. There the supremum is bounded, patch by patch, by the lesser of two numbers; a patch where no pair
+/// falls does not count:
 ///
-/// * `∇f_X(q)·(q - p)` is affine in each of `q.x, q.y, p.x, p.y`, so it has its least value over a cell and the square at corners
-///   of both.
-/// * The slope of the cone from the rim of the square to the whole patch, found as the kind `cone` does, and as much nearer to the
-///   greatest slope in the square as the way inside it, a diagonal at most, may count: a way from inside leads over the rim.
-/// * With the patch extended over `p` as `A + Bx + Cy + Dxy` over `f(p)`, `(x, y) = q - p`, a falling pair has `Bx + Cy + 2Dxy ≤ 0`
-///   and so rises by at most `A - Dxy`. `A` is greatest at a corner of the nine points of the square's patches,
-///   `-Dxy` at a corner of the two boxes, and the distance is at least that of the boxes.
+/// * `∇f_X(q)·(q - p)` is affine in each of `q.x, q.y, p.x, p.y`, so it has its least value over a cell and
+///   the square at corners of both.
+/// * The slope from the rim of the square to the whole patch, found as the kind `cone` does. A way from
+///   inside of the square leads over the rim, and its slope is a mean of both parts: so the bound is moved
+///   towards the greatest slope in the square by as much as the first part, a diagonal at most, may count.
+/// * With the patch extended over `p` as `A + Bx + Cy + Dxy` over `f(p)`, `(x, y) = q - p`, a falling pair
+///   has `Bx + Cy + 2Dxy ≤ 0` and so rises by at most `A - Dxy`. `A` is greatest at a corner of the nine
+///   points of the square's patches, `-Dxy` at a corner of the two boxes, and the distance is at least that
+///   of the boxes.
 ///
-/// For the four patches around the centre, which hold the apexes, the last bound is refined: see the module `own`. So no
-/// relaxed cone is narrower than that of `cone` from the same apexes, and none is wider than the supremum allows; between the two the bounds leave it
-/// where a patch falls in part only. Maps that are so much longer than wide that thousands of images are near get the cones of `cone`.
+/// For the four patches around the centre, which hold the apexes, the last bound is refined: see the module
+/// `own`. So no relaxed cone is narrower than that of `cone` from the same apexes, and none is wider than the
+/// supremum allows. Where a patch falls in part only, it is somewhere between the two. Maps that are so much
+/// longer than wide that thousands of images are near get the cones of `cone`.
 ///
 /// # Errors
 ///

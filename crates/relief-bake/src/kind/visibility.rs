@@ -2,33 +2,34 @@
 //!
 //! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed visibility*;
 //! Szirmay-Kalos and Umenhoffer 2008, section 6.2. Along a fixed azimuth and slope the first hit is a
-//! next-greater-element query: in a frame that rises with the rays, the first column that is higher than the texel. A
-//! stack of records along the sheared lines of the horizon's sweep (see [`horizon`](super::horizon)) answers it in
-//! O(1), and the cells that it leaves are solved: mostly one or two, and on ridges along the ray as many as the ridge
-//! is long.
+//! next-greater-element query: in a frame that rises with the rays, the first column that is higher than the
+//! texel. A stack of records along the sheared lines of the horizon's sweep (see [`horizon`](super::horizon))
+//! answers it in O(1), and the cells that it leaves are solved: mostly one or two, and on ridges along the
+//! ray as many as the ridge is long.
 //!
 //! # What is stored
 //!
-//! Slice `a * elevations + e` looks at azimuth `a`, at the angle `2π a / azimuths` in metres from `+u` towards `+v`,
-//! under the elevation with `sin² = (e + ½) / elevations`: every slice stands for the same part of the
-//! cosine-weighted hemisphere about the base normal. Channels `u` and `v` are the texture coordinates of the first
-//! hit in `[0, 1]`, wrapped into the map; `hit` is 1, or 0 where the ray leaves the relief. A ray that starts into
-//! the surface sees its own texel.
+//! Slice `a * elevations + e` looks at azimuth `a`, at the angle `2π a / azimuths` in metres from `+u`
+//! towards `+v`, under the elevation with `sin² = (e + ½) / elevations`: every slice stands for the same part
+//! of the cosine-weighted hemisphere about the base normal. Channels `u` and `v` are the texture coordinates
+//! of the first hit in `[0, 1]`, wrapped into the map; `hit` is 1, or 0 where the ray leaves the relief. A
+//! ray that starts into the surface sees its own texel.
 //!
 //! # Guarantee
 //!
-//! Hits are the exact first hits of the rays from the texels' centres with the bilinear surface, solved in closed
-//! form in `f64` cell by cell, but for flips where the ray clears the surface by no more than rounding, 1e-6 heights;
-//! the distance is then rounded to `f32`. The record stack only says which cells need not be looked at: line `b`
-//! carries at column `c` the highest point `A(c)` of the surface at most `½ + p` rows aside, `p` the rows that a ray
-//! moves a step. A ray of the line is never more than half a row off it, so on the way to and from column `c` it
-//! stays in those rows; and between the columns `c` and `c + 1` the surface at row `y` is a mixture of those in the
-//! two columns, `(1-τ) f(c, y) + τ f(c+1, y) <= (1-τ) A(c) + τ A(c+1)`. So where the ray is not below `A` in both
-//! columns it is not below the surface between them. `A` is rounded in `f32`: a ray may dip below the surface by 2e-7
+//! Hits are the exact first hits of the rays from the texels' centres with the bilinear surface, solved in
+//! closed form in `f64` cell by cell, but for flips where the ray clears the surface by no more than
+//! rounding, 1e-6 heights; the distance is then rounded to `f32`. The record stack only says which cells need
+//! not be looked at: line `b` carries at column `c` the highest point `A(c)` of the surface at most `½ + p`
+//! rows aside, `p` the rows that a ray moves a step. A ray of the line is never more than half a row off it,
+//! so on the way to and from column `c` it stays in those rows; and between the columns `c` and `c + 1` the
+//! surface at row `y` is a mixture of those in the two columns,
+//! `(1-τ) f(c, y) + τ f(c+1, y) <= (1-τ) A(c) + τ A(c+1)`. So where the ray is not below `A` in both columns
+//! it is not below the surface between them. `A` is rounded in `f32`: a ray may dip below the surface by 2e-7
 //! heights unnoticed.
 //!
-//! A ray is followed until it is above the highest texel, or for `tiles` times the map's side along the axis that it
-//! crosses faster, at least for 64 texels; what is farther is not seen.
+//! A ray is followed until it is above the highest texel, or for `tiles` times the map's side along the axis
+//! that it crosses faster, at least for 64 texels; what is farther is not seen.
 
 mod gather;
 mod rays;
@@ -102,10 +103,10 @@ impl View<'_> {
     }
 }
 
-/// The views in `azimuths` times `elevations` directions, azimuth by azimuth and from the lowest elevation. See the
-/// [module](self) for their meaning and accuracy.
+/// The views in `azimuths` times `elevations` directions, azimuth by azimuth and from the lowest elevation.
+/// See the [module](self) for their meaning and accuracy.
 ///
-/// The working set is two maps of `f32` and one for each elevation, besides the input, whatever the number of
+/// The working set is two maps of `f32` besides the input, and one for each elevation, for any number of
 /// azimuths.
 ///
 /// # Errors
@@ -141,7 +142,7 @@ pub fn views(
             .map(|square| {
                 let slope = (square / (1.0 - square)).sqrt() * direction.step_m / metric.scale_m;
                 let out = f64::from(high - low) / slope;
-                // Two more: the column beyond which the ray is out, and what rounding takes from the division.
+                // Two more: the column beyond which the ray is out, and what rounding takes.
                 rays::SlopedRay { slope, reach: (out + 2.0).min(limit as f64) as usize }
             })
             .collect();

@@ -3,11 +3,12 @@
 use super::normals::{Exposure, Photo, Photometry, dot};
 use crate::fill;
 
-/// Collects the albedo of red, green and blue from photographs that come one after the other, so that one of them in colour
-/// is held at a time.
+/// Collects the albedo of red, green and blue from photographs that come one after the other, so that one of
+/// them in colour is held at a time.
 ///
-/// With the unit normal `n` known, the albedo with the least sum of squares is `Σ I s / Σ s²` over the samples used, where
-/// `s = intensity (l · n)`. For the brightness that the normals were found from it is [`Photometry::albedo`].
+/// With the unit normal `n` known, the albedo with the least sum of squares is `Σ I s / Σ s²` over the
+/// samples used, where `s = intensity (l · n)`. For the brightness that the normals were found from it is
+/// [`Photometry::albedo`].
 pub struct ColourAlbedo<'a> {
     photometry: &'a Photometry,
     exposure: Exposure,
@@ -22,8 +23,8 @@ impl<'a> ColourAlbedo<'a> {
         Self { photometry, exposure, sums: [0; 3].map(|_| vec![0.0; texels]), weights: vec![0.0; texels] }
     }
 
-    /// Adds a photograph: its brightness, which decides what samples are used, and its colours. Pixels beyond the surface's
-    /// size are not looked at.
+    /// Adds a photograph: its brightness, which decides what samples are used, and its colours. Pixels beyond
+    /// the surface's size are not looked at.
     pub fn add(&mut self, photo: &Photo, colours: &[[f32; 4]]) {
         let length = dot(photo.to_light, photo.to_light).sqrt();
         let light = photo.to_light.map(|x| x / length * photo.intensity);

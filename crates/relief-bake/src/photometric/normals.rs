@@ -6,8 +6,9 @@ use relief_core::{HeightMap, HeightMapError};
 use crate::kind::normal::{Axes, Planes};
 use crate::{Cancelled, Progress, fill};
 
-/// The least determinant of the lights' second moments, in parts of what three lights at right angles have. With it, noise
-/// is amplified fifty times at most; smaller, more; larger, pixels that few lights reach are given up.
+/// The least determinant of the lights' second moments, in parts of what three lights at right angles have.
+/// With it, noise is amplified fifty times at most. Smaller, it would be more; larger, pixels that few lights
+/// reach would be given up.
 const SPREAD: f64 = 1e-3;
 
 /// Rows that a thread solves together.
@@ -171,11 +172,11 @@ pub fn normals_from_photos(
     Ok(Photometry { normals: [x, y, z], albedo, known, misfit: (sum / count).sqrt() })
 }
 
-/// Whether lights, given as direction and intensity, tell normals apart; to be asked before photographs are read.
+/// Whether lights, given as direction and intensity, tell normals apart; it takes no photographs.
 ///
 /// # Errors
 ///
-/// When there are fewer than three, one has no direction or no positive intensity, or all lie close to one plane.
+/// When there are fewer than three, one has no direction or positive intensity, or all are near one plane.
 pub fn check_lights(lights: &[([f64; 3], f64)]) -> Result<(), PhotometricError> {
     scaled(lights).map(|_| ())
 }
@@ -216,7 +217,8 @@ fn check(size: [u32; 2], photos: &[Photo]) -> Result<Vec<[f64; 3]>, PhotometricE
     Ok(lights)
 }
 
-/// The fit after samples whose lights it is turned away from are left out. `None` when too few remain, or it is no relief's.
+/// The fit without samples whose lights it is turned away from; `None` when too few remain or it is no
+/// relief's.
 fn fit_lit(samples: &mut Vec<([f64; 3], f64)>) -> Option<Fit> {
     loop {
         let fit = fit(samples)?;
@@ -236,7 +238,8 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The `g` with the least sum of `(l · g - I)²` over samples `(l, I)`; `None` when the lights are too close to one plane.
+/// The `g` with the least sum of `(l · g - I)²` over samples `(l, I)`; `None` when lights are too near one
+/// plane.
 fn fit(samples: &[([f64; 3], f64)]) -> Option<Fit> {
     if samples.len() < 3 {
         return None;

@@ -105,11 +105,11 @@ const MARGIN: i64 = 3;
 /// The least reach in texels: small tiles are there to be repeated many times.
 pub(crate) const MIN_REACH: usize = 64;
 
-/// The lines of one direction. Positions `p` count texels along the major axis in the direction of the lines; line
-/// `b` is at row `b + slope p`, rows counting texels along the other axis.
+/// The lines of one direction. Positions `p` count texels along the major axis in the direction of the lines;
+/// line `b` is at row `b + slope p`, rows counting texels along the other axis.
 ///
-/// The texel at position `p` and row `y` belongs to the line `y - shift(p)`, `shift(p) = floor(slope p + ½)`, which
-/// passes it at most half a row away.
+/// The texel at position `p` and row `y` belongs to the line `y - shift(p)`, `shift(p) = floor(slope p + ½)`,
+/// which passes it at most half a row away.
 pub(crate) struct Lines<'a> {
     texels: &'a [f32],
     /// From one texel to the next along the lines, and across them.
@@ -131,7 +131,7 @@ pub(crate) struct Lines<'a> {
     lowest: i64,
     /// Where the texel of a position is in the first row; `starts` where rows begin.
     columns: Vec<usize>,
-    /// `shift(p)`; the same modulo the period after which lines come back to the same texels; and modulo `count`.
+    /// `shift(p)`; the same modulo `period`; the same modulo `count`.
     shifts: Vec<i64>,
     turns: Vec<i64>,
     slots: Vec<i64>,
@@ -153,12 +153,12 @@ pub(crate) struct Stretch {
 }
 
 impl Lines<'_> {
-    /// The stretches that make up slot `slot` of a sheared map. The texel at `(p, y)` belongs to the slot `(y -
-    /// shift(p)) mod count`, so that every slot has exactly one texel at every position.
+    /// The stretches that make up slot `slot` of a sheared map. The texel at `(p, y)` belongs to the slot
+    /// `(y - shift(p)) mod count`, so that every slot has exactly one texel at every position.
     ///
-    /// Under repeat a slot is one line. Under mirror the texels of a slot are those of two lines, which fold back
-    /// into the map in turn; a line with all its copies is again a single one. A clamped line that leaves the map
-    /// never comes back, and the slot goes on with the next.
+    /// Under repeat a slot is one line. Under mirror the texels of a slot are those of two lines, which fold
+    /// back into the map in turn; a line with all its copies is again a single one. A clamped line that
+    /// leaves the map never comes back, and the slot goes on with the next.
     pub fn stretches(&self, slot: usize) -> Vec<Stretch> {
         let (count, line) = (self.count as i64, slot as i64);
         let whole = |line| Stretch { line, from: 0, to: self.length };
@@ -203,9 +203,9 @@ impl Lines<'_> {
         self.texels[row * self.across + self.columns[p]]
     }
 
-    /// The cell between the positions `p` and `p + 1`, both below `length + reach`, and the rows `row` and `row + 1`,
-    /// at most [`MARGIN`] off a line there: the texels at `(p, row)`, `(p + 1, row)`, `(p, row + 1)` and `(p + 1, row
-    /// + 1)`.
+    /// The cell between the positions `p` and `p + 1`, both below `length + reach`, and the rows `row` and
+    /// `row + 1`, at most [`MARGIN`] off a line there: the texels at `(p, row)`, `(p + 1, row)`,
+    /// `(p, row + 1)` and `(p + 1, row + 1)`.
     #[inline]
     pub fn cell(&self, p: usize, row: i64) -> [f32; 4] {
         let at = (row - self.lowest) as usize;
@@ -219,8 +219,8 @@ impl Lines<'_> {
         ]
     }
 
-    /// The highest point of the surface at position `p`, below `length + reach`, at most `aside` rows, below 2, off a
-    /// line.
+    /// The highest point of the surface at position `p`, at most `aside` rows off a line; `p` is below
+    /// `length + reach`, `aside` below 2.
     #[inline]
     pub fn highest(&self, line: i64, p: usize, aside: f64) -> f32 {
         let (floor, share) = self.places[p];
@@ -239,8 +239,8 @@ impl Lines<'_> {
         highest
     }
 
-    /// The heights of the surface at the positions `from..to`, below `length + reach`, on so many neighbouring lines from
-    /// `line` on, each line's in `stride` values.
+    /// The heights of the surface at the positions `from..to`, below `length + reach`, on so many
+    /// neighbouring lines from `line` on, each line's in `stride` values.
     pub fn samples(&self, line: i64, from: usize, to: usize, stride: usize, heights: &mut [f32]) {
         let sample = |line: i64, p: usize| {
             let (floor, share) = self.places[p];
@@ -260,7 +260,7 @@ impl Lines<'_> {
         });
     }
 
-    /// Fills lanes of `stride` values from their positions, in the order in which the map's texels lie in memory.
+    /// Fills lanes of `stride` values from their positions, in the order of the map's texels in memory.
     #[inline(always)]
     fn each(
         &self,
@@ -299,7 +299,7 @@ impl Lines<'_> {
             }
             return;
         }
-        // The slot of the texel at `p` is `row - shift(p)` modulo the number of slots, and shifts rise or fall steadily.
+        // The slot of the texel at `p` is `row - shift(p)` modulo `count`, and shifts rise or fall steadily.
         let count = self.count as i64;
         let (first, last) = (self.shifts[0], self.shifts[self.length - 1]);
         let (least, most) = (row as i64 + 1 - slots.end as i64, row as i64 - slots.start as i64);

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::lines::Lines;
 
-/// Texels by which rows of a block are longer than what they hold, so that those of a map of a power of two do not all
-/// fall into the same cache lines.
+/// Texels by which rows of a block are longer than what they hold. Without them, rows of a power of two would
+/// all fall into the same cache lines.
 pub(crate) const SKEW: usize = 16;
 
 /// Some neighbouring slots of a sheared map, `stride` values each.
@@ -15,8 +15,8 @@ pub(crate) struct Slab<'a> {
     pub values: &'a mut [f32],
 }
 
-/// Some neighbouring slots of a sheared map, for reading: the value of position `p` in slot `slots.start + k` is at
-/// `k * stride + offset + p`.
+/// Some neighbouring slots of a sheared map, for reading: the value of position `p` in slot `slots.start + k`
+/// is at `k * stride + offset + p`.
 #[derive(Clone)]
 pub(crate) struct Plane<'a> {
     pub texels: &'a [f32],

@@ -33,8 +33,9 @@ impl Line {
         &mut self.samples[self.margin..end]
     }
 
-    /// `out[i] = min over v of samples[v] + (step (i - v))²`, rounded to `f32`, over all samples and, in a repeated line,
-    /// their copies. Samples must be finite and not negative, and no greater than `(step reach)²`.
+    /// `out[i] = min over v of samples[v] + (step (i - v))²`, rounded to `f32`, over all samples and, in a
+    /// repeated line, their copies. Samples must be finite and not negative, and no greater than
+    /// `(step reach)²`.
     pub fn transform(&mut self, out: &mut [f32]) {
         let (margin, length) = (self.margin, self.samples.len() - 2 * self.margin);
         if self.repeats {

@@ -1,11 +1,12 @@
 //! The squared distance transform of a line by its monotone minima.
 //!
-//! All parabolas are the same but for their place, so the nearer of two samples stays the nearer one on its side of where they
-//! cross: from sample to sample, the one that the minimum is attained at never goes back. The matrix of distances is totally
-//! monotone (Aggarwal, Klawe, Moran, Shor and Wilber 1987, *Geometric Applications of a Matrix-Searching Algorithm*). So it is
-//! found for a few samples by halving, each time between those of the two neighbours; and between two of these few, the samples
-//! look at what lies between the two places, which is as many as they are in the mean, whatever the distances. Where roundings
-//! leave open which of some places it is, all of them are kept; to whole runs of them, which are compared at once.
+//! All parabolas are the same but for their place. So of two samples each stays the nearer one on its side of
+//! where they cross, and from sample to sample the place of the minimum never goes back: the matrix of
+//! distances is totally monotone (Aggarwal, Klawe, Moran, Shor and Wilber 1987, *Geometric Applications of a
+//! Matrix-Searching Algorithm*). For a few samples the places are found by halving, each between the places
+//! of its two neighbours. Samples between two of these few look only between the two places: in the mean at
+//! as many places as there are samples, whatever the distances. Where roundings leave open which of some
+//! places it is, all of them are kept, in whole runs that are compared at once.
 
 /// Samples between two for which the place of the minimum is found: they look at their candidates together.
 const BLOCK: usize = 16;
@@ -22,20 +23,21 @@ pub struct Monotone {
     margin: usize,
     /// The squared distance of samples, from `margin` and a block to the left on.
     rises: Vec<f32>,
-    /// For every sample at a block's begin, and the last one, the first and the last place where its minimum may be attained.
+    /// For every sample at a block's begin, and the last one, the first and the last place where its minimum
+    /// may be attained.
     places: Vec<[usize; 2]>,
 }
 
 impl Monotone {
-    /// Room for lines of `length` samples, `step_squared` apart, and a margin of `margin` samples at either end.
+    /// Room for lines of `length` samples, `step_squared` apart, with `margin` more at either end.
     pub fn new(length: usize, margin: usize, step_squared: f32) -> Self {
         let farthest = (margin + BLOCK) as i64;
         let rises = (-farthest..=farthest).map(|k| step_squared * (k * k) as f32).collect();
         Self { margin, rises, places: vec![[0; 2]; length.div_ceil(BLOCK) + 1] }
     }
 
-    /// `out[i] = min over k of values[margin + i + k] + step² k²` for `k` from `-margin` to `margin`, in `f32`. The minimum over
-    /// more samples must not be less.
+    /// `out[i] = min over k of values[margin + i + k] + step² k²` for `k` from `-margin` to `margin`, in
+    /// `f32`. The minimum over more samples must not be less.
     pub fn transform(&mut self, values: &[f32], out: &mut [f32]) {
         let last = self.places.len() - 1;
         let sample = |point: usize| (point * BLOCK).min(out.len() - 1);
@@ -52,7 +54,7 @@ impl Monotone {
             stride /= 2;
         }
         for (block, out) in out.chunks_mut(BLOCK).enumerate() {
-            // Of a sample of the block, so many places later, the rise is so much farther on in the table.
+            // For a sample later in the block, the rises are as much farther on in the table.
             let first = 2 * self.margin + BLOCK + block * BLOCK;
             let mut best = [f32::MAX; BLOCK];
             let (from, to) = (self.places[block][0], self.places[block + 1][1].min(first));
@@ -67,7 +69,7 @@ impl Monotone {
         }
     }
 
-    /// The first and the last place between two, both included, where the minimum of a sample may be attained.
+    /// The first and the last place, between two given ones, where the minimum of a sample may be attained.
     fn attained(&self, values: &[f32], sample: usize, [from, to]: [usize; 2]) -> [usize; 2] {
         let (from, to) = (from.max(sample), to.min(sample + 2 * self.margin));
         let values = &values[from..=to];

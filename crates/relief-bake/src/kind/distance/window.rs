@@ -8,7 +8,7 @@ const STRIDE: usize = 4;
 
 /// The steps that the mean block of a line would have to look to either side, at most.
 ///
-/// `values` has a margin of `margin` samples at either end, `step_squared` is the squared distance between samples.
+/// `values` has `margin` more samples at either end; `step_squared` is their squared distance.
 pub fn mean_steps(values: &[f32], margin: usize, step_squared: f32) -> f32 {
     let inner = &values[margin..values.len() - margin];
     let steps = |block: &[f32]| (highest(block) / step_squared).sqrt().min(margin as f32);
@@ -34,7 +34,7 @@ pub fn transform(values: &[f32], margin: usize, step_squared: f32, out: &mut [f3
     }
 }
 
-/// Lowers `best` to the least over the samples around it, nearest first, until none that is left can be lower.
+/// Lowers `best` to the least over the samples around it, nearest first, until none left can be lower.
 #[inline(always)]
 fn look_around(values: &[f32], first: usize, margin: usize, step_squared: f32, best: &mut [f32]) {
     let mut k = 1;

@@ -29,9 +29,10 @@ pub fn texel(cell: u32, forward: bool, ahead: i64) -> i64 {
     if forward { i64::from(cell) + ahead } else { i64::from(cell) + 1 - ahead }
 }
 
-/// The nearest image of every texel ahead of the cells `first..=last`, nearest run first; how far ahead is said for the first
-/// cell. Where an axis is closed by an image of where it began, that is included, so that the far side of the last cell is there too.
-/// For single cells of several, runs may hold what is behind (less than 0 ahead), and farther images.
+/// The nearest image of every texel ahead of the cells `first..=last`, nearest run first. How far ahead is
+/// counted from the first cell. In a repeated map the last cell may end at column 0 of the next tile; that is
+/// included. For a single one of several cells, runs may hold texels behind it (less than 0 ahead) and
+/// farther images.
 pub fn runs(wrap: Wrap, size: u32, [first, last]: [u32; 2], forward: bool) -> [Option<Run>; 3] {
     let (end, side) = (size - 1, i64::from(size));
     let at = i64::from(first);
@@ -76,7 +77,7 @@ mod tests {
                             nearest[image as usize] = nearest[image as usize].min(ahead);
                         }
                     }
-                    // The cell's own two columns are as near as each other: texels 0 and 1 ahead make no difference.
+                    // The cell's own two columns are equally near: texels 0 and 1 ahead make no difference.
                     for ahead in 0..3 * i64::from(size) {
                         let image = wrap.index(texel(cell, forward, ahead), size) as usize;
                         let found = nearest[image].max(1);

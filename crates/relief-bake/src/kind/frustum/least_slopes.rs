@@ -1,8 +1,8 @@
 //! The least slopes of one quadrant.
 //!
-//! A branch and bound over a maximum pyramid of texels, for a few cells side by side at once: a node whose greatest height, seen from its
-//! least distance, is steeper for none of them than their best so far is passed over. What was steepest for the cells of the row
-//! before is looked at first; it is mostly steepest again, or nearly.
+//! A branch and bound over a maximum pyramid of texels, for a few cells side by side at once. A node is
+//! passed over when its greatest height, at its least distance, is for none of them steeper than the best so
+//! far. What was steepest for the row before is looked at first; it is mostly steepest again, or nearly.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -14,8 +14,8 @@ use super::diagonal;
 use crate::texel_pyramid::TexelPyramid;
 use crate::{Cancelled, Progress};
 
-/// Cells that are searched for at once. They share the walk through the pyramid, and the compiler compares them together; more of them
-/// share fewer of their nodes.
+/// How many cells are searched for at once. They share the walk through the pyramid and are compared
+/// together; more of them would have fewer nodes in common.
 const LANES: usize = 8;
 
 /// Rows of a tile of cells that one thread works through: about a millisecond of work.
@@ -27,13 +27,14 @@ const TILES: usize = 2048;
 /// What raises a slope in `f64` by more than the roundings of a difference and a quotient have lowered it.
 const RAISE: f64 = 1.0 + 1.0 / (1u64 << 50) as f64;
 
-/// What lowers a slope so that in `f32` a node is passed over only if it surely can be: three roundings of 2⁻²⁴.
+/// Lowers slopes, so that in `f32`, with three roundings of 2⁻²⁴, no node that matters is passed over.
 const CAUTION: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 
-/// No slope is steeper: heights differ by 1 at most, and half a texel is the nearest that a mean of two counts at.
+/// No slope is steeper: heights differ by 1 at most, and the nearest that counts is half a texel away.
 const STEEPEST: f32 = 2.0;
 
-/// The least slope of every cell, with those tops, in the quadrant that goes forward along the axes for which `forward` says so.
+/// The least slope of every cell, with those tops, in the quadrant that goes `forward` or not along each
+/// axis.
 pub fn least_slopes(
     map: &HeightMap,
     tops: &[f32],
@@ -246,8 +247,8 @@ impl<'a> Search<'a> {
         Some(Sight { near, far, highest: level.highest(node.at) })
     }
 
-    /// By how much a node is higher than it must be for a texel of it to be steeper than the best of each lane: positive where
-    /// it may be.
+    /// How much higher a node is than it must be to be steeper than each lane's best: positive where it may
+    /// be.
     #[inline]
     fn excess(&self, sight: &Sight) -> [f32; LANES] {
         let [near_u, near_v] = sight.near.map(|ahead| ahead as i32 as f32);

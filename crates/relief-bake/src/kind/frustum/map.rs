@@ -18,8 +18,8 @@ pub struct Frustum {
     pub top: f32,
     /// The least slope, in heights a texel of Chebyshev distance from the rectangle.
     pub slope: f32,
-    /// First column and row of the rectangle that the frustum stands on, in cells, not wrapped; minus infinity where it goes on
-    /// for ever.
+    /// First column and row of the rectangle that the frustum stands on, in cells, not wrapped; minus
+    /// infinity where it goes on for ever.
     pub low: [f64; 2],
     /// Where the rectangle ends; infinity where it goes on for ever.
     pub high: [f64; 2],
@@ -47,14 +47,15 @@ pub enum FrustumMapError {
     },
 }
 
-/// Place of a quadrant among the four planes of slopes: forward along both axes, backward along `u`, along `v`, along both.
+/// Place of a quadrant among the four planes of slopes: forward along both axes, backward along `u`, along
+/// `v`, along both.
 pub fn quadrant(forward: [bool; 2]) -> usize {
     usize::from(!forward[0]) + 2 * usize::from(!forward[1])
 }
 
 impl FrustumMap {
-    /// A frustum map of baked planes, row by row from the top: tops in heights, and slopes in heights a texel for the
-    /// quadrants in the order of [`quadrant`].
+    /// A frustum map of baked planes, row by row from the top: tops in heights, and slopes in heights a texel
+    /// for the quadrants in the order of [`quadrant`].
     ///
     /// # Errors
     ///
@@ -98,18 +99,20 @@ impl FrustumMap {
         (self.top, self.slopes)
     }
 
-    /// The frustum for a ray over a dual cell, which may lie outside of the map, that goes forward along the axes for which
-    /// `forward` says so.
+    /// The frustum for a ray over a dual cell, which may lie outside of the map, that goes forward along the
+    /// axes for which `forward` says so.
     ///
-    /// Cells outside are images of cells inside, moved or mirrored, and under `mirror` a mirrored cell has the quadrants of the other side.
-    /// Left over are the half cells before texel 0, between cell 0 and its image:
+    /// Cells outside are images of cells inside, moved or mirrored, and under `mirror` a mirrored cell has
+    /// the quadrants of the other side. Left over are the half cells before texel 0, between cell 0 and its
+    /// image:
     ///
-    /// * Under `clamp` the first and the last cell go on outward for ever, as their rectangles do. The surface out there is the
-    ///   surface at the outermost texel, `f(x, y) = f(0, y)`, and `(0, y)` is over cell 0's column. So both have the same
-    ///   distance, that along `y`, and the inequality at `(0, y)` is that at `(x, y)`.
-    /// * Under `mirror`, cell -1 from texel -1 to texel 0, both the same, is flat along the axis. A ray in it that goes toward cell 0 is given
-    ///   cell 0 with that half cell added to its rectangle, `[-1, 1]`; over it, too, `f(x, y) = f(0, y)`. A ray that goes
-    ///   the other way is given the mirror image of that.
+    /// * Under `clamp` the first and the last cell go on outward for ever, as their rectangles do. The
+    ///   surface out there is the surface at the outermost texel, `f(x, y) = f(0, y)`, and `(0, y)` is over
+    ///   cell 0's column. So both have the same distance, that along `y`, and the inequality at `(0, y)` is
+    ///   that at `(x, y)`.
+    /// * Under `mirror`, cell -1 from texel -1 to texel 0, both the same, is flat along the axis. A ray in it
+    ///   that goes toward cell 0 is given cell 0 with that half cell added to its rectangle, `[-1, 1]`; over
+    ///   it, too, `f(x, y) = f(0, y)`. A ray that goes the other way is given the mirror image of that.
     pub fn at(&self, cell: [i64; 2], forward: [bool; 2]) -> Frustum {
         let u = Folded::new(self.wrap, self.size[0], cell[0], forward[0]);
         let v = Folded::new(self.wrap, self.size[1], cell[1], forward[1]);

@@ -1,8 +1,8 @@
 //! Slopes filtered for minification: mean and central second moments.
 //!
-//! Olano and Baker 2010, *LEAN Mapping*, and Dupuy et al. 2013, *Linear Efficient Antialiased Displacement and Reflectance
-//! Mapping* (LEADR), who store the raw second moments and subtract the squared mean when shading; here they are centred at
-//! every level already, because in 16 bits that subtraction cancels.
+//! Olano and Baker 2010, *LEAN Mapping*, and Dupuy et al. 2013, *Linear Efficient Antialiased Displacement
+//! and Reflectance Mapping* (LEADR), who store the raw second moments and subtract the squared mean when
+//! shading; here they are centred at every level already, because in 16 bits that subtraction cancels.
 
 use rayon::prelude::*;
 
@@ -38,8 +38,9 @@ impl Moments {
         reduced(size, progress, |row, [u, v, ..]| slopes.row(row, u, v))
     }
 
-    /// The next mip level: half the size, rounded down, at least 1. Where a side is odd, texels of this level are shared
-    /// between two of the next in proportion to the area, so that means and moments over the map are kept.
+    /// The next mip level: half the size, rounded down, at least 1. Where a side is odd, texels of this level
+    /// are shared between two of the next in proportion to the area, so that means and moments over the map
+    /// are kept.
     ///
     /// # Errors
     ///
@@ -79,8 +80,8 @@ impl Shares {
     }
 }
 
-/// The level after one of that size whose rows are filled in by `row_of`: mean `u`, `v`, and moments `uu`, `uv`, `vv`, which
-/// are 0 unless it sets them.
+/// The level after one of that size whose rows are filled in by `row_of`: mean `u`, `v`, and moments `uu`,
+/// `uv`, `vv`, which are 0 unless it sets them.
 fn reduced(
     from: [usize; 2],
     progress: &Progress,

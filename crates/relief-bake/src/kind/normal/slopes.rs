@@ -8,16 +8,16 @@ const STEEPEST: f64 = 1e18;
 /// How the slope at a texel centre is taken from the heights around it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Derivative {
-    /// Half of the difference between the neighbours on both sides, as the shader of eq. 9 has it. It is the mean of the
-    /// slopes of the four patches that meet there.
+    /// Half of the difference between the neighbours on both sides, as the shader of eq. 9 has it. It is the
+    /// mean of the slopes of the four patches that meet there.
     #[default]
     Central,
-    /// The slope of the mean of the four unit normals that the bilinear surface has there, one of each patch: steep patches
-    /// count less.
+    /// The slope of the mean of the four unit normals that the bilinear surface has there, one of each patch:
+    /// steep patches count less.
     Patches,
 }
 
-/// The slopes of a map in a metric: metres up for a metre along `u`, and along `v`, which points down in the picture.
+/// The slopes of a map: metres up for a metre along `u`, and along `v`, which points down in the picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Slopes<'a> {
     map: &'a HeightMap,
@@ -42,7 +42,7 @@ impl<'a> Slopes<'a> {
         };
         let (above, here, below) = (line(row as i64 - 1), line(row as i64), line(row as i64 + 1));
         let last = width as usize - 1;
-        // Inside nothing wraps, and the compiler takes several texels at once: hence the choice outside of the loop.
+        // Inside nothing wraps, and with the choice outside of the loop several texels are taken at once.
         if last > 1 {
             let around = here[..last - 1].iter().zip(&here[2..]).zip(&here[1..]);
             let lines = around.zip(above[1..].iter().zip(&below[1..]));

@@ -1,7 +1,8 @@
 //! In which directions the surface falls, so that ground that only rises away from an apex is passed over.
 //!
-//! Directions are told apart by octants, in texels. A patch falls in an octant if it does along one of the two rays that bound it, as
-//! its gradient is a box, and its product with a direction is least at corners of that box and on one of the rays.
+//! Directions are told apart by octants, in texels. The gradients of a patch lie in a box; their product with
+//! a direction of an octant is least at a corner of the box and on one of the two rays that bound the octant.
+//! So the patch falls in the octant if it does along one of these rays.
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
@@ -11,8 +12,8 @@ use crate::cone_search::{Field, Seen};
 /// What may be lost to rounding, in parts of the gradient.
 const ROUNDING: f64 = 1e-12;
 
-/// For each vertex the octants, a bit each, in which one of the cells around it falls of which it is the highest corner; and
-/// what these are for the vertices of squares together.
+/// For each vertex the octants, a bit each, in which a cell falls whose highest corner it is; and level by
+/// level the same for squares of vertices.
 pub(super) struct Directions {
     levels: Vec<OctantLevel>,
 }
@@ -39,7 +40,7 @@ impl Directions {
         Self { levels }
     }
 
-    /// Whether something falls around the vertices of a node that is so many texels away, at least and at most along either axis.
+    /// Whether something may fall around the vertices of a node, from `from` to `to` texels away.
     #[inline(always)]
     pub fn may_fall(&self, level: u32, [column, row]: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool {
         let level = &self.levels[level as usize];

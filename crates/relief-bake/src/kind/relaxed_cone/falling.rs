@@ -1,20 +1,23 @@
 //! The steepest slope from one apex to where a patch falls, in closed form.
 //!
-//! With the rise `f = A + Bx + Cy + Dxy` above the apex, `(x, y)` metres from it, the patch falls away from the apex where
-//! `F = Bx + Cy + 2Dxy ≤ 0`. There the slope `f/r` falls along every ray from the apex, as `(f/r)' = (F/r - f/r) / r`, so it is greatest
-//! where the ray enters the patch or where the patch begins to fall: on an edge, or on the curve of peaks `F = 0`.
+//! With the rise `f = A + Bx + Cy + Dxy` above the apex, `(x, y)` metres from it, the patch falls away from
+//! the apex where `F = Bx + Cy + 2Dxy ≤ 0`. There the slope `f/r` falls along every ray from the apex, as
+//! `(f/r)' = (F/r - f/r) / r`, so it is greatest where the ray enters the patch or where the patch begins to
+//! fall: on an edge, or on the curve of peaks `F = 0`.
 //!
 //! * On an edge `F` is linear, and so is `f`: the slope has one maximum, and the falling part is a segment.
-//! * On the curve, towards `(cos, sin)` with `g = B cos + C sin`, the radius is `-g / (2D sin cos)` and the slope
-//!   `g/2 - 2AD sin cos / g`. Its derivative vanishes where
-//!   `(B²C - 4ADB) + (2BC² - B³) t + (C³ - 2B²C) t² + (4ADC - BC²) t³ = 0`, `t = tan`. Where the curve leaves the patch it meets an edge.
+//! * On the curve, towards `(cos, sin)` with `g = B cos + C sin`, the radius is `-g / (2D sin cos)` and the
+//!   slope `g/2 - 2AD sin cos / g`. Its derivative vanishes where
+//!   `(B²C - 4ADB) + (2BC² - B³) t + (C³ - 2B²C) t² + (4ADC - BC²) t³ = 0`, `t = tan`. Where the curve leaves
+//!   the patch it meets an edge.
 
 use crate::cone_search::{Patch, inside_segment, to_point};
 
 /// Rounding of a sum of a few products, relative to the sum of their sizes.
 pub(super) const ROUNDING: f64 = 1e-14;
 
-/// The greatest squared slope to a point of the patch at which it falls away from the apex, or is level; 0 where there is none.
+/// The greatest squared slope to a point of the patch at which it falls away from the apex, or is level; 0
+/// where there is none.
 pub(super) fn falling_slope2(patch: &Patch) -> f64 {
     let [h00, h10, h01, h11] = patch.rise;
     let ([x0, y0], [ax, ay]) = (patch.corner, patch.size);
@@ -54,8 +57,8 @@ pub(super) fn falling_slope2(patch: &Patch) -> f64 {
     best
 }
 
-/// The greatest squared slope to the falling part of an edge from `from` to `to` along one axis, `beside` away along the other,
-/// given the rises above the apex and `F` at its ends.
+/// The greatest squared slope to the falling part of an edge from `from` to `to` along one axis, `beside`
+/// away along the other, given the rises above the apex and `F` at its ends.
 fn falling_edge(rise: [f64; 2], falls: [f64; 2], [from, to]: [f64; 2], beside: f64) -> f64 {
     if falls[0] > 0.0 && falls[1] > 0.0 {
         return 0.0;
@@ -69,8 +72,8 @@ fn falling_edge(rise: [f64; 2], falls: [f64; 2], [from, to]: [f64; 2], beside: f
     ends.max(inside_segment(rises, places[0], places[1], beside))
 }
 
-/// The real roots of a polynomial of degree 3 at most, lowest coefficient first. Good to some digits: what they are used for has
-/// maxima there.
+/// The real roots of a polynomial of degree 3 at most, lowest coefficient first. Good to some digits, which
+/// is enough: they are places of maxima.
 fn real_roots([k0, k1, k2, k3]: [f64; 4]) -> [Option<f64>; 3] {
     let size = k0.abs().max(k1.abs()).max(k2.abs()).max(k3.abs());
     // Below that the third root is farther than all that is looked at.

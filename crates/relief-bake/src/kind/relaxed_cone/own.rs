@@ -1,19 +1,20 @@
 //! What the four patches around a texel's centre, which hold its apexes, do to its relaxed cone.
 //!
-//! Let `q` lie in patch `X`, the apex `p` in the quarter of patch `Y` that belongs to the texel, `(x, y) = q - p` in texels,
-//! `r` its length in metres. A falling pair rises by at most `A - Dxy`, with `A` the height of `X` extended over `p` above
-//! `Y` there, and `D` the twist of `X`.
+//! Let `q` lie in patch `X`, the apex `p` in the quarter of patch `Y` that belongs to the texel,
+//! `(x, y) = q - p` in texels, `r` its length in metres. A falling pair rises by at most `A - Dxy`, with `A`
+//! the height of `X` extended over `p` above `Y` there, and `D` the twist of `X`.
 //!
-//! * `X = Y`: `A` is 0. `xy / r` grows with either factor, and so is greatest at the corners of the boxes. Along the ray the
-//!   patch is a parabola that begins with the slope `g`, and where it falls its mean slope is at most `g/2`.
-//! * `X` beside `Y`: with `t` the distance of `p` from the edge between, `A = J t`, where `J` is by how much `Y` rises more
-//!   than `X` across the edge, linear along it; and `r ≥ t`.
-//! * `X` opposite to `Y`: with `(s, t)` the offsets of `p` from the centre, `A = J s + K t + E s t`, with `J` and `K` by how much
-//!   `Y` rises more than `X` at the centre, and `E` the difference of their twists; and `r` is at least the distance of `p`
-//!   from the centre.
+//! * `X = Y`: `A` is 0. `xy / r` grows with either factor, and so is greatest at the corners of the boxes.
+//!   Along the ray the patch is a parabola that begins with the slope `g`, and where it falls its mean slope
+//!   is at most `g/2`.
+//! * `X` beside `Y`: with `t` the distance of `p` from the edge between, `A = J t`, where `J` is by how much
+//!   `Y` rises more than `X` across the edge, linear along it; and `r ≥ t`.
+//! * `X` opposite to `Y`: with `(s, t)` the offsets of `p` from the centre, `A = J s + K t + E s t`, with `J`
+//!   and `K` by how much `Y` rises more than `X` at the centre, and `E` the difference of their twists; and
+//!   `r` is at least the distance of `p` from the centre.
 
-/// An upper bound of the slope from the apexes, in the box of that half side in texels, to falling points of the four
-/// patches, in heights per metre, from the 3 by 3 heights around the centre.
+/// An upper bound, in heights per metre, of the slope from the apexes to falling points of the four patches.
+/// `near` are the 3 by 3 heights around the centre, `half` is half the side of the box of apexes in texels.
 pub(super) fn own_bound(near: &[[f64; 3]; 3], texel_m: [f64; 2], half: f64) -> f64 {
     let quadrants = [[1, 1], [-1, 1], [1, -1], [-1, -1]];
     quadrants.into_iter().map(|signs| quadrant_bound(near, signs, texel_m, half)).fold(0.0, f64::max)
@@ -24,7 +25,8 @@ fn quadrant_bound(near: &[[f64; 3]; 3], [sx, sy]: [i64; 2], [ax, ay]: [f64; 2], 
     // The neighbourhood mirrored so that the patch is to the right of the centre and below it.
     let at = |i: i64, j: i64| near[(1 + sy * j) as usize][(1 + sx * i) as usize];
     let twist = (at(0, 0) - at(1, 0)) + (at(1, 1) - at(0, 1));
-    // The most of -Dxy / r for offsets up to `ahead` in the directions of the patch, or one of them up to `back` against it.
+    // The most of -Dxy / r for offsets up to `ahead` in the directions of the patch, or one of them up to
+    // `back` against it.
     let bent = |ahead: [f64; 2], back: [f64; 2]| {
         let reach = |x: f64, y: f64| if x * y == 0.0 { 0.0 } else { x * y / length(x * ax, y * ay) };
         if twist < 0.0 {
@@ -40,7 +42,7 @@ fn quadrant_bound(near: &[[f64; 3]; 3], [sx, sy]: [i64; 2], [ax, ay]: [f64; 2], 
     if half == 0.0 {
         return same;
     }
-    // How much the patch to the left rises towards this one, and the one above, at the centre and `along` the edge.
+    // How much the patches to the left and above rise towards this one, along the edge from the centre.
     let left = |v: f64| (at(0, 0) - at(-1, 0)) * (1.0 - v) + (at(0, 1) - at(-1, 1)) * v;
     let above = |u: f64| (at(0, 0) - at(0, -1)) * (1.0 - u) + (at(1, 0) - at(1, -1)) * u;
     let jump_x = (left(0.0) - slope_x(0.0)).max(left(half) - slope_x(half)).max(0.0);

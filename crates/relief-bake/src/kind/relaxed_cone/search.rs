@@ -11,8 +11,8 @@ use crate::cone_search::{
     cells_of_block, is_in_block, offset_of, steepest_in_quarter,
 };
 
-/// The most images of the map that are looked at. Tiles a hundred times longer than wide need more; larger, and such a map
-/// takes hours for cones that hardly differ.
+/// The most images of the map that are looked at. Tiles a hundred times longer than wide need more; larger,
+/// and such a map takes hours for cones that hardly differ.
 const MOST_IMAGES: i64 = 4096;
 
 /// What is below the best by no more than this is not known to be below it.
@@ -20,7 +20,7 @@ const CAUTION: f64 = 1.0 - 1e-12;
 
 /// Cones that a falling ray leaves after one entry at most.
 pub(super) struct Relaxed {
-    /// How many tiles away, along either axis, a point may be nearer than the highest point of the nearest tiles.
+    /// How many tiles away, along either axis, images may matter.
     tiles: [i64; 2],
     directions: Directions,
     /// The longest way inside of a texel's square.
@@ -38,8 +38,8 @@ impl Relaxed {
         if map.wrap() == Wrap::Clamp {
             return Some(of([0; 2]));
         }
-        // Some image of the highest point is in the tile around an apex, and so not farther than a tile's diagonal. A patch that
-        // rises in the nearest image may fall in another.
+        // Some image of the highest point is in the tile around an apex, and so not farther than a tile's
+        // diagonal. A patch that rises in the nearest image may fall in another.
         let tile_m = [texel_m[0] * f64::from(map.width()), texel_m[1] * f64::from(map.height())];
         let diagonal = tile_m[0].hypot(tile_m[1]);
         let tiles = tile_m.map(|side| ((diagonal / side).ceil() + 1.0).min(1e6) as i64);
@@ -47,8 +47,8 @@ impl Relaxed {
         (images <= MOST_IMAGES).then(|| of(tiles))
     }
 
-    /// What the four cells around the centre ask for, which hold the apexes: the least of two bounds. And the squared slope
-    /// of the surface itself in the square.
+    /// Two squared slopes: what the four cells around the centre, which hold the apexes, ask for, by the
+    /// lesser of two bounds; and that of the surface itself in the square.
     #[inline(always)]
     fn own_slopes2<S: Simd>(
         &self,
@@ -106,8 +106,8 @@ impl Relaxed {
         }
         let bound = falling_bound2(&places.grid(apexes), half, seen, distance2);
         if bound > *best {
-            // From inside the square the way leads over the rim: its slope is a mean of those before and behind, of which the
-            // first part is no longer than the square's diagonal.
+            // From inside the square the way leads over the rim: its slope is a mean of those before and
+            // behind, of which the first part is no longer than the square's diagonal.
             let (gradient, far) = (gradient2.sqrt(), distance2.sqrt());
             let inside = self.diagonal_m / (self.diagonal_m + far);
             // Below this slope from the rim the way is not steeper than the best, whatever is inside.
@@ -202,7 +202,7 @@ impl Falling<'_, '_> {
 }
 
 impl Falling<'_, '_> {
-    /// The lanes, a bit each, whose cell that begins at a vertex of the block may fall, and be steeper than the best.
+    /// The lanes, a bit each, whose cell at a vertex of the block may fall and be steeper than the best.
     #[inline(always)]
     fn may_matter_in_block<S: Simd>(&self, simd: S, block: &Block, first: usize) -> u64 {
         let corners = block.corners(first);
@@ -269,7 +269,7 @@ impl Look for Falling<'_, '_> {
         let wanted =
             excess.iter().zip(LANE_BITS).fold(0, |all, (&x, bit)| all | if x > 0.0 { bit } else { 0 });
         for seen in Seen::around(by, &self.search.field.around(vertex)) {
-            // Each cell once, but where corners are as high as each other.
+            // A cell is looked at from its highest corner: once, but where corners are equally high.
             let [h00, h10, h01, h11] = seen.heights;
             if (h00 > height) | (h10 > height) | (h01 > height) | (h11 > height) {
                 continue;
@@ -289,8 +289,9 @@ impl Look for Falling<'_, '_> {
     }
 }
 
-/// Those lanes in which a patch falls at some point of it, or is level, in the direction from some apex; in which corner
-/// `h00` is `(x, y)` texels from the centre of the apexes, which are up to `half` a texel from it along each axis.
+/// The lanes in which a patch falls, or is level, at some point of it as seen from some apex. Its corner
+/// `h00` is `(x, y)` texels from the centre of the apexes, which are up to `half` texels from there along
+/// each axis.
 #[inline(always)]
 fn may_fall<S: Simd>(
     simd: S,

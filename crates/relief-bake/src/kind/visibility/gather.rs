@@ -11,10 +11,10 @@ const SKY: u32 = u32::MAX;
 
 /// For every texel and direction the texel nearest to what is seen there.
 ///
-/// Light is gathered about the base normal: all directions weigh the same, since they are spread over the hemisphere
-/// in proportion to the cosine, and the weights of a texel sum to 1. So a gather is a mean, which neither makes nor
-/// loses energy: inside of a furnace, where the sky and every texel have the same radiance, every texel receives just
-/// that.
+/// Light is gathered about the base normal: all directions weigh the same, since they are spread over the
+/// hemisphere in proportion to the cosine, and the weights of a texel sum to 1. So a gather is a mean, which
+/// neither makes nor loses energy: inside of a furnace, where the sky and every texel have the same radiance,
+/// every texel receives just that.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Visibility {
     directions: Vec<[f64; 3]>,
@@ -24,8 +24,8 @@ pub struct Visibility {
 }
 
 impl Visibility {
-    /// What the texels of a map see in `azimuths` times `elevations` directions within `tiles` tiles. Takes 4 bytes a
-    /// texel and direction.
+    /// What the texels of a map see in `azimuths` times `elevations` directions within `tiles` tiles. Takes 4
+    /// bytes a texel and direction.
     ///
     /// # Errors
     ///
@@ -77,9 +77,9 @@ impl Visibility {
         (seen != SKY).then_some(seen as usize)
     }
 
-    /// What every texel receives when the sky has those radiances in the directions and the texels send out those
-    /// radiances: the irradiance over π, about the base normal. `None` unless there is one radiance a direction and a
-    /// texel.
+    /// What every texel receives when the sky has those radiances in the directions and the texels send out
+    /// those radiances: the irradiance over π, about the base normal. `None` unless there is one radiance a
+    /// direction and a texel.
     pub fn gather(&self, sky: &[f32], texels: &[f32]) -> Option<Vec<f32>> {
         if sky.len() != self.directions.len() || texels.len() != self.texels {
             return None;
@@ -100,8 +100,8 @@ impl Visibility {
         Some(received)
     }
 
-    /// What every texel receives from that sky after `bounces` reflections off texels of that albedo, each in `[0,
-    /// 1]`; with 0 bounces the sky's light alone. `None` as for [`Self::gather`].
+    /// What every texel receives from that sky after `bounces` reflections off texels of that albedo, each in
+    /// `[0, 1]`; with 0 bounces the sky's light alone. `None` as for [`Self::gather`].
     pub fn bounce(&self, sky: &[f32], albedo: &[f32], bounces: u32) -> Option<Vec<f32>> {
         if albedo.len() != self.texels {
             return None;

@@ -51,9 +51,8 @@ struct Scratch {
     higher: Vec<usize>,
 }
 
-/// For every texel the distance in steps to the first hit of the ray that leaves it under each of some slopes, in
-/// heights a step; infinite for none within the reach of that slope. At `(slot * slopes.len() + k) * length +
-/// position`.
+/// For every texel and ray the distance in steps to the first hit; infinite for none within the ray's reach.
+/// That of ray `k` is at `(slot * rays.len() + k) * length + position`.
 pub(super) fn first_hits(
     lines: &Lines,
     rays: &[SlopedRay],
@@ -117,9 +116,9 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// The distance to the first hit. `candidate` is the first column, counted from the stretch's begin, beside which
-    /// the surface may be above the ray; `level` are the highest points there in the ray's frame, and `higher` the
-    /// next column of each where that is greater.
+    /// The distance to the first hit. `candidate` is the first column, counted from the stretch's begin,
+    /// beside which the surface may be above the ray; `level` are the highest points there in the ray's
+    /// frame, and `higher` the next column of each where that is greater.
     fn first_hit(
         &self,
         stretch: &Stretch,
@@ -147,8 +146,8 @@ impl Walk<'_> {
                 k += 1;
                 continue;
             }
-            // Between two columns that are both below the ray, so is the surface. Columns up to the next higher one are
-            // no higher than this.
+            // Between two columns below the ray the surface is below it too. Columns up to the next higher
+            // one are no higher than this.
             let mut next = higher[k + 1];
             while next < last && level(next) <= own {
                 next = higher[next];
@@ -196,8 +195,8 @@ impl Walk<'_> {
     }
 }
 
-/// The first root of `c1 τ + c2 τ²` in `[0, length]` behind which it is negative: a ray that leaves the surface hits
-/// it where it starts only if it goes below it.
+/// The first root of `c1 τ + c2 τ²` in `[0, length]` behind which it is negative: a ray that leaves the
+/// surface hits it where it starts only if it goes below it.
 fn leaves(c1: f64, c2: f64, length: f64) -> Option<f64> {
     if c1 < 0.0 || (c1 == 0.0 && c2 < 0.0) {
         return Some(0.0);
@@ -220,8 +219,7 @@ fn first_root(c0: f64, c1: f64, c2: f64, length: f64) -> Option<f64> {
     if disc < 0.0 {
         return (!ends_above).then_some(length);
     }
-    // With c0 positive the first positive root is this one whatever the sign of c2, and nothing cancels where c1 is
-    // negative.
+    // With c0 positive the first positive root is this one for any c2; where c1 is negative nothing cancels.
     let root = if c1 <= 0.0 { 2.0 * c0 / (disc.sqrt() - c1) } else { -0.5 * (c1 + disc.sqrt()) / c2 };
     Some(root.clamp(0.0, length))
 }
