@@ -442,9 +442,9 @@ impl<'g> Resources<'g> {
         h11_: rt::Vec4<f32>,
         part: rt::Vec2<f32>,
     ) -> rt::Vec4<f32> {
-        let top = (h00_ + ((h10_ - h00_) * part.x()));
+        let top_1 = (h00_ + ((h10_ - h00_) * part.x()));
         let bottom = (h01_ + ((h11_ - h01_) * part.x()));
-        return (top + ((bottom - top) * part.y()));
+        return (top_1 + ((bottom - top_1) * part.y()));
     }
     pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
@@ -805,9 +805,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_1 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_1.elementwise_le(span)) {
-                return first_1;
+            let first_2 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_2.elementwise_le(span)) {
+                return first_2;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -1004,11 +1004,11 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_cell_of(point_3);
         let f = (point_3 - _e7);
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_1 = (_e10.x() + ((_e10.y() - _e10.x()) * f.x()));
+        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f.x()));
         let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f.x()));
         let left_1 = (_e10.x() + ((_e10.z() - _e10.x()) * f.y()));
         let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_2 + ((bottom_1 - top_2) * f.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_2) * _e1.y()));
     }
     pub(crate) fn height_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> f32 {
         rt::into(self.v_height_at(rt::into(uv_4)))
@@ -1020,9 +1020,9 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_cell_of(point_4);
         let f_1 = (point_4 - _e7);
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
+        let top_3 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
         let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
-        return (top_2 + ((bottom_2 - top_2) * f_1.y()));
+        return (top_3 + ((bottom_2 - top_3) * f_1.y()));
     }
     pub(crate) fn path_height(
         &self,
@@ -1128,6 +1128,31 @@ impl<'g> Resources<'g> {
         let a_2 = ((rt::Scalar(0f32) - x0_) / dx);
         let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
         return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
+    }
+    pub(crate) fn leaves_block(
+        &self,
+        origin: impl rt::Into<rt::Scalar<f32>>,
+        step: impl rt::Into<rt::Scalar<f32>>,
+        first_1: impl rt::Into<rt::Scalar<f32>>,
+        last: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_leaves_block(rt::into(origin), rt::into(step), rt::into(first_1), rt::into(last)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_leaves_block(
+        &self,
+        origin: rt::Scalar<f32>,
+        step: rt::Scalar<f32>,
+        first_1: rt::Scalar<f32>,
+        last: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(step.elementwise_gt(rt::Scalar(0f32))) {
+            return ((last - origin) / step);
+        }
+        if rt::Scalar::into_branch_condition(step.elementwise_lt(rt::Scalar(0f32))) {
+            return ((first_1 - origin) / step);
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn normal_at(&self, uv_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_normal_at(rt::into(uv_5)))
@@ -1805,7 +1830,7 @@ impl<'g> Resources<'g> {
         params_8: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
-        let mut last: rt::Scalar<f32>;
+        let mut last_1: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut reads_7: rt::Scalar<u32>;
@@ -1817,7 +1842,7 @@ impl<'g> Resources<'g> {
             return _e5;
         }
         before = rt::Scalar(found_10.near);
-        last = rt::Scalar(found_10.far);
+        last_1 = rt::Scalar(found_10.far);
         before_gap = rt::Scalar(found_10.near_gap);
         last_gap = rt::Scalar(found_10.far_gap);
         reads_7 = rt::Scalar(found_10.reads);
@@ -1825,7 +1850,7 @@ impl<'g> Resources<'g> {
             let _e19 = before;
             let _e20 = self.v_path_gap(path_21, _e19);
             before_gap = _e20;
-            let _e21 = last;
+            let _e21 = last_1;
             let _e22 = self.v_path_gap(path_21, _e21);
             last_gap = _e22;
             let _e23 = reads_7;
@@ -1851,19 +1876,19 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e41 = last;
-                    let _e42 = last;
+                    let _e41 = last_1;
+                    let _e42 = last_1;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_18 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
-                    let _e52 = last;
+                    let t_19 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let _e52 = last_1;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last = t_18;
+                    last_1 = t_19;
                     let _e54 = k_3;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
-                        let _e57 = self.v_path_gap(path_21, t_18);
+                        let _e57 = self.v_path_gap(path_21, t_19);
                         last_gap = _e57;
                         let _e58 = reads_7;
                         reads_7 = (_e58 + rt::Scalar(1u32));
@@ -1873,7 +1898,7 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e64 = last;
+        let _e64 = last_1;
         let _e66 = reads_7;
         let _e67 = self.v_hit_on_path(path_21, _e64, rt::Scalar(0u32), _e66);
         return _e67;
@@ -2274,7 +2299,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e19 = reads_9;
-                    let first_2 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
                     let _e22 = cell_9;
                     let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
                     let _e25 = reads_9;
@@ -2315,7 +2340,7 @@ impl<'g> Resources<'g> {
                         let _e94 = self.v_gap_to(path_25, _e2, _e92, _e24, _e93);
                         let _e95 = t_16;
                         let _e96 = reads_9;
-                        let _e97 = self.v_found_in_cell(_e94, _e95, span_6, first_2, _e96);
+                        let _e97 = self.v_found_in_cell(_e94, _e95, span_6, first_3, _e96);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e97.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e97;
                         }
@@ -2411,7 +2436,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e19 = reads_10;
-                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let first_4 = _e19.elementwise_eq(rt::Scalar(0u32));
                     let _e22 = cell_10;
                     let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
                     let _e25 = reads_10;
@@ -2421,12 +2446,12 @@ impl<'g> Resources<'g> {
                     let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_26.exit));
                     let _e35 = t_17;
                     let span_7 = (end_4 - _e35).max(rt::Scalar(0f32));
-                    let top_3 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
+                    let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
                     let _e46 = t_17;
                     let _e47 = self.v_path_height(path_26, _e46);
                     let _e49 = t_17;
                     let _e50 = self.v_path_slope(path_26, _e49);
-                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_3), _e50, path_26.h.z());
+                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_26.h.z());
                     let _e57 = t_17;
                     let _e61 = t_17;
                     let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_26.h.x().abs() + (_e57 * (path_26.h.y().abs() + (_e61 * path_26.h.z().abs())))));
@@ -2456,7 +2481,7 @@ impl<'g> Resources<'g> {
                         let _e100 = self.v_gap_to(path_26, _e2, _e98, _e24, _e99);
                         let _e101 = t_17;
                         let _e102 = reads_10;
-                        let _e103 = self.v_found_in_cell(_e100, _e101, span_7, first_3, _e102);
+                        let _e103 = self.v_found_in_cell(_e100, _e101, span_7, first_4, _e102);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e103.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e103;
                         }
@@ -2545,17 +2570,17 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e41 = k_5;
-                    let t_19 = (rt::Scalar(path_27.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_27, t_19);
+                    let t_20 = (rt::Scalar(path_27.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_27, t_20);
                     let _e45 = reads_11;
                     reads_11 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_2;
                         let _e52 = near_gap_1;
                         let _e53 = reads_11;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_19, _e52, _e44, _e53);
+                        return <Found>::new(FOUND_BRACKET, _e51, t_20, _e52, _e44, _e53);
                     }
-                    near_2 = t_19;
+                    near_2 = t_20;
                     near_gap_1 = _e44;
                     let _e55 = k_5;
                     k_5 = (_e55 + rt::Scalar(1f32));
@@ -2584,37 +2609,215 @@ impl<'g> Resources<'g> {
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
-    pub(crate) fn search_stage(&self, path_29: Path) -> Found {
-        rt::into(self.v_search_stage(path_29))
+    pub(crate) fn search_pyramid(
+        &self,
+        path_29: Path,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_pyramid(path_29, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_29: Path) -> Found {
+    fn v_search_pyramid(
+        &self,
+        path_29: Path,
+        params_15: rt::Vec4<f32>,
+    ) -> Found {
+        let mut top: rt::Scalar<i32> = rt::Scalar(0i32);
+        let mut level_1: rt::Scalar<i32>;
+        let mut cell_11: rt::Vec2<i32>;
+        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_14: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_29);
+        let _e5 = self.surface_settings.height_size;
+        let n_5 = _e5.cast_elem_as_i32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e9 = top;
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e9.cast_elem_as_u32()).elementwise_lt(n_5.x().max(n_5.y()))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e17 = top;
+                    top = (_e17 + rt::Scalar(1i32));
+                }
+            }
+        }
+        let _e20 = top;
+        level_1 = _e20;
+        let _e23 = self.v_cell_of(_e2.origin);
+        cell_11 = _e23.cast_elem_as_i32();
+        let limit_4 = params_15.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e32 = reads_12;
+                if rt::Scalar::into_branch_condition(_e32.elementwise_lt(limit_4)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e34 = reads_12;
+                    let first_5 = _e34.elementwise_eq(rt::Scalar(0u32));
+                    let _e38 = cell_11.x();
+                    let _e40 = self.v_wrap_index(_e38, n_5.x());
+                    let _e42 = cell_11.y();
+                    let _e44 = self.v_wrap_index(_e42, n_5.y());
+                    let inside_1 = <rt::Vec2<i32>>::from_scalars(_e40, _e44);
+                    let _e47 = cell_11.x();
+                    if rt::Scalar::into_branch_condition((!_e47.elementwise_lt(rt::Scalar(0i32)))) {
+                        let _e54 = cell_11.y();
+                        local_14 = _e54.elementwise_lt(rt::Scalar(0i32));
+                    } else {
+                        local_14 = rt::Scalar(true);
+                    }
+                    let _e58 = local_14;
+                    if rt::Scalar::into_branch_condition((!_e58)) {
+                        let _e63 = cell_11.x();
+                        local_15 = _e63.elementwise_ge(n_5.x());
+                    } else {
+                        local_15 = rt::Scalar(true);
+                    }
+                    let _e67 = local_15;
+                    if rt::Scalar::into_branch_condition((!_e67)) {
+                        let _e72 = cell_11.y();
+                        local_16 = _e72.elementwise_ge(n_5.y());
+                    } else {
+                        local_16 = rt::Scalar(true);
+                    }
+                    let is_out = local_16;
+                    if rt::Scalar::into_branch_condition(is_out) {
+                        let _e81 = rt::Scalar(self.surface_settings.wrap);
+                        local_17 = _e81.elementwise_ne(rt::Scalar(0u32));
+                    } else {
+                        local_17 = rt::Scalar(false);
+                    }
+                    let _e85 = local_17;
+                    if rt::Scalar::into_branch_condition(_e85) {
+                        level_1 = rt::Scalar(0i32);
+                    }
+                    let _e87 = level_1;
+                    let side_1 = (rt::Scalar(1i32) << _e87.cast_elem_as_u32());
+                    let _e92 = level_1;
+                    let _e96 = level_1;
+                    let node = <rt::Vec2<i32>>::from_scalars((inside_1.x() >> _e92.cast_elem_as_u32()), (inside_1.y() >> _e96.cast_elem_as_u32()));
+                    let _e100 = cell_11;
+                    let low = (_e100 - (inside_1 - (node * side_1)));
+                    let _e106 = cell_11;
+                    let high = (low + <rt::Vec2<i32>>::from_scalars(side_1, side_1)).min(((_e106 - inside_1) + n_5));
+                    let _e111 = level_1;
+                    let _e112 = self.v_search_texel(path_29, node, rt::Scalar(0i32), _e111);
+                    let _e113 = reads_12;
+                    reads_12 = (_e113 + rt::Scalar(1u32));
+                    let _e124 = self.v_leaves_block(_e2.origin.x(), _e2.step.x(), low.x().cast_elem_as_f32(), high.x().cast_elem_as_f32());
+                    let _e133 = self.v_leaves_block(_e2.origin.y(), _e2.step.y(), low.y().cast_elem_as_f32(), high.y().cast_elem_as_f32());
+                    let end_5 = _e124.min(_e133).min(rt::Scalar(path_29.exit));
+                    let _e137 = t_18;
+                    let span_8 = (end_5 - _e137).max(rt::Scalar(0f32));
+                    let _e141 = t_18;
+                    let _e142 = self.v_path_height(path_29, _e141);
+                    let _e145 = t_18;
+                    let _e146 = self.v_path_slope(path_29, _e145);
+                    let gap_2 = <rt::Vec3<f32>>::from_scalars((_e142 - _e112.y()), _e146, path_29.h.z());
+                    if rt::Scalar::into_branch_condition(gap_2.x().elementwise_gt(rt::Scalar(0f32))) {
+                        let _e155 = self.v_least_at(gap_2, span_8);
+                        let _e156 = self.v_quadratic(gap_2, _e155);
+                        local_18 = _e156.elementwise_gt(rt::Scalar(0f32));
+                    } else {
+                        local_18 = rt::Scalar(false);
+                    }
+                    let is_above = local_18;
+                    if rt::Scalar::into_branch_condition((!is_above)) {
+                        let _e164 = level_1;
+                        local_19 = _e164.elementwise_gt(rt::Scalar(0i32));
+                    } else {
+                        local_19 = rt::Scalar(false);
+                    }
+                    let _e168 = local_19;
+                    if rt::Scalar::into_branch_condition(_e168) {
+                        let _e169 = level_1;
+                        level_1 = (_e169 - rt::Scalar(1i32));
+                        break 'naga_continue;
+                    }
+                    if rt::Scalar::into_branch_condition((!is_above)) {
+                        let _e173 = cell_11;
+                        let _e175 = t_18;
+                        let _e176 = self.v_cell_gap(path_29, _e2, _e173.cast_elem_as_f32(), _e175);
+                        let _e177 = t_18;
+                        let _e178 = reads_12;
+                        let _e179 = self.v_found_in_cell(_e176, _e177, span_8, first_5, _e178);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e179.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e179;
+                        }
+                    }
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_29.exit))) {
+                        let _e186 = t_18;
+                        let _e188 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e186, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
+                    }
+                    let _e196 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
+                    let near_3 = _e196.cast_elem_as_i32();
+                    cell_11 = near_3.clamp(low, (high - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))));
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_le(end_5)) {
+                        cell_11.set_x((low.x() - rt::Scalar(1i32)).select(high.x(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    }
+                    if rt::Scalar::into_branch_condition(_e133.elementwise_le(end_5)) {
+                        cell_11.set_y((low.y() - rt::Scalar(1i32)).select(high.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    }
+                    let _e225 = t_18;
+                    t_18 = _e225.max(end_5);
+                    let _e227 = level_1;
+                    let _e230 = top;
+                    level_1 = (_e227 + rt::Scalar(1i32)).min(_e230);
+                }
+            }
+        }
+        let _e233 = t_18;
+        let _e235 = reads_12;
+        return <Found>::new(FOUND_EXHAUSTED, _e233, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e235);
+    }
+    pub(crate) fn search_stage(&self, path_30: Path) -> Found {
+        rt::into(self.v_search_stage(path_30))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_stage(&self, path_30: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_search_none(path_29, _e10);
+                let _e11 = self.v_search_none(path_30, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_search_linear(path_29, _e16);
+                let _e17 = self.v_search_linear(path_30, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_search_cells(path_29, _e22);
+                let _e23 = self.v_search_cells(path_30, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_search_frustum(path_29, _e28);
+                let _e29 = self.v_search_frustum(path_30, _e28);
                 return _e29;
             }
-            _ => {
+            4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_search_cone(path_29, _e34);
+                let _e35 = self.v_search_cone(path_30, _e34);
                 return _e35;
+            }
+            _ => {
+                let _e40 = self.surface_settings.choices[1usize].params;
+                let _e41 = self.v_search_pyramid(path_30, _e40);
+                return _e41;
             }
         }
     }
@@ -2623,14 +2826,14 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
-        let mut local_14: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(at_3.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_14 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
+            local_20 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_14 = rt::Scalar(true);
+            local_20 = rt::Scalar(true);
         }
-        let _e13 = local_14;
+        let _e13 = local_20;
         if rt::Scalar::into_branch_condition(_e13) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
         }
@@ -2654,18 +2857,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_2, rt::into(params_15)))
+        rt::into(self.v_surface_plane(pixel_2, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_15: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_15: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
@@ -2673,14 +2876,14 @@ impl<'g> Resources<'g> {
         let a_4 = pixel_2.a.position;
         let e1_ = (pixel_2.b.position - a_4);
         let e2_ = (pixel_2.c.position - a_4);
-        let n_5 = e1_.cross(e2_);
-        let nn = n_5.dot(n_5);
-        let toward_3 = n_5.dot(pixel_2.direction);
-        let distance = (n_5.dot((a_4 - pixel_2.origin)) / toward_3);
+        let n_6 = e1_.cross(e2_);
+        let nn = n_6.dot(n_6);
+        let toward_3 = n_6.dot(pixel_2.direction);
+        let distance = (n_6.dot((a_4 - pixel_2.origin)) / toward_3);
         let point_5 = (pixel_2.origin + (pixel_2.direction * distance));
         let from_a = (point_5 - a_4);
-        let wb = (from_a.cross(e2_).dot(n_5) / nn);
-        let wc = (e1_.cross(from_a).dot(n_5) / nn);
+        let wb = (from_a.cross(e2_).dot(n_6) / nn);
+        let wc = (e1_.cross(from_a).dot(n_6) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
         let uv_9 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
         let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
@@ -2696,11 +2899,11 @@ impl<'g> Resources<'g> {
         let area_1 = ((tt * bb) - (tb * tb));
         let descent = (rt::Scalar(0f32) - normal_3.dot(direction));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_15 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
+            local_21 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_15 = rt::Scalar(true);
+            local_21 = rt::Scalar(true);
         }
-        let _e107 = local_15;
+        let _e107 = local_21;
         if rt::Scalar::into_branch_condition(_e107) {
             valid = rt::Scalar(0u32);
         }
@@ -2711,12 +2914,12 @@ impl<'g> Resources<'g> {
         let base_height = ((rt::Scalar(0f32) - _e125) / scale);
         let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
         let eye = ((rt::Scalar(0f32) - distance) * along);
-        let top_4 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
-        enter = top_4.max(eye);
+        let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
+        enter = top_5.max(eye);
         leave_4 = ((base_height * scale) / descent);
         let _e144 = leave_4;
         let _e145 = leave_4;
-        leave_4 = (_e144 + ((_e145 - top_4) * rt::Scalar(0.000001f32)));
+        leave_4 = (_e144 + ((_e145 - top_5) * rt::Scalar(0.000001f32)));
         let _e152 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
             let _e157 = enter;
@@ -2738,16 +2941,16 @@ impl<'g> Resources<'g> {
         }
         let _e175 = enter;
         let _e178 = enter;
-        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_4));
+        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
         let _e182 = enter;
         let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e188 = enter;
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_31 = <Path>::new((uv_9 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_32 = <Path>::new((uv_9 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_31, point_5, uv_9, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_32, point_5, uv_9, tangent, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
@@ -2763,13 +2966,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn trace(&self, path_30: Path) -> Hit {
-        rt::into(self.v_trace(path_30))
+    pub(crate) fn trace(&self, path_31: Path) -> Hit {
+        rt::into(self.v_trace(path_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_30: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_30);
-        let _e2 = self.v_refine_stage(path_30, _e1);
+    fn v_trace(&self, path_31: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_31);
+        let _e2 = self.v_refine_stage(path_31, _e1);
         return _e2;
     }
     pub(crate) fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {

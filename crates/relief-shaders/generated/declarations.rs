@@ -87,6 +87,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "search/none", head: r#"// No search: the entry and the exit, with nothing known of what lies between.
 "# },
+    Module { path: "search/pyramid", head: r#"// The pyramid of least and greatest heights: over nodes that the path stays above, down where it does not, and up again.
+"# },
     Module { path: "refine/binary", head: r#"// Binary search: the interval is halved, keeping its near end above and its far end below the surface.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a search it starts
@@ -1970,6 +1972,85 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         uses: &["FOUND_UNBRACKETED", "Found", "Path"],
         text: r#"fn search_none(path: Path, params: vec4f) -> Found {
     return Found(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, 0u);
+}"#,
+    },
+    Declaration {
+        module: "search/pyramid",
+        name: "leaves_block",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// When the path leaves a block of cells along one axis.
+fn leaves_block(origin: f32, step: f32, first: f32, last: f32) -> f32 {
+    if (step > 0.0) {
+        return (last - origin) / step;
+    }
+    if (step < 0.0) {
+        return (first - origin) / step;
+    }
+    return NEVER;
+}"#,
+    },
+    Declaration {
+        module: "search/pyramid",
+        name: "search_pyramid",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_gap", "cell_of", "found_in_cell", "grid_of", "least_at", "leaves_block", "path_height", "path_slope", "quadratic", "search_texel", "surface_settings", "wrap_index"],
+        text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let n = vec2i(surface_settings.height_size);
+    var top = 0;
+    while ((1 << u32(top)) < max(n.x, n.y)) {
+        top = top + 1;
+    }
+    var level = top;
+    var cell = vec2i(cell_of(grid.origin));
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let first = reads == 0u;
+        let inside = vec2i(wrap_index(cell.x, n.x), wrap_index(cell.y, n.y));
+        let is_out = cell.x < 0 || cell.y < 0 || cell.x >= n.x || cell.y >= n.y;
+        if (is_out && surface_settings.wrap != 0u) {
+            level = 0;
+        }
+        let side = 1 << u32(level);
+        let node = vec2i(inside.x >> u32(level), inside.y >> u32(level));
+        let low = cell - (inside - node * side);
+        let high = min(low + vec2i(side, side), cell - inside + n);
+        let bounds = search_texel(path, node, 0, level);
+        reads = reads + 1u;
+        let leave_x = leaves_block(grid.origin.x, grid.step.x, f32(low.x), f32(high.x));
+        let leave_y = leaves_block(grid.origin.y, grid.step.y, f32(low.y), f32(high.y));
+        let end = min(min(leave_x, leave_y), path.exit);
+        let span = max(end - t, 0.0);
+        let gap = vec3f(path_height(path, t) - bounds.y, path_slope(path, t), path.h.z);
+        let is_above = gap.x > 0.0 && quadratic(gap, least_at(gap, span)) > 0.0;
+        if (!is_above && level > 0) {
+            level = level - 1;
+            continue;
+        }
+        if (!is_above) {
+            let found = found_in_cell(cell_gap(path, grid, vec2f(cell), t), t, span, first, reads);
+            if (found.status != FOUND_ABOVE) {
+                return found;
+            }
+        }
+        if (end >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        let near = vec2i(cell_of(grid.origin + grid.step * end));
+        cell = clamp(near, low, high - vec2i(1, 1));
+        if (leave_x <= end) {
+            cell.x = select(low.x - 1, high.x, grid.step.x > 0.0);
+        }
+        if (leave_y <= end) {
+            cell.y = select(low.y - 1, high.y, grid.step.y > 0.0);
+        }
+        t = max(t, end);
+        level = min(level + 1, top);
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
 }"#,
     },
     Declaration {

@@ -10,6 +10,8 @@ mod cone;
 mod frustum;
 mod linear;
 mod none;
+mod pyramid;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY, cone::ENTRY];
+pub const ENTRIES: &[Entry] =
+    &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY, cone::ENTRY, pyramid::ENTRY];
