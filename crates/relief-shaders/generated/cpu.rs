@@ -499,10 +499,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_4 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
+        let at_5 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
         let z = (path.h.x() + (t_1 * (path.h.y() + (t_1 * path.h.z()))));
         let dz = (path.h.y() + ((rt::Scalar(2f32) * t_1) * path.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_4.x())) + (by * at_4.y())) + ((twist * at_4.x()) * at_4.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_4.x() * grid_1.step.y()) + (at_4.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_5.x())) + (by * at_5.y())) + ((twist * at_5.x()) * at_5.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_5.x() * grid_1.step.y()) + (at_5.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn wrap_index(
         &self,
@@ -1880,15 +1880,15 @@ impl<'g> Resources<'g> {
                     let _e42 = last_1;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_19 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_20 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e52 = last_1;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last_1 = t_19;
+                    last_1 = t_20;
                     let _e54 = k_3;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
-                        let _e57 = self.v_path_gap(path_21, t_19);
+                        let _e57 = self.v_path_gap(path_21, t_20);
                         last_gap = _e57;
                         let _e58 = reads_7;
                         reads_7 = (_e58 + rt::Scalar(1u32));
@@ -2311,11 +2311,11 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_9;
                     let _e43 = t_16;
-                    let at_5 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_5.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let above_1 = _e24.x().select(_e24.y(), at_5.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let below = _e24.z().select(_e24.w(), at_5.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let apex_1 = above_1.select(below, at_5.y().elementwise_ge(rt::Scalar(0.5f32)));
+                    let at_6 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_6.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let above_1 = _e24.x().select(_e24.y(), at_6.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let below = _e24.z().select(_e24.w(), at_6.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let apex_1 = above_1.select(below, at_6.y().elementwise_ge(rt::Scalar(0.5f32)));
                     let _e73 = t_16;
                     next_1 = _e73;
                     let _e75 = t_16;
@@ -2490,8 +2490,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
                         let _e111 = cell_10;
                         let _e114 = t_17;
-                        let at_6 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_2 = at_6.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_6), forward_3);
+                        let at_7 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_2 = at_7.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_7), forward_3);
                         let _e126 = t_17;
                         let far_3 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e134 = slope_3;
@@ -2570,17 +2570,17 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e41 = k_5;
-                    let t_20 = (rt::Scalar(path_27.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_27, t_20);
+                    let t_21 = (rt::Scalar(path_27.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_27, t_21);
                     let _e45 = reads_11;
                     reads_11 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_2;
                         let _e52 = near_gap_1;
                         let _e53 = reads_11;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_20, _e52, _e44, _e53);
+                        return <Found>::new(FOUND_BRACKET, _e51, t_21, _e52, _e44, _e53);
                     }
-                    near_2 = t_20;
+                    near_2 = t_21;
                     near_gap_1 = _e44;
                     let _e55 = k_5;
                     k_5 = (_e55 + rt::Scalar(1f32));
@@ -2782,53 +2782,141 @@ impl<'g> Resources<'g> {
         let _e235 = reads_12;
         return <Found>::new(FOUND_EXHAUSTED, _e233, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e235);
     }
-    pub(crate) fn search_stage(&self, path_30: Path) -> Found {
-        rt::into(self.v_search_stage(path_30))
+    pub(crate) fn slice_value(
+        &self,
+        path_30: Path,
+        at_3: Around,
+        slice: impl rt::Into<rt::Scalar<i32>>,
+    ) -> f32 {
+        rt::into(self.v_slice_value(path_30, at_3, rt::into(slice)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_30: Path) -> Found {
+    fn v_slice_value(
+        &self,
+        path_30: Path,
+        at_3: Around,
+        slice: rt::Scalar<i32>,
+    ) -> rt::Scalar<f32> {
+        let _e9 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_3.columns.x(), at_3.rows.x()), slice, rt::Scalar(0i32));
+        let _e16 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_3.columns.y(), at_3.rows.x()), slice, rt::Scalar(0i32));
+        let _e23 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_3.columns.x(), at_3.rows.y()), slice, rt::Scalar(0i32));
+        let _e30 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_3.columns.y(), at_3.rows.y()), slice, rt::Scalar(0i32));
+        let _e32 = self.v_bilinear(_e9, _e16, _e23, _e30, at_3.part);
+        return _e32.x();
+    }
+    pub(crate) fn search_sphere(
+        &self,
+        path_31: Path,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_sphere(path_31, rt::into(params_16)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_sphere(
+        &self,
+        path_31: Path,
+        params_16: rt::Vec4<f32>,
+    ) -> Found {
+        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let limit_5 = params_16.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e8 = reads_13;
+                if rt::Scalar::into_branch_condition(_e8.elementwise_lt(limit_5)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e10 = t_19;
+                    let _e11 = self.v_path_uv(path_31, _e10);
+                    let _e14 = self.surface_settings.height_size;
+                    let _e15 = self.v_texels_around(_e11, _e14);
+                    let _e16 = t_19;
+                    let _e17 = self.v_path_height(path_31, _e16);
+                    let level_2 = ((_e17 * rt::Scalar(32f32)) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), rt::Scalar(30.999f32));
+                    let slice_1 = level_2.cast_elem_as_i32();
+                    let _e26 = self.v_slice_value(path_31, _e15, slice_1);
+                    let _e29 = self.v_slice_value(path_31, _e15, (slice_1 + rt::Scalar(1i32)));
+                    let distance = (_e26 + ((_e29 - _e26) * (level_2 - slice_1.cast_elem_as_f32())));
+                    let _e35 = reads_13;
+                    reads_13 = (_e35 + rt::Scalar(1u32));
+                    let _e38 = t_19;
+                    let _e39 = self.v_path_slope(path_31, _e38);
+                    if rt::Scalar::into_branch_condition(distance.elementwise_lt(rt::Scalar(0.001f32))) {
+                        let _e43 = t_19;
+                        let _e44 = t_19;
+                        let _e45 = reads_13;
+                        return <Found>::new(FOUND_BELOW, _e43, _e44, rt::Scalar(0f32), rt::Scalar(0f32), _e45);
+                    }
+                    let _e49 = t_19;
+                    t_19 = (_e49 + (distance / (path_31.duv.dot(path_31.duv) + (_e39 * _e39)).sqrt()));
+                    let _e58 = t_19;
+                    if rt::Scalar::into_branch_condition(_e58.elementwise_ge(rt::Scalar(path_31.exit))) {
+                        let _e62 = t_19;
+                        let _e64 = reads_13;
+                        return <Found>::new(FOUND_MISS, _e62, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e64);
+                    }
+                }
+            }
+        }
+        let _e69 = t_19;
+        let _e71 = reads_13;
+        return <Found>::new(FOUND_EXHAUSTED, _e69, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e71);
+    }
+    pub(crate) fn search_stage(&self, path_32: Path) -> Found {
+        rt::into(self.v_search_stage(path_32))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_stage(&self, path_32: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_search_none(path_30, _e10);
+                let _e11 = self.v_search_none(path_32, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_search_linear(path_30, _e16);
+                let _e17 = self.v_search_linear(path_32, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_search_cells(path_30, _e22);
+                let _e23 = self.v_search_cells(path_32, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_search_frustum(path_30, _e28);
+                let _e29 = self.v_search_frustum(path_32, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_search_cone(path_30, _e34);
+                let _e35 = self.v_search_cone(path_32, _e34);
                 return _e35;
             }
-            _ => {
+            5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_search_pyramid(path_30, _e40);
+                let _e41 = self.v_search_pyramid(path_32, _e40);
                 return _e41;
+            }
+            _ => {
+                let _e46 = self.surface_settings.choices[1usize].params;
+                let _e47 = self.v_search_sphere(path_32, _e46);
+                return _e47;
             }
         }
     }
-    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_1, at_3, hit_1))
+    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_4: Entered, hit_1: Hit) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_1, at_4, hit_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
+    fn v_shade_hit(&self, pixel_1: PixelIn, at_4: Entered, hit_1: Hit) -> PixelOut {
         let mut local_20: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_3.valid).elementwise_eq(rt::Scalar(0u32)))) {
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_4.valid).elementwise_eq(rt::Scalar(0u32)))) {
             local_20 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_20 = rt::Scalar(true);
@@ -2838,11 +2926,11 @@ impl<'g> Resources<'g> {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
         }
         let _e41 = self.v_height_at(hit_1.uv);
-        let aside_1 = (hit_1.uv - at_3.uv);
+        let aside_1 = (hit_1.uv - at_4.uv);
         let _e57 = rt::Scalar(self.surface_settings.bias_m);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
-        let position_2 = (((at_3.point + (at_3.tangent * aside_1.x())) + (at_3.bitangent * aside_1.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
-        let _e66 = self.v_mesostructure_normal(at_3, hit_1.uv);
+        let position_2 = (((at_4.point + (at_4.tangent * aside_1.x())) + (at_4.bitangent * aside_1.y())) + (at_4.normal * (_e57 + (_e60 * _e41))));
+        let _e66 = self.v_mesostructure_normal(at_4, hit_1.uv);
         let _e69 = self.frame.eye;
         let view_3 = (_e69.xyz() - position_2).normalize();
         let _e74 = self.v_color_or_white(hit_1.uv);
@@ -2857,15 +2945,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_2, rt::into(params_16)))
+        rt::into(self.v_surface_plane(pixel_2, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_16: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut local_21: rt::Scalar<bool>;
@@ -2879,8 +2967,8 @@ impl<'g> Resources<'g> {
         let n_6 = e1_.cross(e2_);
         let nn = n_6.dot(n_6);
         let toward_3 = n_6.dot(pixel_2.direction);
-        let distance = (n_6.dot((a_4 - pixel_2.origin)) / toward_3);
-        let point_5 = (pixel_2.origin + (pixel_2.direction * distance));
+        let distance_1 = (n_6.dot((a_4 - pixel_2.origin)) / toward_3);
+        let point_5 = (pixel_2.origin + (pixel_2.direction * distance_1));
         let from_a = (point_5 - a_4);
         let wb = (from_a.cross(e2_).dot(n_6) / nn);
         let wc = (e1_.cross(from_a).dot(n_6) / nn);
@@ -2913,7 +3001,7 @@ impl<'g> Resources<'g> {
         let _e125 = rt::Scalar(self.surface_settings.bias_m);
         let base_height = ((rt::Scalar(0f32) - _e125) / scale);
         let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
-        let eye = ((rt::Scalar(0f32) - distance) * along);
+        let eye = ((rt::Scalar(0f32) - distance_1) * along);
         let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
         enter = top_5.max(eye);
         leave_4 = ((base_height * scale) / descent);
@@ -2948,9 +3036,9 @@ impl<'g> Resources<'g> {
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_32 = <Path>::new((uv_9 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_34 = <Path>::new((uv_9 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_32, point_5, uv_9, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_34, point_5, uv_9, tangent, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
@@ -2966,13 +3054,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn trace(&self, path_31: Path) -> Hit {
-        rt::into(self.v_trace(path_31))
+    pub(crate) fn trace(&self, path_33: Path) -> Hit {
+        rt::into(self.v_trace(path_33))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_31: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_31);
-        let _e2 = self.v_refine_stage(path_31, _e1);
+    fn v_trace(&self, path_33: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_33);
+        let _e2 = self.v_refine_stage(path_33, _e1);
         return _e2;
     }
     pub(crate) fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {

@@ -89,6 +89,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "search/pyramid", head: r#"// The pyramid of least and greatest heights: over nodes that the path stays above, down where it does not, and up again.
 "# },
+    Module { path: "search/sphere", head: r#"// Sphere tracing: as far as the field of distances, a volume, says that nothing is met.
+"# },
     Module { path: "refine/binary", head: r#"// Binary search: the interval is halved, keeping its near end above and its far end below the surface.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a search it starts
@@ -2049,6 +2051,65 @@ fn leaves_block(origin: f32, step: f32, first: f32, last: f32) -> f32 {
         }
         t = max(t, end);
         level = min(level + 1, top);
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/sphere",
+        name: "SPHERE_SLICES",
+        sampling: None,
+        uses: &[],
+        text: r#"const SPHERE_SLICES = 32;"#,
+    },
+    Declaration {
+        module: "search/sphere",
+        name: "SPHERE_NEAR",
+        sampling: None,
+        uses: &[],
+        text: r#"// Distances below this, in tiles, are hits.
+const SPHERE_NEAR = 0.001;"#,
+    },
+    Declaration {
+        module: "search/sphere",
+        name: "slice_value",
+        sampling: None,
+        uses: &["Around", "Path", "bilinear", "search_texel"],
+        text: r#"fn slice_value(path: Path, at: Around, slice: i32) -> f32 {
+    return bilinear(
+        search_texel(path, vec2i(at.columns.x, at.rows.x), slice, 0),
+        search_texel(path, vec2i(at.columns.y, at.rows.x), slice, 0),
+        search_texel(path, vec2i(at.columns.x, at.rows.y), slice, 0),
+        search_texel(path, vec2i(at.columns.y, at.rows.y), slice, 0),
+        at.part,
+    ).x;
+}"#,
+    },
+    Declaration {
+        module: "search/sphere",
+        name: "search_sphere",
+        sampling: None,
+        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "SPHERE_NEAR", "SPHERE_SLICES", "path_height", "path_slope", "path_uv", "slice_value", "surface_settings", "texels_around"],
+        text: r#"fn search_sphere(path: Path, params: vec4f) -> Found {
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let at = texels_around(path_uv(path, t), surface_settings.height_size);
+        let level = clamp(path_height(path, t) * f32(SPHERE_SLICES) - 0.5, 0.0, f32(SPHERE_SLICES) - 1.001);
+        let slice = i32(level);
+        let below = slice_value(path, at, slice);
+        let above = slice_value(path, at, slice + 1);
+        let distance = below + (above - below) * (level - f32(slice));
+        reads = reads + 1u;
+        let rise = path_slope(path, t);
+        if (distance < SPHERE_NEAR) {
+            return Found(FOUND_BELOW, t, t, 0.0, 0.0, reads);
+        }
+        t = t + distance / sqrt(dot(path.duv, path.duv) + rise * rise);
+        if (t >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
     }
     return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
 }"#,

@@ -11,7 +11,8 @@ mod frustum;
 mod linear;
 mod none;
 mod pyramid;
+mod sphere;
 
 /// All of them.
 pub const ENTRIES: &[Entry] =
-    &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY, cone::ENTRY, pyramid::ENTRY];
+    &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY, cone::ENTRY, pyramid::ENTRY, sphere::ENTRY];
