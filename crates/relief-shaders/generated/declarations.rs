@@ -141,6 +141,8 @@ pub const MODULES: &[Module] = &[
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so that the
 // power is a product of squares and has the same bits everywhere.
 "# },
+    Module { path: "shadow/none", head: r#"// No shadows.
+"# },
     Module { path: "roots/clear", head: r#"// Makes a part of what is traced empty again, so that the next surface begins with nothing: a triangle over all of the
 // picture, as far away as can be.
 "# },
@@ -459,7 +461,7 @@ pub const DECLARATIONS: &[Declaration] = &[
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 4u;"#,
+        text: r#"const STAGES = 5u;"#,
     },
     Declaration {
         module: "constants",
@@ -1159,17 +1161,18 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "reflected_light",
         sampling: None,
-        uses: &["frame", "shade_stage", "surface_settings", "toward_light"],
+        uses: &["Entered", "Hit", "frame", "shade_stage", "shadow_stage", "surface_settings", "toward_light"],
         text: r#"// The light that a point reflects along `view`, toward the eye, in linear RGB: the ambient part, and light by light what
 // the shading makes of it.
-fn reflected_light(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
+fn reflected_light(at: Entered, hit: Hit, position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
     let diffuse = surface_settings.diffuse.xyz * color;
     var light = frame.ambient.xyz * diffuse;
     var k = 0u;
     while (k < frame.light_count) {
         let toward = toward_light(frame.lights[k], position);
         let reflected = shade_stage(normal, view, toward.direction, diffuse);
-        light = light + reflected * frame.lights[k].color.xyz * toward.falloff;
+        let arriving = toward.falloff * shadow_stage(at, hit, toward.direction);
+        light = light + reflected * frame.lights[k].color.xyz * arriving;
         k = k + 1u;
     }
     return light;
@@ -1203,7 +1206,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
         + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height);
     let normal = mesostructure_normal(at, hit.uv);
     let view = normalize(frame.eye.xyz - position);
-    let color = reflected_light(position, normal, view, color_or_white(hit.uv));
+    let color = reflected_light(at, hit, position, normal, view, color_or_white(hit.uv));
     let depth = dot(position - frame.eye.xyz, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size() - vec2f(0.5, 0.5));
     return PixelOut(
@@ -2416,6 +2419,15 @@ const SPHERE_NEAR = 0.001;"#,
         return color * cosine + specular;
     }
     return vec3f(0.0, 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shadow/none",
+        name: "shadow_none",
+        sampling: None,
+        uses: &["Entered", "Hit"],
+        text: r#"fn shadow_none(at: Entered, hit: Hit, toward: vec3f, params: vec4f) -> f32 {
+    return 1.0;
 }"#,
     },
     Declaration {

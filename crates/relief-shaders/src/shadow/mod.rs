@@ -1,0 +1,8 @@
+//! Shadows: the part of a light that arrives at a hit.
+
+use relief_core::registry::Entry;
+
+mod none;
+
+/// All of them.
+pub const ENTRIES: &[Entry] = &[none::ENTRY];
