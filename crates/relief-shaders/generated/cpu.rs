@@ -499,10 +499,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_8 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
+        let at_9 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
         let z = (path.h.x() + (t_1 * (path.h.y() + (t_1 * path.h.z()))));
         let dz = (path.h.y() + ((rt::Scalar(2f32) * t_1) * path.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_8.x())) + (by * at_8.y())) + ((twist * at_8.x()) * at_8.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_8.x() * grid_1.step.y()) + (at_8.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_9.x())) + (by * at_9.y())) + ((twist * at_9.x()) * at_9.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_9.x() * grid_1.step.y()) + (at_9.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn wrap_index(
         &self,
@@ -1971,8 +1971,8 @@ impl<'g> Resources<'g> {
         position: rt::Vec3<f32>,
     ) -> Toward {
         if rt::Scalar::into_branch_condition(light.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_4 = (light.place.xyz() - position);
-            return <Toward>::new(toward_4.normalize(), (rt::Scalar(1f32) / toward_4.dot(toward_4).max(rt::Scalar(0.000001f32))));
+            let toward_5 = (light.place.xyz() - position);
+            return <Toward>::new(toward_5.normalize(), (rt::Scalar(1f32) / toward_5.dot(toward_5).max(rt::Scalar(0.000001f32))));
         }
         return <Toward>::new(light.place.xyz().normalize(), rt::Scalar(1f32));
     }
@@ -2095,53 +2095,105 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(
+    pub(crate) fn shadow_march(
         &self,
         at_4: Entered,
         hit_2: Hit,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_stage(at_4, hit_2, rt::into(toward_3)))
+        rt::into(self.v_shadow_march(at_4, hit_2, rt::into(toward_3), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(
+    fn v_shadow_march(
         &self,
         at_4: Entered,
         hit_2: Hit,
         toward_3: rt::Vec3<f32>,
+        params_11: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let _e8 = rt::Scalar(self.surface_settings.scale_m);
+        let rise_2 = (toward_3.dot(at_4.normal) / _e8);
+        if rt::Scalar::into_branch_condition(rise_2.elementwise_le(rt::Scalar(0f32))) {
+            return rt::Scalar(0f32);
+        }
+        let aside = <rt::Vec2<f32>>::from_scalars((toward_3.dot(at_4.tangent) / at_4.tangent.dot(at_4.tangent)), (toward_3.dot(at_4.bitangent) / at_4.bitangent.dot(at_4.bitangent)));
+        let way = ((rt::Scalar(1f32) - rt::Scalar(hit_2.height)) / rise_2);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e32 = k_4;
+                if rt::Scalar::into_branch_condition(_e32.elementwise_le(params_11.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e35 = k_4;
+                    let t_21 = ((way * _e35) / params_11.x());
+                    let _e45 = self.v_height_at((hit_2.uv + (aside * t_21)));
+                    if rt::Scalar::into_branch_condition((rt::Scalar(hit_2.height) + (rise_2 * t_21)).elementwise_lt(_e45)) {
+                        return rt::Scalar(0f32);
+                    }
+                    let _e48 = k_4;
+                    k_4 = (_e48 + rt::Scalar(1f32));
+                }
+            }
+        }
+        return rt::Scalar(1f32);
+    }
+    pub(crate) fn shadow_stage(
+        &self,
+        at_5: Entered,
+        hit_3: Hit,
+        toward_4: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_stage(at_5, hit_3, rt::into(toward_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_stage(
+        &self,
+        at_5: Entered,
+        hit_3: Hit,
+        toward_4: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
-            _ => {
+            0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_shadow_none(at_4, hit_2, toward_3, _e12);
+                let _e13 = self.v_shadow_none(at_5, hit_3, toward_4, _e12);
                 return _e13;
+            }
+            _ => {
+                let _e18 = self.surface_settings.choices[4usize].params;
+                let _e19 = self.v_shadow_march(at_5, hit_3, toward_4, _e18);
+                return _e19;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_5: Entered,
-        hit_3: Hit,
+        at_6: Entered,
+        hit_4: Hit,
         position_1: impl rt::Into<rt::Vec3<f32>>,
         normal_2: impl rt::Into<rt::Vec3<f32>>,
         view_2: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_5, hit_3, rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_2)))
+        rt::into(self.v_reflected_light(at_6, hit_4, rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_5: Entered,
-        hit_3: Hit,
+        at_6: Entered,
+        hit_4: Hit,
         position_1: rt::Vec3<f32>,
         normal_2: rt::Vec3<f32>,
         view_2: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut light_1: rt::Vec3<f32>;
-        let mut k_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_5: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let diffuse = (_e8.xyz() * color_2);
@@ -2149,25 +2201,25 @@ impl<'g> Resources<'g> {
         light_1 = (_e13.xyz() * diffuse);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_4;
+                let _e19 = k_5;
                 let _e22 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = k_4;
+                    let _e26 = k_5;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, position_1);
                     let _e31 = self.v_shade_stage(normal_2, view_2, _e29.direction, diffuse);
-                    let _e34 = self.v_shadow_stage(at_5, hit_3, _e29.direction);
+                    let _e34 = self.v_shadow_stage(at_6, hit_4, _e29.direction);
                     let arriving = (rt::Scalar(_e29.falloff) * _e34);
                     let _e36 = light_1;
-                    let _e39 = k_4;
+                    let _e39 = k_5;
                     let _e42 = self.frame.lights[rt::Scalar::into_array_index(_e39)].color;
                     light_1 = (_e36 + ((_e31 * _e42.xyz()) * arriving));
-                    let _e47 = k_4;
-                    k_4 = (_e47 + rt::Scalar(1u32));
+                    let _e47 = k_5;
+                    k_5 = (_e47 + rt::Scalar(1u32));
                 }
             }
         }
@@ -2177,15 +2229,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_23: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_23, rt::into(params_11)))
+        rt::into(self.v_search_cells(path_23, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_23: Path,
-        params_11: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2194,7 +2246,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_23);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_11.x().cast_elem_as_u32();
+        let limit_1 = params_12.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = reads_8;
@@ -2267,11 +2319,11 @@ impl<'g> Resources<'g> {
         let height = (_e8 - apex);
         let terms = (path_24.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_24.exit)) * path_24.h.z().abs()));
         let _e21 = self.v_path_slope(path_24, t_15);
-        let rise_2 = ((_e21 + (path_24.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let rise_3 = ((_e21 + (path_24.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_1;
-        if rt::Scalar::into_branch_condition(rise_2.elementwise_lt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height / (rt::Scalar(0f32) - rise_2)));
+            most = _e34.min((height / (rt::Scalar(0f32) - rise_3)));
         }
         let _e39 = most;
         let end_2 = (t_15 + _e39);
@@ -2281,8 +2333,8 @@ impl<'g> Resources<'g> {
         let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_2.x() + far_2.y())));
         let gap = (height - (rt::Scalar(2f32) * lost_1));
         let _e83 = self.v_height_size();
-        let aside = (((grid_5.origin - offset) + (grid_5.step * t_15)) / _e83);
-        let c_5 = (((slope_1 * aside.length()) - gap) * ((slope_1 * aside.length()) + gap));
+        let aside_1 = (((grid_5.origin - offset) + (grid_5.step * t_15)) / _e83);
+        let c_5 = (((slope_1 * aside_1.length()) - gap) * ((slope_1 * aside_1.length()) + gap));
         if rt::Scalar::into_branch_condition((!gap.elementwise_le(rt::Scalar(0f32)))) {
             local_12 = c_5.elementwise_ge(rt::Scalar(0f32));
         } else {
@@ -2292,8 +2344,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e100) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_1 * slope_1) * aside.dot(path_24.duv)) - (gap * rise_2));
-        let a_3 = (((slope_1 * slope_1) * path_24.duv.dot(path_24.duv)) - (rise_2 * rise_2));
+        let b_3 = (((slope_1 * slope_1) * aside_1.dot(path_24.duv)) - (gap * rise_3));
+        let a_3 = (((slope_1 * slope_1) * path_24.duv.dot(path_24.duv)) - (rise_3 * rise_3));
         let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -2310,7 +2362,7 @@ impl<'g> Resources<'g> {
         leave_3 = _e133.min(_e134);
         let _e137 = leave_3;
         let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_24.duv * _e137)).length()) + lost_1).elementwise_le((height + (rise_2 * _e143)))) {
+        if rt::Scalar::into_branch_condition(((slope_1 * (aside_1 + (path_24.duv * _e137)).length()) + lost_1).elementwise_le((height + (rise_3 * _e143)))) {
             let _e147 = leave_3;
             return _e147;
         }
@@ -2319,15 +2371,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_25: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_25, rt::into(params_12)))
+        rt::into(self.v_search_cone(path_25, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_25: Path,
-        params_12: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2338,7 +2390,7 @@ impl<'g> Resources<'g> {
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
-        let limit_2 = params_12.x().cast_elem_as_u32();
+        let limit_2 = params_13.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_9;
@@ -2360,11 +2412,11 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_9;
                     let _e43 = t_16;
-                    let at_9 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_9.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let above_1 = _e24.x().select(_e24.y(), at_9.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let below = _e24.z().select(_e24.w(), at_9.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let apex_1 = above_1.select(below, at_9.y().elementwise_ge(rt::Scalar(0.5f32)));
+                    let at_10 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_10.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let above_1 = _e24.x().select(_e24.y(), at_10.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let below = _e24.z().select(_e24.w(), at_10.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let apex_1 = above_1.select(below, at_10.y().elementwise_ge(rt::Scalar(0.5f32)));
                     let _e73 = t_16;
                     next_1 = _e73;
                     let _e75 = t_16;
@@ -2436,12 +2488,12 @@ impl<'g> Resources<'g> {
         lost: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let rise_3 = (slope_2 * speed.abs());
+        let rise_4 = (slope_2 * speed.abs());
         let gap_1 = ((above.x() + (slope_2 * left)) - lost);
         if rt::Scalar::into_branch_condition(gap_1.elementwise_le(rt::Scalar(0f32))) {
             return rt::Scalar(0f32);
         }
-        let closing_2 = ((rise_3 - above.y()) + (rt::Scalar(0.0000009536743f32) * (rise_3 + above.y().abs())));
+        let closing_2 = ((rise_4 - above.y()) + (rt::Scalar(0.0000009536743f32) * (rise_4 + above.y().abs())));
         if rt::Scalar::into_branch_condition(above.z().elementwise_ne(rt::Scalar(0f32))) {
             let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_1, (rt::Scalar(0f32) - closing_2), above.z()), span_3);
             return _e30;
@@ -2454,15 +2506,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_26: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_26, rt::into(params_13)))
+        rt::into(self.v_search_frustum(path_26, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_26: Path,
-        params_13: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2475,7 +2527,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
-        let limit_3 = params_13.x().cast_elem_as_u32();
+        let limit_3 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_10;
@@ -2539,8 +2591,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
                         let _e111 = cell_10;
                         let _e114 = t_17;
-                        let at_10 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_2 = at_10.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_10), forward_3);
+                        let at_11 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_2 = at_11.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_11), forward_3);
                         let _e126 = t_17;
                         let far_3 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e134 = slope_3;
@@ -2584,23 +2636,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_linear(
         &self,
         path_27: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_27, rt::into(params_14)))
+        rt::into(self.v_search_linear(path_27, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_27: Path,
-        params_14: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_1 = (path_27.h.y().abs() * path_27.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_14.x() * params_14.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
+        let steps = rt::Scalar(1f32).max((params_15.x() * params_15.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
         let _e22 = self.v_path_gap(path_27, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
@@ -2612,27 +2664,27 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = k_5;
+                let _e38 = k_6;
                 if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e41 = k_5;
-                    let t_21 = (rt::Scalar(path_27.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_27, t_21);
+                    let _e41 = k_6;
+                    let t_22 = (rt::Scalar(path_27.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_27, t_22);
                     let _e45 = reads_11;
                     reads_11 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_2;
                         let _e52 = near_gap_1;
                         let _e53 = reads_11;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_21, _e52, _e44, _e53);
+                        return <Found>::new(FOUND_BRACKET, _e51, t_22, _e52, _e44, _e53);
                     }
-                    near_2 = t_21;
+                    near_2 = t_22;
                     near_gap_1 = _e44;
-                    let _e55 = k_5;
-                    k_5 = (_e55 + rt::Scalar(1f32));
+                    let _e55 = k_6;
+                    k_6 = (_e55 + rt::Scalar(1f32));
                 }
             }
         }
@@ -2646,30 +2698,30 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_28: Path,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_28, rt::into(params_15)))
+        rt::into(self.v_search_none(path_28, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
         path_28: Path,
-        params_15: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
     pub(crate) fn search_pyramid(
         &self,
         path_29: Path,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_29, rt::into(params_16)))
+        rt::into(self.v_search_pyramid(path_29, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_29: Path,
-        params_16: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<i32> = rt::Scalar(0i32);
         let mut level_1: rt::Scalar<i32>;
@@ -2703,7 +2755,7 @@ impl<'g> Resources<'g> {
         level_1 = _e20;
         let _e23 = self.v_cell_of(_e2.origin);
         cell_11 = _e23.cast_elem_as_i32();
-        let limit_4 = params_16.x().cast_elem_as_u32();
+        let limit_4 = params_17.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e32 = reads_12;
@@ -2834,42 +2886,42 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_value(
         &self,
         path_30: Path,
-        at_6: Around,
+        at_7: Around,
         slice: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_slice_value(path_30, at_6, rt::into(slice)))
+        rt::into(self.v_slice_value(path_30, at_7, rt::into(slice)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_value(
         &self,
         path_30: Path,
-        at_6: Around,
+        at_7: Around,
         slice: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_6.columns.x(), at_6.rows.x()), slice, rt::Scalar(0i32));
-        let _e16 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_6.columns.y(), at_6.rows.x()), slice, rt::Scalar(0i32));
-        let _e23 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_6.columns.x(), at_6.rows.y()), slice, rt::Scalar(0i32));
-        let _e30 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_6.columns.y(), at_6.rows.y()), slice, rt::Scalar(0i32));
-        let _e32 = self.v_bilinear(_e9, _e16, _e23, _e30, at_6.part);
+        let _e9 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_7.columns.x(), at_7.rows.x()), slice, rt::Scalar(0i32));
+        let _e16 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_7.columns.y(), at_7.rows.x()), slice, rt::Scalar(0i32));
+        let _e23 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_7.columns.x(), at_7.rows.y()), slice, rt::Scalar(0i32));
+        let _e30 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_7.columns.y(), at_7.rows.y()), slice, rt::Scalar(0i32));
+        let _e32 = self.v_bilinear(_e9, _e16, _e23, _e30, at_7.part);
         return _e32.x();
     }
     pub(crate) fn search_sphere(
         &self,
         path_31: Path,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_31, rt::into(params_17)))
+        rt::into(self.v_search_sphere(path_31, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_31: Path,
-        params_17: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Found {
         let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let limit_5 = params_17.x().cast_elem_as_u32();
+        let limit_5 = params_18.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e8 = reads_13;
@@ -2958,51 +3010,51 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_7: Entered, hit_4: Hit) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_1, at_7, hit_4))
+    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_8: Entered, hit_5: Hit) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_1, at_8, hit_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_1: PixelIn, at_7: Entered, hit_4: Hit) -> PixelOut {
+    fn v_shade_hit(&self, pixel_1: PixelIn, at_8: Entered, hit_5: Hit) -> PixelOut {
         let mut local_20: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_7.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_20 = rt::Scalar(hit_4.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_8.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_20 = rt::Scalar(hit_5.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_20 = rt::Scalar(true);
         }
         let _e13 = local_20;
         if rt::Scalar::into_branch_condition(_e13) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_4.reads));
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_5.reads));
         }
-        let _e41 = self.v_height_at(hit_4.uv);
-        let aside_1 = (hit_4.uv - at_7.uv);
+        let _e41 = self.v_height_at(hit_5.uv);
+        let aside_2 = (hit_5.uv - at_8.uv);
         let _e57 = rt::Scalar(self.surface_settings.bias_m);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
-        let position_2 = (((at_7.point + (at_7.tangent * aside_1.x())) + (at_7.bitangent * aside_1.y())) + (at_7.normal * (_e57 + (_e60 * _e41))));
-        let _e66 = self.v_mesostructure_normal(at_7, hit_4.uv);
+        let position_2 = (((at_8.point + (at_8.tangent * aside_2.x())) + (at_8.bitangent * aside_2.y())) + (at_8.normal * (_e57 + (_e60 * _e41))));
+        let _e66 = self.v_mesostructure_normal(at_8, hit_5.uv);
         let _e69 = self.frame.eye;
         let view_3 = (_e69.xyz() - position_2).normalize();
-        let _e74 = self.v_color_or_white(hit_4.uv);
-        let _e75 = self.v_reflected_light(at_7, hit_4, position_2, _e66, view_3, _e74);
+        let _e74 = self.v_color_or_white(hit_5.uv);
+        let _e75 = self.v_reflected_light(at_8, hit_5, position_2, _e66, view_3, _e74);
         let _e78 = self.frame.eye;
         let _e83 = self.frame.forward;
         let depth = (position_2 - _e78.xyz()).dot(_e83.xyz());
         let _e87 = self.v_height_size();
-        let _e93 = self.v_cell_of(((hit_4.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_4.exhausted), hit_4.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_4.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_4.reads));
+        let _e93 = self.v_cell_of(((hit_5.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_5.exhausted), hit_5.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_5.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_5.reads));
     }
     pub(crate) fn surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_2, rt::into(params_18)))
+        rt::into(self.v_surface_plane(pixel_2, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_18: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut local_21: rt::Scalar<bool>;
@@ -3015,8 +3067,8 @@ impl<'g> Resources<'g> {
         let e2_ = (pixel_2.c.position - a_4);
         let n_6 = e1_.cross(e2_);
         let nn = n_6.dot(n_6);
-        let toward_5 = n_6.dot(pixel_2.direction);
-        let distance_1 = (n_6.dot((a_4 - pixel_2.origin)) / toward_5);
+        let toward_6 = n_6.dot(pixel_2.direction);
+        let distance_1 = (n_6.dot((a_4 - pixel_2.origin)) / toward_6);
         let point_5 = (pixel_2.origin + (pixel_2.direction * distance_1));
         let from_a = (point_5 - a_4);
         let wb = (from_a.cross(e2_).dot(n_6) / nn);

@@ -141,6 +141,8 @@ pub const MODULES: &[Module] = &[
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so that the
 // power is a product of squares and has the same bits everywhere.
 "# },
+    Module { path: "shadow/march", head: r#"// A search of its own: equal steps toward the light, until one is below the surface or above all of it.
+"# },
     Module { path: "shadow/none", head: r#"// No shadows.
 "# },
     Module { path: "roots/clear", head: r#"// Makes a part of what is traced empty again, so that the next surface begins with nothing: a triangle over all of the
@@ -2419,6 +2421,32 @@ const SPHERE_NEAR = 0.001;"#,
         return color * cosine + specular;
     }
     return vec3f(0.0, 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shadow/march",
+        name: "shadow_march",
+        sampling: None,
+        uses: &["Entered", "Hit", "height_at", "surface_settings"],
+        text: r#"fn shadow_march(at: Entered, hit: Hit, toward: vec3f, params: vec4f) -> f32 {
+    let rise = dot(toward, at.normal) / surface_settings.scale_m;
+    if (rise <= 0.0) {
+        return 0.0;
+    }
+    let aside = vec2f(
+        dot(toward, at.tangent) / dot(at.tangent, at.tangent),
+        dot(toward, at.bitangent) / dot(at.bitangent, at.bitangent),
+    );
+    let way = (1.0 - hit.height) / rise;
+    var k = 1.0;
+    while (k <= params.x) {
+        let t = way * k / params.x;
+        if (hit.height + rise * t < height_at(hit.uv + aside * t)) {
+            return 0.0;
+        }
+        k = k + 1.0;
+    }
+    return 1.0;
 }"#,
     },
     Declaration {

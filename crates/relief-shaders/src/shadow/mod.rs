@@ -2,7 +2,8 @@
 
 use relief_core::registry::Entry;
 
+mod march;
 mod none;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, march::ENTRY];
