@@ -396,6 +396,8 @@ pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
+pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(5u32);
@@ -419,6 +421,8 @@ pub(crate) struct Resources<'g> {
     pub(crate) search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(6)"]
     pub(crate) shadow_search_map: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(7)"]
+    pub(crate) shadow_texels: rt::MapTexture<'g>,
     #[doc = "group(0) binding(0)"]
     pub(crate) surface_settings: SurfaceSettings,
 }
@@ -499,10 +503,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_9 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
+        let at_10 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
         let z = (path.h.x() + (t_1 * (path.h.y() + (t_1 * path.h.z()))));
         let dz = (path.h.y() + ((rt::Scalar(2f32) * t_1) * path.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_9.x())) + (by * at_9.y())) + ((twist * at_9.x()) * at_9.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_9.x() * grid_1.step.y()) + (at_9.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_10.x())) + (by * at_10.y())) + ((twist * at_10.x()) * at_10.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_10.x() * grid_1.step.y()) + (at_10.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn wrap_index(
         &self,
@@ -744,9 +748,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e4 = self.surface_settings.height_size;
         let n_4 = _e4.cast_elem_as_i32();
-        let place_1 = texel_1.cast_elem_as_i32();
-        let _e9 = self.v_wrap_index(place_1.x(), n_4.x());
-        let _e12 = self.v_wrap_index(place_1.y(), n_4.y());
+        let place_2 = texel_1.cast_elem_as_i32();
+        let _e9 = self.v_wrap_index(place_2.x(), n_4.x());
+        let _e12 = self.v_wrap_index(place_2.y(), n_4.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e9, _e12);
         let _e17 = self.v_search_texel(path_3, wrapped, rt::Scalar(0i32), rt::Scalar(path_3.level).cast_elem_as_i32());
         let value = _e17.x();
@@ -1971,8 +1975,8 @@ impl<'g> Resources<'g> {
         position: rt::Vec3<f32>,
     ) -> Toward {
         if rt::Scalar::into_branch_condition(light.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_5 = (light.place.xyz() - position);
-            return <Toward>::new(toward_5.normalize(), (rt::Scalar(1f32) / toward_5.dot(toward_5).max(rt::Scalar(0.000001f32))));
+            let toward_6 = (light.place.xyz() - position);
+            return <Toward>::new(toward_6.normalize(), (rt::Scalar(1f32) / toward_6.dot(toward_6).max(rt::Scalar(0.000001f32))));
         }
         return <Toward>::new(light.place.xyz().normalize(), rt::Scalar(1f32));
     }
@@ -2142,58 +2146,145 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_stage(
+    pub(crate) fn shadow_texel(
+        &self,
+        place_1: impl rt::Into<rt::Vec2<i32>>,
+        layer_1: impl rt::Into<rt::Scalar<i32>>,
+        level_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_shadow_texel(rt::into(place_1), rt::into(layer_1), rt::into(level_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_texel(
+        &self,
+        place_1: rt::Vec2<i32>,
+        layer_1: rt::Scalar<i32>,
+        level_1: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_1));
+        let _e8 = self.surface_settings.maps[2usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
+    }
+    pub(crate) fn shadow_horizon(
         &self,
         at_5: Entered,
         hit_3: Hit,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_stage(at_5, hit_3, rt::into(toward_4)))
+        rt::into(self.v_shadow_horizon(at_5, hit_3, rt::into(toward_4), rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(
+    fn v_shadow_horizon(
         &self,
         at_5: Entered,
         hit_3: Hit,
         toward_4: rt::Vec3<f32>,
+        params_12: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut nearest: rt::Scalar<i32> = rt::Scalar(0i32);
+        let mut most: rt::Scalar<f32> = rt::Scalar(-2f32);
+        let mut azimuth: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
+        let mut k_5: rt::Scalar<i32> = rt::Scalar(0i32);
+
+        let x = toward_4.dot(at_5.tangent.normalize());
+        let y = toward_4.dot(at_5.bitangent.normalize());
+        'naga_break: loop {
+            'naga_continue: {
+                let _e20 = k_5;
+                if rt::Scalar::into_branch_condition(_e20.elementwise_lt(rt::Scalar(16i32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e24 = azimuth.x();
+                    let _e27 = azimuth.y();
+                    let along = ((x * _e24) + (y * _e27));
+                    let _e30 = most;
+                    if rt::Scalar::into_branch_condition(along.elementwise_gt(_e30)) {
+                        most = along;
+                        let _e32 = k_5;
+                        nearest = _e32;
+                    }
+                    let _e34 = azimuth.x();
+                    let _e38 = azimuth.y();
+                    let _e43 = azimuth.y();
+                    let _e47 = azimuth.x();
+                    let turned = <rt::Vec2<f32>>::from_scalars(((_e34 * rt::Scalar(0.9238795f32)) - (_e38 * rt::Scalar(0.38268343f32))), ((_e43 * rt::Scalar(0.9238795f32)) + (_e47 * rt::Scalar(0.38268343f32))));
+                    azimuth = turned;
+                    let _e52 = k_5;
+                    k_5 = (_e52 + rt::Scalar(1i32));
+                }
+            }
+        }
+        let _e57 = self.surface_settings.height_size;
+        let n_5 = _e57.cast_elem_as_i32();
+        let texel_3 = (hit_3.uv * n_5.cast_elem_as_f32()).floor().cast_elem_as_i32();
+        let _e66 = self.v_wrap_index(texel_3.x(), n_5.x());
+        let _e69 = self.v_wrap_index(texel_3.y(), n_5.y());
+        let place_3 = <rt::Vec2<i32>>::from_scalars(_e66, _e69);
+        let _e73 = nearest;
+        let _e75 = self.v_shadow_texel(place_3, _e73, rt::Scalar(0i32));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), toward_4.dot(at_5.normal).elementwise_gt(_e75.x()));
+    }
+    pub(crate) fn shadow_stage(
+        &self,
+        at_6: Entered,
+        hit_4: Hit,
+        toward_5: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_stage(at_6, hit_4, rt::into(toward_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_stage(
+        &self,
+        at_6: Entered,
+        hit_4: Hit,
+        toward_5: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_shadow_none(at_5, hit_3, toward_4, _e12);
+                let _e13 = self.v_shadow_none(at_6, hit_4, toward_5, _e12);
                 return _e13;
             }
-            _ => {
+            1u32 => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_shadow_march(at_5, hit_3, toward_4, _e18);
+                let _e19 = self.v_shadow_march(at_6, hit_4, toward_5, _e18);
                 return _e19;
+            }
+            _ => {
+                let _e24 = self.surface_settings.choices[4usize].params;
+                let _e25 = self.v_shadow_horizon(at_6, hit_4, toward_5, _e24);
+                return _e25;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_6: Entered,
-        hit_4: Hit,
+        at_7: Entered,
+        hit_5: Hit,
         position_1: impl rt::Into<rt::Vec3<f32>>,
         normal_2: impl rt::Into<rt::Vec3<f32>>,
         view_2: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_6, hit_4, rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_2)))
+        rt::into(self.v_reflected_light(at_7, hit_5, rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_6: Entered,
-        hit_4: Hit,
+        at_7: Entered,
+        hit_5: Hit,
         position_1: rt::Vec3<f32>,
         normal_2: rt::Vec3<f32>,
         view_2: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut light_1: rt::Vec3<f32>;
-        let mut k_5: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_6: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let diffuse = (_e8.xyz() * color_2);
@@ -2201,25 +2292,25 @@ impl<'g> Resources<'g> {
         light_1 = (_e13.xyz() * diffuse);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_5;
+                let _e19 = k_6;
                 let _e22 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = k_5;
+                    let _e26 = k_6;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, position_1);
                     let _e31 = self.v_shade_stage(normal_2, view_2, _e29.direction, diffuse);
-                    let _e34 = self.v_shadow_stage(at_6, hit_4, _e29.direction);
+                    let _e34 = self.v_shadow_stage(at_7, hit_5, _e29.direction);
                     let arriving = (rt::Scalar(_e29.falloff) * _e34);
                     let _e36 = light_1;
-                    let _e39 = k_5;
+                    let _e39 = k_6;
                     let _e42 = self.frame.lights[rt::Scalar::into_array_index(_e39)].color;
                     light_1 = (_e36 + ((_e31 * _e42.xyz()) * arriving));
-                    let _e47 = k_5;
-                    k_5 = (_e47 + rt::Scalar(1u32));
+                    let _e47 = k_6;
+                    k_6 = (_e47 + rt::Scalar(1u32));
                 }
             }
         }
@@ -2229,15 +2320,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_23: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_23, rt::into(params_12)))
+        rt::into(self.v_search_cells(path_23, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_23: Path,
-        params_12: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2246,7 +2337,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_23);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_12.x().cast_elem_as_u32();
+        let limit_1 = params_13.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = reads_8;
@@ -2310,7 +2401,7 @@ impl<'g> Resources<'g> {
         slope_1: rt::Scalar<f32>,
         t_15: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut most: rt::Scalar<f32>;
+        let mut most_1: rt::Scalar<f32>;
         let mut local_12: rt::Scalar<bool>;
         let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
@@ -2320,12 +2411,12 @@ impl<'g> Resources<'g> {
         let terms = (path_24.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_24.exit)) * path_24.h.z().abs()));
         let _e21 = self.v_path_slope(path_24, t_15);
         let rise_3 = ((_e21 + (path_24.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_1;
+        most_1 = rest_1;
         if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
-            let _e34 = most;
-            most = _e34.min((height / (rt::Scalar(0f32) - rise_3)));
+            let _e34 = most_1;
+            most_1 = _e34.min((height / (rt::Scalar(0f32) - rise_3)));
         }
-        let _e39 = most;
+        let _e39 = most_1;
         let end_2 = (t_15 + _e39);
         let _e51 = self.v_height_size();
         let far_2 = (((grid_5.origin.abs() + (grid_5.step.abs() * end_2)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
@@ -2358,7 +2449,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e133 = leave_3;
-        let _e134 = most;
+        let _e134 = most_1;
         leave_3 = _e133.min(_e134);
         let _e137 = leave_3;
         let _e143 = leave_3;
@@ -2371,15 +2462,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_25: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_25, rt::into(params_13)))
+        rt::into(self.v_search_cone(path_25, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_25: Path,
-        params_13: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2390,7 +2481,7 @@ impl<'g> Resources<'g> {
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
-        let limit_2 = params_13.x().cast_elem_as_u32();
+        let limit_2 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_9;
@@ -2412,25 +2503,25 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_9;
                     let _e43 = t_16;
-                    let at_10 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_10.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let above_1 = _e24.x().select(_e24.y(), at_10.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let below = _e24.z().select(_e24.w(), at_10.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let apex_1 = above_1.select(below, at_10.y().elementwise_ge(rt::Scalar(0.5f32)));
+                    let at_11 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_11.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let above_1 = _e24.x().select(_e24.y(), at_11.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let below = _e24.z().select(_e24.w(), at_11.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let apex_1 = above_1.select(below, at_11.y().elementwise_ge(rt::Scalar(0.5f32)));
                     let _e73 = t_16;
                     next_1 = _e73;
                     let _e75 = t_16;
                     let _e76 = self.v_path_height(path_25, _e75);
                     if rt::Scalar::into_branch_condition(_e76.elementwise_gt(apex_1)) {
                         let _e78 = cell_9;
-                        let texel_3 = (_e78 + corner);
-                        let _e80 = self.v_cone_slope(path_25, texel_3);
+                        let texel_4 = (_e78 + corner);
+                        let _e80 = self.v_cone_slope(path_25, texel_4);
                         let _e81 = reads_9;
                         reads_9 = (_e81 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e80.elementwise_ge(rt::Scalar(0f32))) {
                             let _e86 = t_16;
                             let _e87 = t_16;
-                            let _e88 = self.v_stays_inside(path_25, _e2, texel_3, apex_1, _e80, _e87);
+                            let _e88 = self.v_stays_inside(path_25, _e2, texel_4, apex_1, _e80, _e87);
                             next_1 = (_e86 + _e88);
                         }
                     }
@@ -2506,15 +2597,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_26: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_26, rt::into(params_14)))
+        rt::into(self.v_search_frustum(path_26, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_26: Path,
-        params_14: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2527,7 +2618,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
-        let limit_3 = params_14.x().cast_elem_as_u32();
+        let limit_3 = params_15.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_10;
@@ -2591,8 +2682,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
                         let _e111 = cell_10;
                         let _e114 = t_17;
-                        let at_11 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_2 = at_11.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_11), forward_3);
+                        let at_12 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_2 = at_12.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_12), forward_3);
                         let _e126 = t_17;
                         let far_3 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e134 = slope_3;
@@ -2636,23 +2727,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_linear(
         &self,
         path_27: Path,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_27, rt::into(params_15)))
+        rt::into(self.v_search_linear(path_27, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_27: Path,
-        params_15: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_7: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_1 = (path_27.h.y().abs() * path_27.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_15.x() * params_15.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
+        let steps = rt::Scalar(1f32).max((params_16.x() * params_16.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
         let _e22 = self.v_path_gap(path_27, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
@@ -2664,13 +2755,13 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = k_6;
+                let _e38 = k_7;
                 if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e41 = k_6;
+                    let _e41 = k_7;
                     let t_22 = (rt::Scalar(path_27.exit) * (_e41 / steps));
                     let _e44 = self.v_path_gap(path_27, t_22);
                     let _e45 = reads_11;
@@ -2683,8 +2774,8 @@ impl<'g> Resources<'g> {
                     }
                     near_2 = t_22;
                     near_gap_1 = _e44;
-                    let _e55 = k_6;
-                    k_6 = (_e55 + rt::Scalar(1f32));
+                    let _e55 = k_7;
+                    k_7 = (_e55 + rt::Scalar(1f32));
                 }
             }
         }
@@ -2698,33 +2789,33 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_28: Path,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_28, rt::into(params_16)))
+        rt::into(self.v_search_none(path_28, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
         path_28: Path,
-        params_16: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
     pub(crate) fn search_pyramid(
         &self,
         path_29: Path,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_29, rt::into(params_17)))
+        rt::into(self.v_search_pyramid(path_29, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_29: Path,
-        params_17: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<i32> = rt::Scalar(0i32);
-        let mut level_1: rt::Scalar<i32>;
+        let mut level_2: rt::Scalar<i32>;
         let mut cell_11: rt::Vec2<i32>;
         let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -2737,11 +2828,11 @@ impl<'g> Resources<'g> {
 
         let _e2 = self.v_grid_of(path_29);
         let _e5 = self.surface_settings.height_size;
-        let n_5 = _e5.cast_elem_as_i32();
+        let n_6 = _e5.cast_elem_as_i32();
         'naga_break: loop {
             'naga_continue: {
                 let _e9 = top;
-                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e9.cast_elem_as_u32()).elementwise_lt(n_5.x().max(n_5.y()))) {
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e9.cast_elem_as_u32()).elementwise_lt(n_6.x().max(n_6.y()))) {
                 } else {
                     break 'naga_break;
                 }
@@ -2752,10 +2843,10 @@ impl<'g> Resources<'g> {
             }
         }
         let _e20 = top;
-        level_1 = _e20;
+        level_2 = _e20;
         let _e23 = self.v_cell_of(_e2.origin);
         cell_11 = _e23.cast_elem_as_i32();
-        let limit_4 = params_17.x().cast_elem_as_u32();
+        let limit_4 = params_18.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e32 = reads_12;
@@ -2767,9 +2858,9 @@ impl<'g> Resources<'g> {
                     let _e34 = reads_12;
                     let first_5 = _e34.elementwise_eq(rt::Scalar(0u32));
                     let _e38 = cell_11.x();
-                    let _e40 = self.v_wrap_index(_e38, n_5.x());
+                    let _e40 = self.v_wrap_index(_e38, n_6.x());
                     let _e42 = cell_11.y();
-                    let _e44 = self.v_wrap_index(_e42, n_5.y());
+                    let _e44 = self.v_wrap_index(_e42, n_6.y());
                     let inside_1 = <rt::Vec2<i32>>::from_scalars(_e40, _e44);
                     let _e47 = cell_11.x();
                     if rt::Scalar::into_branch_condition((!_e47.elementwise_lt(rt::Scalar(0i32)))) {
@@ -2781,14 +2872,14 @@ impl<'g> Resources<'g> {
                     let _e58 = local_14;
                     if rt::Scalar::into_branch_condition((!_e58)) {
                         let _e63 = cell_11.x();
-                        local_15 = _e63.elementwise_ge(n_5.x());
+                        local_15 = _e63.elementwise_ge(n_6.x());
                     } else {
                         local_15 = rt::Scalar(true);
                     }
                     let _e67 = local_15;
                     if rt::Scalar::into_branch_condition((!_e67)) {
                         let _e72 = cell_11.y();
-                        local_16 = _e72.elementwise_ge(n_5.y());
+                        local_16 = _e72.elementwise_ge(n_6.y());
                     } else {
                         local_16 = rt::Scalar(true);
                     }
@@ -2801,18 +2892,18 @@ impl<'g> Resources<'g> {
                     }
                     let _e85 = local_17;
                     if rt::Scalar::into_branch_condition(_e85) {
-                        level_1 = rt::Scalar(0i32);
+                        level_2 = rt::Scalar(0i32);
                     }
-                    let _e87 = level_1;
+                    let _e87 = level_2;
                     let side_1 = (rt::Scalar(1i32) << _e87.cast_elem_as_u32());
-                    let _e92 = level_1;
-                    let _e96 = level_1;
+                    let _e92 = level_2;
+                    let _e96 = level_2;
                     let node = <rt::Vec2<i32>>::from_scalars((inside_1.x() >> _e92.cast_elem_as_u32()), (inside_1.y() >> _e96.cast_elem_as_u32()));
                     let _e100 = cell_11;
                     let low = (_e100 - (inside_1 - (node * side_1)));
                     let _e106 = cell_11;
-                    let high = (low + <rt::Vec2<i32>>::from_scalars(side_1, side_1)).min(((_e106 - inside_1) + n_5));
-                    let _e111 = level_1;
+                    let high = (low + <rt::Vec2<i32>>::from_scalars(side_1, side_1)).min(((_e106 - inside_1) + n_6));
+                    let _e111 = level_2;
                     let _e112 = self.v_search_texel(path_29, node, rt::Scalar(0i32), _e111);
                     let _e113 = reads_12;
                     reads_12 = (_e113 + rt::Scalar(1u32));
@@ -2835,15 +2926,15 @@ impl<'g> Resources<'g> {
                     }
                     let is_above = local_18;
                     if rt::Scalar::into_branch_condition((!is_above)) {
-                        let _e164 = level_1;
+                        let _e164 = level_2;
                         local_19 = _e164.elementwise_gt(rt::Scalar(0i32));
                     } else {
                         local_19 = rt::Scalar(false);
                     }
                     let _e168 = local_19;
                     if rt::Scalar::into_branch_condition(_e168) {
-                        let _e169 = level_1;
-                        level_1 = (_e169 - rt::Scalar(1i32));
+                        let _e169 = level_2;
+                        level_2 = (_e169 - rt::Scalar(1i32));
                         break 'naga_continue;
                     }
                     if rt::Scalar::into_branch_condition((!is_above)) {
@@ -2873,9 +2964,9 @@ impl<'g> Resources<'g> {
                     }
                     let _e225 = t_18;
                     t_18 = _e225.max(end_5);
-                    let _e227 = level_1;
+                    let _e227 = level_2;
                     let _e230 = top;
-                    level_1 = (_e227 + rt::Scalar(1i32)).min(_e230);
+                    level_2 = (_e227 + rt::Scalar(1i32)).min(_e230);
                 }
             }
         }
@@ -2886,42 +2977,42 @@ impl<'g> Resources<'g> {
     pub(crate) fn slice_value(
         &self,
         path_30: Path,
-        at_7: Around,
+        at_8: Around,
         slice: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_slice_value(path_30, at_7, rt::into(slice)))
+        rt::into(self.v_slice_value(path_30, at_8, rt::into(slice)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_slice_value(
         &self,
         path_30: Path,
-        at_7: Around,
+        at_8: Around,
         slice: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_7.columns.x(), at_7.rows.x()), slice, rt::Scalar(0i32));
-        let _e16 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_7.columns.y(), at_7.rows.x()), slice, rt::Scalar(0i32));
-        let _e23 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_7.columns.x(), at_7.rows.y()), slice, rt::Scalar(0i32));
-        let _e30 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_7.columns.y(), at_7.rows.y()), slice, rt::Scalar(0i32));
-        let _e32 = self.v_bilinear(_e9, _e16, _e23, _e30, at_7.part);
+        let _e9 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_8.columns.x(), at_8.rows.x()), slice, rt::Scalar(0i32));
+        let _e16 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_8.columns.y(), at_8.rows.x()), slice, rt::Scalar(0i32));
+        let _e23 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_8.columns.x(), at_8.rows.y()), slice, rt::Scalar(0i32));
+        let _e30 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_8.columns.y(), at_8.rows.y()), slice, rt::Scalar(0i32));
+        let _e32 = self.v_bilinear(_e9, _e16, _e23, _e30, at_8.part);
         return _e32.x();
     }
     pub(crate) fn search_sphere(
         &self,
         path_31: Path,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_31, rt::into(params_18)))
+        rt::into(self.v_search_sphere(path_31, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_31: Path,
-        params_18: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Found {
         let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let limit_5 = params_18.x().cast_elem_as_u32();
+        let limit_5 = params_19.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e8 = reads_13;
@@ -2936,11 +3027,11 @@ impl<'g> Resources<'g> {
                     let _e15 = self.v_texels_around(_e11, _e14);
                     let _e16 = t_19;
                     let _e17 = self.v_path_height(path_31, _e16);
-                    let level_2 = ((_e17 * rt::Scalar(32f32)) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), rt::Scalar(30.999f32));
-                    let slice_1 = level_2.cast_elem_as_i32();
+                    let level_3 = ((_e17 * rt::Scalar(32f32)) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), rt::Scalar(30.999f32));
+                    let slice_1 = level_3.cast_elem_as_i32();
                     let _e26 = self.v_slice_value(path_31, _e15, slice_1);
                     let _e29 = self.v_slice_value(path_31, _e15, (slice_1 + rt::Scalar(1i32)));
-                    let distance = (_e26 + ((_e29 - _e26) * (level_2 - slice_1.cast_elem_as_f32())));
+                    let distance = (_e26 + ((_e29 - _e26) * (level_3 - slice_1.cast_elem_as_f32())));
                     let _e35 = reads_13;
                     reads_13 = (_e35 + rt::Scalar(1u32));
                     let _e38 = t_19;
@@ -3010,51 +3101,51 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_8: Entered, hit_5: Hit) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_1, at_8, hit_5))
+    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_9: Entered, hit_6: Hit) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_1, at_9, hit_6))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_1: PixelIn, at_8: Entered, hit_5: Hit) -> PixelOut {
+    fn v_shade_hit(&self, pixel_1: PixelIn, at_9: Entered, hit_6: Hit) -> PixelOut {
         let mut local_20: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_8.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_20 = rt::Scalar(hit_5.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_9.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_20 = rt::Scalar(hit_6.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_20 = rt::Scalar(true);
         }
         let _e13 = local_20;
         if rt::Scalar::into_branch_condition(_e13) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_5.reads));
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_6.reads));
         }
-        let _e41 = self.v_height_at(hit_5.uv);
-        let aside_2 = (hit_5.uv - at_8.uv);
+        let _e41 = self.v_height_at(hit_6.uv);
+        let aside_2 = (hit_6.uv - at_9.uv);
         let _e57 = rt::Scalar(self.surface_settings.bias_m);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
-        let position_2 = (((at_8.point + (at_8.tangent * aside_2.x())) + (at_8.bitangent * aside_2.y())) + (at_8.normal * (_e57 + (_e60 * _e41))));
-        let _e66 = self.v_mesostructure_normal(at_8, hit_5.uv);
+        let position_2 = (((at_9.point + (at_9.tangent * aside_2.x())) + (at_9.bitangent * aside_2.y())) + (at_9.normal * (_e57 + (_e60 * _e41))));
+        let _e66 = self.v_mesostructure_normal(at_9, hit_6.uv);
         let _e69 = self.frame.eye;
         let view_3 = (_e69.xyz() - position_2).normalize();
-        let _e74 = self.v_color_or_white(hit_5.uv);
-        let _e75 = self.v_reflected_light(at_8, hit_5, position_2, _e66, view_3, _e74);
+        let _e74 = self.v_color_or_white(hit_6.uv);
+        let _e75 = self.v_reflected_light(at_9, hit_6, position_2, _e66, view_3, _e74);
         let _e78 = self.frame.eye;
         let _e83 = self.frame.forward;
         let depth = (position_2 - _e78.xyz()).dot(_e83.xyz());
         let _e87 = self.v_height_size();
-        let _e93 = self.v_cell_of(((hit_5.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_5.exhausted), hit_5.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_5.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_5.reads));
+        let _e93 = self.v_cell_of(((hit_6.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_6.exhausted), hit_6.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_6.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_6.reads));
     }
     pub(crate) fn surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_2, rt::into(params_19)))
+        rt::into(self.v_surface_plane(pixel_2, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_19: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut local_21: rt::Scalar<bool>;
@@ -3065,21 +3156,21 @@ impl<'g> Resources<'g> {
         let a_4 = pixel_2.a.position;
         let e1_ = (pixel_2.b.position - a_4);
         let e2_ = (pixel_2.c.position - a_4);
-        let n_6 = e1_.cross(e2_);
-        let nn = n_6.dot(n_6);
-        let toward_6 = n_6.dot(pixel_2.direction);
-        let distance_1 = (n_6.dot((a_4 - pixel_2.origin)) / toward_6);
+        let n_7 = e1_.cross(e2_);
+        let nn = n_7.dot(n_7);
+        let toward_7 = n_7.dot(pixel_2.direction);
+        let distance_1 = (n_7.dot((a_4 - pixel_2.origin)) / toward_7);
         let point_5 = (pixel_2.origin + (pixel_2.direction * distance_1));
         let from_a = (point_5 - a_4);
-        let wb = (from_a.cross(e2_).dot(n_6) / nn);
-        let wc = (e1_.cross(from_a).dot(n_6) / nn);
+        let wb = (from_a.cross(e2_).dot(n_7) / nn);
+        let wc = (e1_.cross(from_a).dot(n_7) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
         let uv_9 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
         let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
         let bitangent = (((pixel_2.a.bitangent * wa) + (pixel_2.b.bitangent * wb)) + (pixel_2.c.bitangent * wc));
         let normal_3 = ((((pixel_2.a.normal * wa) + (pixel_2.b.normal * wb)) + (pixel_2.c.normal * wc)).normalize() * rt::Scalar(pixel_2.side));
-        let along = pixel_2.direction.length();
-        let direction = (pixel_2.direction / rt::Vec3::splat_from_scalar(along));
+        let along_1 = pixel_2.direction.length();
+        let direction = (pixel_2.direction / rt::Vec3::splat_from_scalar(along_1));
         let tt = tangent.dot(tangent);
         let tb = tangent.dot(bitangent);
         let bb = bitangent.dot(bitangent);
@@ -3102,7 +3193,7 @@ impl<'g> Resources<'g> {
         let _e125 = rt::Scalar(self.surface_settings.bias_m);
         let base_height = ((rt::Scalar(0f32) - _e125) / scale);
         let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
-        let eye = ((rt::Scalar(0f32) - distance_1) * along);
+        let eye = ((rt::Scalar(0f32) - distance_1) * along_1);
         let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
         enter = top_5.max(eye);
         leave_4 = ((base_height * scale) / descent);
@@ -3191,6 +3282,7 @@ impl<'g> Resources<'g> {
             normal_map: bound.normal_map,
             search_map: bound.slot(crate::MapSlot::Search),
             shadow_search_map: bound.slot(crate::MapSlot::ShadowSearch),
+            shadow_texels: bound.slot(crate::MapSlot::Shadow),
             surface_settings: bound.surface_settings,
         }
     }

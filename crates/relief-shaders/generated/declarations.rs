@@ -141,6 +141,8 @@ pub const MODULES: &[Module] = &[
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so that the
 // power is a product of squares and has the same bits everywhere.
 "# },
+    Module { path: "shadow/horizon", head: r#"// Looked up: the sine of the horizon in sixteen azimuths, a layer each.
+"# },
     Module { path: "shadow/march", head: r#"// A search of its own: equal steps toward the light, until one is below the surface or above all of it.
 "# },
     Module { path: "shadow/none", head: r#"// No shadows.
@@ -2421,6 +2423,49 @@ const SPHERE_NEAR = 0.001;"#,
         return color * cosine + specular;
     }
     return vec3f(0.0, 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shadow/horizon",
+        name: "COS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Of a sixteenth of a turn.
+const COS = 0.9238795325;"#,
+    },
+    Declaration {
+        module: "shadow/horizon",
+        name: "SIN",
+        sampling: None,
+        uses: &[],
+        text: r#"const SIN = 0.3826834324;"#,
+    },
+    Declaration {
+        module: "shadow/horizon",
+        name: "shadow_horizon",
+        sampling: None,
+        uses: &["COS", "Entered", "Hit", "SIN", "shadow_texel", "surface_settings", "wrap_index"],
+        text: r#"fn shadow_horizon(at: Entered, hit: Hit, toward: vec3f, params: vec4f) -> f32 {
+    let x = dot(toward, normalize(at.tangent));
+    let y = dot(toward, normalize(at.bitangent));
+    var nearest = 0;
+    var most = -2.0;
+    var azimuth = vec2f(1.0, 0.0);
+    var k = 0;
+    while (k < 16) {
+        let along = x * azimuth.x + y * azimuth.y;
+        if (along > most) {
+            most = along;
+            nearest = k;
+        }
+        let turned = vec2f(azimuth.x * COS - azimuth.y * SIN, azimuth.y * COS + azimuth.x * SIN);
+        azimuth = turned;
+        k = k + 1;
+    }
+    let n = vec2i(surface_settings.height_size);
+    let texel = vec2i(floor(hit.uv * vec2f(n)));
+    let place = vec2i(wrap_index(texel.x, n.x), wrap_index(texel.y, n.y));
+    return select(0.0, 1.0, dot(toward, at.normal) > shadow_texel(place, nearest, 0).x);
 }"#,
     },
     Declaration {

@@ -2,8 +2,9 @@
 
 use relief_core::registry::Entry;
 
+mod horizon;
 mod march;
 mod none;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, march::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, march::ENTRY, horizon::ENTRY];
