@@ -321,7 +321,7 @@ impl PixelOut {
 /// What belongs to a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
-    pub choices: [Choice; 5],
+    pub choices: [Choice; 4],
     /// For each slot of baked maps.
     pub maps: [MapSettings; 5],
     pub diffuse: rt::Vec4<f32>,
@@ -339,7 +339,7 @@ pub struct SurfaceSettings {
 }
 impl SurfaceSettings {
     pub fn new(
-        choices: impl rt::Into<[Choice; 5]>,
+        choices: impl rt::Into<[Choice; 4]>,
         maps: impl rt::Into<[MapSettings; 5]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
@@ -396,11 +396,9 @@ pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
-pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
-#[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
-pub const STAGES: rt::Scalar<u32> = rt::Scalar(5u32);
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -421,8 +419,6 @@ pub(crate) struct Resources<'g> {
     pub(crate) search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(6)"]
     pub(crate) shadow_search_map: rt::MapTexture<'g>,
-    #[doc = "group(0) binding(7)"]
-    pub(crate) shadow_texels: rt::MapTexture<'g>,
     #[doc = "group(0) binding(0)"]
     pub(crate) surface_settings: SurfaceSettings,
 }
@@ -446,9 +442,9 @@ impl<'g> Resources<'g> {
         h11_: rt::Vec4<f32>,
         part: rt::Vec2<f32>,
     ) -> rt::Vec4<f32> {
-        let top_1 = (h00_ + ((h10_ - h00_) * part.x()));
+        let top = (h00_ + ((h10_ - h00_) * part.x()));
         let bottom = (h01_ + ((h11_ - h01_) * part.x()));
-        return (top_1 + ((bottom - top_1) * part.y()));
+        return (top + ((bottom - top) * part.y()));
     }
     pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
@@ -503,10 +499,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_10 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
+        let at_4 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
         let z = (path.h.x() + (t_1 * (path.h.y() + (t_1 * path.h.z()))));
         let dz = (path.h.y() + ((rt::Scalar(2f32) * t_1) * path.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_10.x())) + (by * at_10.y())) + ((twist * at_10.x()) * at_10.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_10.x() * grid_1.step.y()) + (at_10.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_4.x())) + (by * at_4.y())) + ((twist * at_4.x()) * at_4.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_4.x() * grid_1.step.y()) + (at_4.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn wrap_index(
         &self,
@@ -748,9 +744,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e4 = self.surface_settings.height_size;
         let n_4 = _e4.cast_elem_as_i32();
-        let place_2 = texel_1.cast_elem_as_i32();
-        let _e9 = self.v_wrap_index(place_2.x(), n_4.x());
-        let _e12 = self.v_wrap_index(place_2.y(), n_4.y());
+        let place_1 = texel_1.cast_elem_as_i32();
+        let _e9 = self.v_wrap_index(place_1.x(), n_4.x());
+        let _e12 = self.v_wrap_index(place_1.y(), n_4.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e9, _e12);
         let _e17 = self.v_search_texel(path_3, wrapped, rt::Scalar(0i32), rt::Scalar(path_3.level).cast_elem_as_i32());
         let value = _e17.x();
@@ -809,9 +805,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_2 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_2.elementwise_le(span)) {
-                return first_2;
+            let first_1 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_1.elementwise_le(span)) {
+                return first_1;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -1008,11 +1004,11 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_cell_of(point_3);
         let f = (point_3 - _e7);
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f.x()));
+        let top_1 = (_e10.x() + ((_e10.y() - _e10.x()) * f.x()));
         let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f.x()));
         let left_1 = (_e10.x() + ((_e10.z() - _e10.x()) * f.y()));
         let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_2 + ((bottom_1 - top_2) * f.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_2) * _e1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
     }
     pub(crate) fn height_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> f32 {
         rt::into(self.v_height_at(rt::into(uv_4)))
@@ -1024,9 +1020,9 @@ impl<'g> Resources<'g> {
         let _e7 = self.v_cell_of(point_4);
         let f_1 = (point_4 - _e7);
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_3 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
+        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
         let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
-        return (top_3 + ((bottom_2 - top_3) * f_1.y()));
+        return (top_2 + ((bottom_2 - top_2) * f_1.y()));
     }
     pub(crate) fn path_height(
         &self,
@@ -1132,31 +1128,6 @@ impl<'g> Resources<'g> {
         let a_2 = ((rt::Scalar(0f32) - x0_) / dx);
         let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
         return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
-    }
-    pub(crate) fn leaves_block(
-        &self,
-        origin: impl rt::Into<rt::Scalar<f32>>,
-        step: impl rt::Into<rt::Scalar<f32>>,
-        first_1: impl rt::Into<rt::Scalar<f32>>,
-        last: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_leaves_block(rt::into(origin), rt::into(step), rt::into(first_1), rt::into(last)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_leaves_block(
-        &self,
-        origin: rt::Scalar<f32>,
-        step: rt::Scalar<f32>,
-        first_1: rt::Scalar<f32>,
-        last: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(step.elementwise_gt(rt::Scalar(0f32))) {
-            return ((last - origin) / step);
-        }
-        if rt::Scalar::into_branch_condition(step.elementwise_lt(rt::Scalar(0f32))) {
-            return ((first_1 - origin) / step);
-        }
-        return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn normal_at(&self, uv_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_normal_at(rt::into(uv_5)))
@@ -1834,7 +1805,7 @@ impl<'g> Resources<'g> {
         params_8: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
-        let mut last_1: rt::Scalar<f32>;
+        let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut reads_7: rt::Scalar<u32>;
@@ -1846,7 +1817,7 @@ impl<'g> Resources<'g> {
             return _e5;
         }
         before = rt::Scalar(found_10.near);
-        last_1 = rt::Scalar(found_10.far);
+        last = rt::Scalar(found_10.far);
         before_gap = rt::Scalar(found_10.near_gap);
         last_gap = rt::Scalar(found_10.far_gap);
         reads_7 = rt::Scalar(found_10.reads);
@@ -1854,7 +1825,7 @@ impl<'g> Resources<'g> {
             let _e19 = before;
             let _e20 = self.v_path_gap(path_21, _e19);
             before_gap = _e20;
-            let _e21 = last_1;
+            let _e21 = last;
             let _e22 = self.v_path_gap(path_21, _e21);
             last_gap = _e22;
             let _e23 = reads_7;
@@ -1880,19 +1851,19 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e41 = last_1;
-                    let _e42 = last_1;
+                    let _e41 = last;
+                    let _e42 = last;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_20 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
-                    let _e52 = last_1;
+                    let t_18 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let _e52 = last;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last_1 = t_20;
+                    last = t_18;
                     let _e54 = k_3;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
-                        let _e57 = self.v_path_gap(path_21, t_20);
+                        let _e57 = self.v_path_gap(path_21, t_18);
                         last_gap = _e57;
                         let _e58 = reads_7;
                         reads_7 = (_e58 + rt::Scalar(1u32));
@@ -1902,7 +1873,7 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e64 = last_1;
+        let _e64 = last;
         let _e66 = reads_7;
         let _e67 = self.v_hit_on_path(path_21, _e64, rt::Scalar(0u32), _e66);
         return _e67;
@@ -1975,8 +1946,8 @@ impl<'g> Resources<'g> {
         position: rt::Vec3<f32>,
     ) -> Toward {
         if rt::Scalar::into_branch_condition(light.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_6 = (light.place.xyz() - position);
-            return <Toward>::new(toward_6.normalize(), (rt::Scalar(1f32) / toward_6.dot(toward_6).max(rt::Scalar(0.000001f32))));
+            let toward_2 = (light.place.xyz() - position);
+            return <Toward>::new(toward_2.normalize(), (rt::Scalar(1f32) / toward_2.dot(toward_2).max(rt::Scalar(0.000001f32))));
         }
         return <Toward>::new(light.place.xyz().normalize(), rt::Scalar(1f32));
     }
@@ -2080,255 +2051,67 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn shadow_none(
-        &self,
-        at_3: Entered,
-        hit_1: Hit,
-        toward_2: impl rt::Into<rt::Vec3<f32>>,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_none(at_3, hit_1, rt::into(toward_2), rt::into(params_10)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_none(
-        &self,
-        at_3: Entered,
-        hit_1: Hit,
-        toward_2: rt::Vec3<f32>,
-        params_10: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        return rt::Scalar(1f32);
-    }
-    pub(crate) fn shadow_march(
-        &self,
-        at_4: Entered,
-        hit_2: Hit,
-        toward_3: impl rt::Into<rt::Vec3<f32>>,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_march(at_4, hit_2, rt::into(toward_3), rt::into(params_11)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_march(
-        &self,
-        at_4: Entered,
-        hit_2: Hit,
-        toward_3: rt::Vec3<f32>,
-        params_11: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
-
-        let _e8 = rt::Scalar(self.surface_settings.scale_m);
-        let rise_2 = (toward_3.dot(at_4.normal) / _e8);
-        if rt::Scalar::into_branch_condition(rise_2.elementwise_le(rt::Scalar(0f32))) {
-            return rt::Scalar(0f32);
-        }
-        let aside = <rt::Vec2<f32>>::from_scalars((toward_3.dot(at_4.tangent) / at_4.tangent.dot(at_4.tangent)), (toward_3.dot(at_4.bitangent) / at_4.bitangent.dot(at_4.bitangent)));
-        let way = ((rt::Scalar(1f32) - rt::Scalar(hit_2.height)) / rise_2);
-        'naga_break: loop {
-            'naga_continue: {
-                let _e32 = k_4;
-                if rt::Scalar::into_branch_condition(_e32.elementwise_le(params_11.x())) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e35 = k_4;
-                    let t_21 = ((way * _e35) / params_11.x());
-                    let _e45 = self.v_height_at((hit_2.uv + (aside * t_21)));
-                    if rt::Scalar::into_branch_condition((rt::Scalar(hit_2.height) + (rise_2 * t_21)).elementwise_lt(_e45)) {
-                        return rt::Scalar(0f32);
-                    }
-                    let _e48 = k_4;
-                    k_4 = (_e48 + rt::Scalar(1f32));
-                }
-            }
-        }
-        return rt::Scalar(1f32);
-    }
-    pub(crate) fn shadow_texel(
-        &self,
-        place_1: impl rt::Into<rt::Vec2<i32>>,
-        layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_1: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_1), rt::into(layer_1), rt::into(level_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_texel(
-        &self,
-        place_1: rt::Vec2<i32>,
-        layer_1: rt::Scalar<i32>,
-        level_1: rt::Scalar<i32>,
-    ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_1));
-        let _e8 = self.surface_settings.maps[2usize];
-        let _e9 = self.v_decoded(_e4, _e8);
-        return _e9;
-    }
-    pub(crate) fn shadow_horizon(
-        &self,
-        at_5: Entered,
-        hit_3: Hit,
-        toward_4: impl rt::Into<rt::Vec3<f32>>,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_5, hit_3, rt::into(toward_4), rt::into(params_12)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_horizon(
-        &self,
-        at_5: Entered,
-        hit_3: Hit,
-        toward_4: rt::Vec3<f32>,
-        params_12: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut nearest: rt::Scalar<i32> = rt::Scalar(0i32);
-        let mut most: rt::Scalar<f32> = rt::Scalar(-2f32);
-        let mut azimuth: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(0f32));
-        let mut k_5: rt::Scalar<i32> = rt::Scalar(0i32);
-
-        let x = toward_4.dot(at_5.tangent.normalize());
-        let y = toward_4.dot(at_5.bitangent.normalize());
-        'naga_break: loop {
-            'naga_continue: {
-                let _e20 = k_5;
-                if rt::Scalar::into_branch_condition(_e20.elementwise_lt(rt::Scalar(16i32))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e24 = azimuth.x();
-                    let _e27 = azimuth.y();
-                    let along = ((x * _e24) + (y * _e27));
-                    let _e30 = most;
-                    if rt::Scalar::into_branch_condition(along.elementwise_gt(_e30)) {
-                        most = along;
-                        let _e32 = k_5;
-                        nearest = _e32;
-                    }
-                    let _e34 = azimuth.x();
-                    let _e38 = azimuth.y();
-                    let _e43 = azimuth.y();
-                    let _e47 = azimuth.x();
-                    let turned = <rt::Vec2<f32>>::from_scalars(((_e34 * rt::Scalar(0.9238795f32)) - (_e38 * rt::Scalar(0.38268343f32))), ((_e43 * rt::Scalar(0.9238795f32)) + (_e47 * rt::Scalar(0.38268343f32))));
-                    azimuth = turned;
-                    let _e52 = k_5;
-                    k_5 = (_e52 + rt::Scalar(1i32));
-                }
-            }
-        }
-        let _e57 = self.surface_settings.height_size;
-        let n_5 = _e57.cast_elem_as_i32();
-        let texel_3 = (hit_3.uv * n_5.cast_elem_as_f32()).floor().cast_elem_as_i32();
-        let _e66 = self.v_wrap_index(texel_3.x(), n_5.x());
-        let _e69 = self.v_wrap_index(texel_3.y(), n_5.y());
-        let place_3 = <rt::Vec2<i32>>::from_scalars(_e66, _e69);
-        let _e73 = nearest;
-        let _e75 = self.v_shadow_texel(place_3, _e73, rt::Scalar(0i32));
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), toward_4.dot(at_5.normal).elementwise_gt(_e75.x()));
-    }
-    pub(crate) fn shadow_stage(
-        &self,
-        at_6: Entered,
-        hit_4: Hit,
-        toward_5: impl rt::Into<rt::Vec3<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_stage(at_6, hit_4, rt::into(toward_5)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(
-        &self,
-        at_6: Entered,
-        hit_4: Hit,
-        toward_5: rt::Vec3<f32>,
-    ) -> rt::Scalar<f32> {
-        let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
-        match rt::Scalar::into_inner(_e7) {
-            0u32 => {
-                let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_shadow_none(at_6, hit_4, toward_5, _e12);
-                return _e13;
-            }
-            1u32 => {
-                let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_shadow_march(at_6, hit_4, toward_5, _e18);
-                return _e19;
-            }
-            _ => {
-                let _e24 = self.surface_settings.choices[4usize].params;
-                let _e25 = self.v_shadow_horizon(at_6, hit_4, toward_5, _e24);
-                return _e25;
-            }
-        }
-    }
     pub(crate) fn reflected_light(
         &self,
-        at_7: Entered,
-        hit_5: Hit,
         position_1: impl rt::Into<rt::Vec3<f32>>,
         normal_2: impl rt::Into<rt::Vec3<f32>>,
         view_2: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_7, hit_5, rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_2)))
+        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_7: Entered,
-        hit_5: Hit,
         position_1: rt::Vec3<f32>,
         normal_2: rt::Vec3<f32>,
         view_2: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut light_1: rt::Vec3<f32>;
-        let mut k_6: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e8 = self.surface_settings.diffuse;
-        let diffuse = (_e8.xyz() * color_2);
-        let _e13 = self.frame.ambient;
-        light_1 = (_e13.xyz() * diffuse);
+        let _e6 = self.surface_settings.diffuse;
+        let diffuse = (_e6.xyz() * color_2);
+        let _e11 = self.frame.ambient;
+        light_1 = (_e11.xyz() * diffuse);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_6;
-                let _e22 = rt::Scalar(self.frame.light_count);
-                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
+                let _e17 = k_4;
+                let _e20 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(_e20)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = k_6;
-                    let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
-                    let _e29 = self.v_toward_light(_e28, position_1);
-                    let _e31 = self.v_shade_stage(normal_2, view_2, _e29.direction, diffuse);
-                    let _e34 = self.v_shadow_stage(at_7, hit_5, _e29.direction);
-                    let arriving = (rt::Scalar(_e29.falloff) * _e34);
-                    let _e36 = light_1;
-                    let _e39 = k_6;
-                    let _e42 = self.frame.lights[rt::Scalar::into_array_index(_e39)].color;
-                    light_1 = (_e36 + ((_e31 * _e42.xyz()) * arriving));
-                    let _e47 = k_6;
-                    k_6 = (_e47 + rt::Scalar(1u32));
+                    let _e24 = k_4;
+                    let _e26 = self.frame.lights[rt::Scalar::into_array_index(_e24)];
+                    let _e27 = self.v_toward_light(_e26, position_1);
+                    let _e29 = self.v_shade_stage(normal_2, view_2, _e27.direction, diffuse);
+                    let _e30 = light_1;
+                    let _e33 = k_4;
+                    let _e36 = self.frame.lights[rt::Scalar::into_array_index(_e33)].color;
+                    light_1 = (_e30 + ((_e29 * _e36.xyz()) * rt::Scalar(_e27.falloff)));
+                    let _e42 = k_4;
+                    k_4 = (_e42 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e50 = light_1;
-        return _e50;
+        let _e45 = light_1;
+        return _e45;
     }
     pub(crate) fn search_cells(
         &self,
         path_23: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_23, rt::into(params_13)))
+        rt::into(self.v_search_cells(path_23, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_23: Path,
-        params_13: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2337,7 +2120,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_23);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_13.x().cast_elem_as_u32();
+        let limit_1 = params_10.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = reads_8;
@@ -2401,7 +2184,7 @@ impl<'g> Resources<'g> {
         slope_1: rt::Scalar<f32>,
         t_15: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut most_1: rt::Scalar<f32>;
+        let mut most: rt::Scalar<f32>;
         let mut local_12: rt::Scalar<bool>;
         let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
@@ -2410,13 +2193,13 @@ impl<'g> Resources<'g> {
         let height = (_e8 - apex);
         let terms = (path_24.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_24.exit)) * path_24.h.z().abs()));
         let _e21 = self.v_path_slope(path_24, t_15);
-        let rise_3 = ((_e21 + (path_24.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most_1 = rest_1;
-        if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
-            let _e34 = most_1;
-            most_1 = _e34.min((height / (rt::Scalar(0f32) - rise_3)));
+        let rise_2 = ((_e21 + (path_24.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_1;
+        if rt::Scalar::into_branch_condition(rise_2.elementwise_lt(rt::Scalar(0f32))) {
+            let _e34 = most;
+            most = _e34.min((height / (rt::Scalar(0f32) - rise_2)));
         }
-        let _e39 = most_1;
+        let _e39 = most;
         let end_2 = (t_15 + _e39);
         let _e51 = self.v_height_size();
         let far_2 = (((grid_5.origin.abs() + (grid_5.step.abs() * end_2)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
@@ -2424,8 +2207,8 @@ impl<'g> Resources<'g> {
         let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_2.x() + far_2.y())));
         let gap = (height - (rt::Scalar(2f32) * lost_1));
         let _e83 = self.v_height_size();
-        let aside_1 = (((grid_5.origin - offset) + (grid_5.step * t_15)) / _e83);
-        let c_5 = (((slope_1 * aside_1.length()) - gap) * ((slope_1 * aside_1.length()) + gap));
+        let aside = (((grid_5.origin - offset) + (grid_5.step * t_15)) / _e83);
+        let c_5 = (((slope_1 * aside.length()) - gap) * ((slope_1 * aside.length()) + gap));
         if rt::Scalar::into_branch_condition((!gap.elementwise_le(rt::Scalar(0f32)))) {
             local_12 = c_5.elementwise_ge(rt::Scalar(0f32));
         } else {
@@ -2435,8 +2218,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e100) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_1 * slope_1) * aside_1.dot(path_24.duv)) - (gap * rise_3));
-        let a_3 = (((slope_1 * slope_1) * path_24.duv.dot(path_24.duv)) - (rise_3 * rise_3));
+        let b_3 = (((slope_1 * slope_1) * aside.dot(path_24.duv)) - (gap * rise_2));
+        let a_3 = (((slope_1 * slope_1) * path_24.duv.dot(path_24.duv)) - (rise_2 * rise_2));
         let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -2449,11 +2232,11 @@ impl<'g> Resources<'g> {
             }
         }
         let _e133 = leave_3;
-        let _e134 = most_1;
+        let _e134 = most;
         leave_3 = _e133.min(_e134);
         let _e137 = leave_3;
         let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_1 * (aside_1 + (path_24.duv * _e137)).length()) + lost_1).elementwise_le((height + (rise_3 * _e143)))) {
+        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_24.duv * _e137)).length()) + lost_1).elementwise_le((height + (rise_2 * _e143)))) {
             let _e147 = leave_3;
             return _e147;
         }
@@ -2462,15 +2245,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_25: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_25, rt::into(params_14)))
+        rt::into(self.v_search_cone(path_25, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_25: Path,
-        params_14: rt::Vec4<f32>,
+        params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2481,7 +2264,7 @@ impl<'g> Resources<'g> {
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
-        let limit_2 = params_14.x().cast_elem_as_u32();
+        let limit_2 = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_9;
@@ -2491,7 +2274,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e19 = reads_9;
-                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let first_2 = _e19.elementwise_eq(rt::Scalar(0u32));
                     let _e22 = cell_9;
                     let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
                     let _e25 = reads_9;
@@ -2503,25 +2286,25 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_9;
                     let _e43 = t_16;
-                    let at_11 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_11.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let above_1 = _e24.x().select(_e24.y(), at_11.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let below = _e24.z().select(_e24.w(), at_11.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let apex_1 = above_1.select(below, at_11.y().elementwise_ge(rt::Scalar(0.5f32)));
+                    let at_5 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_5.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+                    let above_1 = _e24.x().select(_e24.y(), at_5.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let below = _e24.z().select(_e24.w(), at_5.x().elementwise_ge(rt::Scalar(0.5f32)));
+                    let apex_1 = above_1.select(below, at_5.y().elementwise_ge(rt::Scalar(0.5f32)));
                     let _e73 = t_16;
                     next_1 = _e73;
                     let _e75 = t_16;
                     let _e76 = self.v_path_height(path_25, _e75);
                     if rt::Scalar::into_branch_condition(_e76.elementwise_gt(apex_1)) {
                         let _e78 = cell_9;
-                        let texel_4 = (_e78 + corner);
-                        let _e80 = self.v_cone_slope(path_25, texel_4);
+                        let texel_3 = (_e78 + corner);
+                        let _e80 = self.v_cone_slope(path_25, texel_3);
                         let _e81 = reads_9;
                         reads_9 = (_e81 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e80.elementwise_ge(rt::Scalar(0f32))) {
                             let _e86 = t_16;
                             let _e87 = t_16;
-                            let _e88 = self.v_stays_inside(path_25, _e2, texel_4, apex_1, _e80, _e87);
+                            let _e88 = self.v_stays_inside(path_25, _e2, texel_3, apex_1, _e80, _e87);
                             next_1 = (_e86 + _e88);
                         }
                     }
@@ -2532,7 +2315,7 @@ impl<'g> Resources<'g> {
                         let _e94 = self.v_gap_to(path_25, _e2, _e92, _e24, _e93);
                         let _e95 = t_16;
                         let _e96 = reads_9;
-                        let _e97 = self.v_found_in_cell(_e94, _e95, span_6, first_3, _e96);
+                        let _e97 = self.v_found_in_cell(_e94, _e95, span_6, first_2, _e96);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e97.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e97;
                         }
@@ -2579,12 +2362,12 @@ impl<'g> Resources<'g> {
         lost: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let rise_4 = (slope_2 * speed.abs());
+        let rise_3 = (slope_2 * speed.abs());
         let gap_1 = ((above.x() + (slope_2 * left)) - lost);
         if rt::Scalar::into_branch_condition(gap_1.elementwise_le(rt::Scalar(0f32))) {
             return rt::Scalar(0f32);
         }
-        let closing_2 = ((rise_4 - above.y()) + (rt::Scalar(0.0000009536743f32) * (rise_4 + above.y().abs())));
+        let closing_2 = ((rise_3 - above.y()) + (rt::Scalar(0.0000009536743f32) * (rise_3 + above.y().abs())));
         if rt::Scalar::into_branch_condition(above.z().elementwise_ne(rt::Scalar(0f32))) {
             let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_1, (rt::Scalar(0f32) - closing_2), above.z()), span_3);
             return _e30;
@@ -2597,15 +2380,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_26: Path,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_26, rt::into(params_15)))
+        rt::into(self.v_search_frustum(path_26, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_26: Path,
-        params_15: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2618,7 +2401,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
-        let limit_3 = params_15.x().cast_elem_as_u32();
+        let limit_3 = params_12.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_10;
@@ -2628,7 +2411,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e19 = reads_10;
-                    let first_4 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
                     let _e22 = cell_10;
                     let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
                     let _e25 = reads_10;
@@ -2638,12 +2421,12 @@ impl<'g> Resources<'g> {
                     let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_26.exit));
                     let _e35 = t_17;
                     let span_7 = (end_4 - _e35).max(rt::Scalar(0f32));
-                    let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
+                    let top_3 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
                     let _e46 = t_17;
                     let _e47 = self.v_path_height(path_26, _e46);
                     let _e49 = t_17;
                     let _e50 = self.v_path_slope(path_26, _e49);
-                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_26.h.z());
+                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_3), _e50, path_26.h.z());
                     let _e57 = t_17;
                     let _e61 = t_17;
                     let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_26.h.x().abs() + (_e57 * (path_26.h.y().abs() + (_e61 * path_26.h.z().abs())))));
@@ -2673,7 +2456,7 @@ impl<'g> Resources<'g> {
                         let _e100 = self.v_gap_to(path_26, _e2, _e98, _e24, _e99);
                         let _e101 = t_17;
                         let _e102 = reads_10;
-                        let _e103 = self.v_found_in_cell(_e100, _e101, span_7, first_4, _e102);
+                        let _e103 = self.v_found_in_cell(_e100, _e101, span_7, first_3, _e102);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e103.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e103;
                         }
@@ -2682,8 +2465,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
                         let _e111 = cell_10;
                         let _e114 = t_17;
-                        let at_12 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_2 = at_12.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_12), forward_3);
+                        let at_6 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_2 = at_6.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_6), forward_3);
                         let _e126 = t_17;
                         let far_3 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e134 = slope_3;
@@ -2727,23 +2510,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_linear(
         &self,
         path_27: Path,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_27, rt::into(params_16)))
+        rt::into(self.v_search_linear(path_27, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_27: Path,
-        params_16: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut k_7: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_1 = (path_27.h.y().abs() * path_27.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_16.x() * params_16.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
+        let steps = rt::Scalar(1f32).max((params_13.x() * params_13.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
         let _e22 = self.v_path_gap(path_27, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
@@ -2755,27 +2538,27 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = k_7;
+                let _e38 = k_5;
                 if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e41 = k_7;
-                    let t_22 = (rt::Scalar(path_27.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_27, t_22);
+                    let _e41 = k_5;
+                    let t_19 = (rt::Scalar(path_27.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_27, t_19);
                     let _e45 = reads_11;
                     reads_11 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_2;
                         let _e52 = near_gap_1;
                         let _e53 = reads_11;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_22, _e52, _e44, _e53);
+                        return <Found>::new(FOUND_BRACKET, _e51, t_19, _e52, _e44, _e53);
                     }
-                    near_2 = t_22;
+                    near_2 = t_19;
                     near_gap_1 = _e44;
-                    let _e55 = k_7;
-                    k_7 = (_e55 + rt::Scalar(1f32));
+                    let _e55 = k_5;
+                    k_5 = (_e55 + rt::Scalar(1f32));
                 }
             }
         }
@@ -2789,366 +2572,100 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_28: Path,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_28, rt::into(params_17)))
+        rt::into(self.v_search_none(path_28, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
         path_28: Path,
-        params_17: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
-    pub(crate) fn search_pyramid(
-        &self,
-        path_29: Path,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_pyramid(path_29, rt::into(params_18)))
+    pub(crate) fn search_stage(&self, path_29: Path) -> Found {
+        rt::into(self.v_search_stage(path_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_pyramid(
-        &self,
-        path_29: Path,
-        params_18: rt::Vec4<f32>,
-    ) -> Found {
-        let mut top: rt::Scalar<i32> = rt::Scalar(0i32);
-        let mut level_2: rt::Scalar<i32>;
-        let mut cell_11: rt::Vec2<i32>;
-        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_14: rt::Scalar<bool>;
-        let mut local_15: rt::Scalar<bool>;
-        let mut local_16: rt::Scalar<bool>;
-        let mut local_17: rt::Scalar<bool>;
-        let mut local_18: rt::Scalar<bool>;
-        let mut local_19: rt::Scalar<bool>;
-
-        let _e2 = self.v_grid_of(path_29);
-        let _e5 = self.surface_settings.height_size;
-        let n_6 = _e5.cast_elem_as_i32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e9 = top;
-                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e9.cast_elem_as_u32()).elementwise_lt(n_6.x().max(n_6.y()))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e17 = top;
-                    top = (_e17 + rt::Scalar(1i32));
-                }
-            }
-        }
-        let _e20 = top;
-        level_2 = _e20;
-        let _e23 = self.v_cell_of(_e2.origin);
-        cell_11 = _e23.cast_elem_as_i32();
-        let limit_4 = params_18.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e32 = reads_12;
-                if rt::Scalar::into_branch_condition(_e32.elementwise_lt(limit_4)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e34 = reads_12;
-                    let first_5 = _e34.elementwise_eq(rt::Scalar(0u32));
-                    let _e38 = cell_11.x();
-                    let _e40 = self.v_wrap_index(_e38, n_6.x());
-                    let _e42 = cell_11.y();
-                    let _e44 = self.v_wrap_index(_e42, n_6.y());
-                    let inside_1 = <rt::Vec2<i32>>::from_scalars(_e40, _e44);
-                    let _e47 = cell_11.x();
-                    if rt::Scalar::into_branch_condition((!_e47.elementwise_lt(rt::Scalar(0i32)))) {
-                        let _e54 = cell_11.y();
-                        local_14 = _e54.elementwise_lt(rt::Scalar(0i32));
-                    } else {
-                        local_14 = rt::Scalar(true);
-                    }
-                    let _e58 = local_14;
-                    if rt::Scalar::into_branch_condition((!_e58)) {
-                        let _e63 = cell_11.x();
-                        local_15 = _e63.elementwise_ge(n_6.x());
-                    } else {
-                        local_15 = rt::Scalar(true);
-                    }
-                    let _e67 = local_15;
-                    if rt::Scalar::into_branch_condition((!_e67)) {
-                        let _e72 = cell_11.y();
-                        local_16 = _e72.elementwise_ge(n_6.y());
-                    } else {
-                        local_16 = rt::Scalar(true);
-                    }
-                    let is_out = local_16;
-                    if rt::Scalar::into_branch_condition(is_out) {
-                        let _e81 = rt::Scalar(self.surface_settings.wrap);
-                        local_17 = _e81.elementwise_ne(rt::Scalar(0u32));
-                    } else {
-                        local_17 = rt::Scalar(false);
-                    }
-                    let _e85 = local_17;
-                    if rt::Scalar::into_branch_condition(_e85) {
-                        level_2 = rt::Scalar(0i32);
-                    }
-                    let _e87 = level_2;
-                    let side_1 = (rt::Scalar(1i32) << _e87.cast_elem_as_u32());
-                    let _e92 = level_2;
-                    let _e96 = level_2;
-                    let node = <rt::Vec2<i32>>::from_scalars((inside_1.x() >> _e92.cast_elem_as_u32()), (inside_1.y() >> _e96.cast_elem_as_u32()));
-                    let _e100 = cell_11;
-                    let low = (_e100 - (inside_1 - (node * side_1)));
-                    let _e106 = cell_11;
-                    let high = (low + <rt::Vec2<i32>>::from_scalars(side_1, side_1)).min(((_e106 - inside_1) + n_6));
-                    let _e111 = level_2;
-                    let _e112 = self.v_search_texel(path_29, node, rt::Scalar(0i32), _e111);
-                    let _e113 = reads_12;
-                    reads_12 = (_e113 + rt::Scalar(1u32));
-                    let _e124 = self.v_leaves_block(_e2.origin.x(), _e2.step.x(), low.x().cast_elem_as_f32(), high.x().cast_elem_as_f32());
-                    let _e133 = self.v_leaves_block(_e2.origin.y(), _e2.step.y(), low.y().cast_elem_as_f32(), high.y().cast_elem_as_f32());
-                    let end_5 = _e124.min(_e133).min(rt::Scalar(path_29.exit));
-                    let _e137 = t_18;
-                    let span_8 = (end_5 - _e137).max(rt::Scalar(0f32));
-                    let _e141 = t_18;
-                    let _e142 = self.v_path_height(path_29, _e141);
-                    let _e145 = t_18;
-                    let _e146 = self.v_path_slope(path_29, _e145);
-                    let gap_2 = <rt::Vec3<f32>>::from_scalars((_e142 - _e112.y()), _e146, path_29.h.z());
-                    if rt::Scalar::into_branch_condition(gap_2.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e155 = self.v_least_at(gap_2, span_8);
-                        let _e156 = self.v_quadratic(gap_2, _e155);
-                        local_18 = _e156.elementwise_gt(rt::Scalar(0f32));
-                    } else {
-                        local_18 = rt::Scalar(false);
-                    }
-                    let is_above = local_18;
-                    if rt::Scalar::into_branch_condition((!is_above)) {
-                        let _e164 = level_2;
-                        local_19 = _e164.elementwise_gt(rt::Scalar(0i32));
-                    } else {
-                        local_19 = rt::Scalar(false);
-                    }
-                    let _e168 = local_19;
-                    if rt::Scalar::into_branch_condition(_e168) {
-                        let _e169 = level_2;
-                        level_2 = (_e169 - rt::Scalar(1i32));
-                        break 'naga_continue;
-                    }
-                    if rt::Scalar::into_branch_condition((!is_above)) {
-                        let _e173 = cell_11;
-                        let _e175 = t_18;
-                        let _e176 = self.v_cell_gap(path_29, _e2, _e173.cast_elem_as_f32(), _e175);
-                        let _e177 = t_18;
-                        let _e178 = reads_12;
-                        let _e179 = self.v_found_in_cell(_e176, _e177, span_8, first_5, _e178);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e179.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e179;
-                        }
-                    }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_29.exit))) {
-                        let _e186 = t_18;
-                        let _e188 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e186, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e188);
-                    }
-                    let _e196 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
-                    let near_3 = _e196.cast_elem_as_i32();
-                    cell_11 = near_3.clamp(low, (high - <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))));
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_le(end_5)) {
-                        cell_11.set_x((low.x() - rt::Scalar(1i32)).select(high.x(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
-                    }
-                    if rt::Scalar::into_branch_condition(_e133.elementwise_le(end_5)) {
-                        cell_11.set_y((low.y() - rt::Scalar(1i32)).select(high.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
-                    }
-                    let _e225 = t_18;
-                    t_18 = _e225.max(end_5);
-                    let _e227 = level_2;
-                    let _e230 = top;
-                    level_2 = (_e227 + rt::Scalar(1i32)).min(_e230);
-                }
-            }
-        }
-        let _e233 = t_18;
-        let _e235 = reads_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e233, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e235);
-    }
-    pub(crate) fn slice_value(
-        &self,
-        path_30: Path,
-        at_8: Around,
-        slice: impl rt::Into<rt::Scalar<i32>>,
-    ) -> f32 {
-        rt::into(self.v_slice_value(path_30, at_8, rt::into(slice)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_value(
-        &self,
-        path_30: Path,
-        at_8: Around,
-        slice: rt::Scalar<i32>,
-    ) -> rt::Scalar<f32> {
-        let _e9 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_8.columns.x(), at_8.rows.x()), slice, rt::Scalar(0i32));
-        let _e16 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_8.columns.y(), at_8.rows.x()), slice, rt::Scalar(0i32));
-        let _e23 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_8.columns.x(), at_8.rows.y()), slice, rt::Scalar(0i32));
-        let _e30 = self.v_search_texel(path_30, <rt::Vec2<i32>>::from_scalars(at_8.columns.y(), at_8.rows.y()), slice, rt::Scalar(0i32));
-        let _e32 = self.v_bilinear(_e9, _e16, _e23, _e30, at_8.part);
-        return _e32.x();
-    }
-    pub(crate) fn search_sphere(
-        &self,
-        path_31: Path,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_sphere(path_31, rt::into(params_19)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_sphere(
-        &self,
-        path_31: Path,
-        params_19: rt::Vec4<f32>,
-    ) -> Found {
-        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
-
-        let limit_5 = params_19.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e8 = reads_13;
-                if rt::Scalar::into_branch_condition(_e8.elementwise_lt(limit_5)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e10 = t_19;
-                    let _e11 = self.v_path_uv(path_31, _e10);
-                    let _e14 = self.surface_settings.height_size;
-                    let _e15 = self.v_texels_around(_e11, _e14);
-                    let _e16 = t_19;
-                    let _e17 = self.v_path_height(path_31, _e16);
-                    let level_3 = ((_e17 * rt::Scalar(32f32)) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), rt::Scalar(30.999f32));
-                    let slice_1 = level_3.cast_elem_as_i32();
-                    let _e26 = self.v_slice_value(path_31, _e15, slice_1);
-                    let _e29 = self.v_slice_value(path_31, _e15, (slice_1 + rt::Scalar(1i32)));
-                    let distance = (_e26 + ((_e29 - _e26) * (level_3 - slice_1.cast_elem_as_f32())));
-                    let _e35 = reads_13;
-                    reads_13 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = t_19;
-                    let _e39 = self.v_path_slope(path_31, _e38);
-                    if rt::Scalar::into_branch_condition(distance.elementwise_lt(rt::Scalar(0.001f32))) {
-                        let _e43 = t_19;
-                        let _e44 = t_19;
-                        let _e45 = reads_13;
-                        return <Found>::new(FOUND_BELOW, _e43, _e44, rt::Scalar(0f32), rt::Scalar(0f32), _e45);
-                    }
-                    let _e49 = t_19;
-                    t_19 = (_e49 + (distance / (path_31.duv.dot(path_31.duv) + (_e39 * _e39)).sqrt()));
-                    let _e58 = t_19;
-                    if rt::Scalar::into_branch_condition(_e58.elementwise_ge(rt::Scalar(path_31.exit))) {
-                        let _e62 = t_19;
-                        let _e64 = reads_13;
-                        return <Found>::new(FOUND_MISS, _e62, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e64);
-                    }
-                }
-            }
-        }
-        let _e69 = t_19;
-        let _e71 = reads_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e69, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e71);
-    }
-    pub(crate) fn search_stage(&self, path_32: Path) -> Found {
-        rt::into(self.v_search_stage(path_32))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_32: Path) -> Found {
+    fn v_search_stage(&self, path_29: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_search_none(path_32, _e10);
+                let _e11 = self.v_search_none(path_29, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_search_linear(path_32, _e16);
+                let _e17 = self.v_search_linear(path_29, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_search_cells(path_32, _e22);
+                let _e23 = self.v_search_cells(path_29, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_search_frustum(path_32, _e28);
+                let _e29 = self.v_search_frustum(path_29, _e28);
                 return _e29;
             }
-            4u32 => {
+            _ => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_search_cone(path_32, _e34);
+                let _e35 = self.v_search_cone(path_29, _e34);
                 return _e35;
             }
-            5u32 => {
-                let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_search_pyramid(path_32, _e40);
-                return _e41;
-            }
-            _ => {
-                let _e46 = self.surface_settings.choices[1usize].params;
-                let _e47 = self.v_search_sphere(path_32, _e46);
-                return _e47;
-            }
         }
     }
-    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_9: Entered, hit_6: Hit) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_1, at_9, hit_6))
+    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_1, at_3, hit_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_1: PixelIn, at_9: Entered, hit_6: Hit) -> PixelOut {
-        let mut local_20: rt::Scalar<bool>;
+    fn v_shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
+        let mut local_14: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_9.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_20 = rt::Scalar(hit_6.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_3.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_14 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_20 = rt::Scalar(true);
+            local_14 = rt::Scalar(true);
         }
-        let _e13 = local_20;
+        let _e13 = local_14;
         if rt::Scalar::into_branch_condition(_e13) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_6.reads));
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
         }
-        let _e41 = self.v_height_at(hit_6.uv);
-        let aside_2 = (hit_6.uv - at_9.uv);
+        let _e41 = self.v_height_at(hit_1.uv);
+        let aside_1 = (hit_1.uv - at_3.uv);
         let _e57 = rt::Scalar(self.surface_settings.bias_m);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
-        let position_2 = (((at_9.point + (at_9.tangent * aside_2.x())) + (at_9.bitangent * aside_2.y())) + (at_9.normal * (_e57 + (_e60 * _e41))));
-        let _e66 = self.v_mesostructure_normal(at_9, hit_6.uv);
+        let position_2 = (((at_3.point + (at_3.tangent * aside_1.x())) + (at_3.bitangent * aside_1.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
+        let _e66 = self.v_mesostructure_normal(at_3, hit_1.uv);
         let _e69 = self.frame.eye;
         let view_3 = (_e69.xyz() - position_2).normalize();
-        let _e74 = self.v_color_or_white(hit_6.uv);
-        let _e75 = self.v_reflected_light(at_9, hit_6, position_2, _e66, view_3, _e74);
+        let _e74 = self.v_color_or_white(hit_1.uv);
+        let _e75 = self.v_reflected_light(position_2, _e66, view_3, _e74);
         let _e78 = self.frame.eye;
         let _e83 = self.frame.forward;
         let depth = (position_2 - _e78.xyz()).dot(_e83.xyz());
         let _e87 = self.v_height_size();
-        let _e93 = self.v_cell_of(((hit_6.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_6.exhausted), hit_6.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_6.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_6.reads));
+        let _e93 = self.v_cell_of(((hit_1.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_1.exhausted), hit_1.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_1.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_1.reads));
     }
     pub(crate) fn surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_2, rt::into(params_20)))
+        rt::into(self.v_surface_plane(pixel_2, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_2: PixelIn,
-        params_20: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_21: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
@@ -3156,21 +2673,21 @@ impl<'g> Resources<'g> {
         let a_4 = pixel_2.a.position;
         let e1_ = (pixel_2.b.position - a_4);
         let e2_ = (pixel_2.c.position - a_4);
-        let n_7 = e1_.cross(e2_);
-        let nn = n_7.dot(n_7);
-        let toward_7 = n_7.dot(pixel_2.direction);
-        let distance_1 = (n_7.dot((a_4 - pixel_2.origin)) / toward_7);
-        let point_5 = (pixel_2.origin + (pixel_2.direction * distance_1));
+        let n_5 = e1_.cross(e2_);
+        let nn = n_5.dot(n_5);
+        let toward_3 = n_5.dot(pixel_2.direction);
+        let distance = (n_5.dot((a_4 - pixel_2.origin)) / toward_3);
+        let point_5 = (pixel_2.origin + (pixel_2.direction * distance));
         let from_a = (point_5 - a_4);
-        let wb = (from_a.cross(e2_).dot(n_7) / nn);
-        let wc = (e1_.cross(from_a).dot(n_7) / nn);
+        let wb = (from_a.cross(e2_).dot(n_5) / nn);
+        let wc = (e1_.cross(from_a).dot(n_5) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
         let uv_9 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
         let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
         let bitangent = (((pixel_2.a.bitangent * wa) + (pixel_2.b.bitangent * wb)) + (pixel_2.c.bitangent * wc));
         let normal_3 = ((((pixel_2.a.normal * wa) + (pixel_2.b.normal * wb)) + (pixel_2.c.normal * wc)).normalize() * rt::Scalar(pixel_2.side));
-        let along_1 = pixel_2.direction.length();
-        let direction = (pixel_2.direction / rt::Vec3::splat_from_scalar(along_1));
+        let along = pixel_2.direction.length();
+        let direction = (pixel_2.direction / rt::Vec3::splat_from_scalar(along));
         let tt = tangent.dot(tangent);
         let tb = tangent.dot(bitangent);
         let bb = bitangent.dot(bitangent);
@@ -3179,11 +2696,11 @@ impl<'g> Resources<'g> {
         let area_1 = ((tt * bb) - (tb * tb));
         let descent = (rt::Scalar(0f32) - normal_3.dot(direction));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_21 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
+            local_15 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_21 = rt::Scalar(true);
+            local_15 = rt::Scalar(true);
         }
-        let _e107 = local_21;
+        let _e107 = local_15;
         if rt::Scalar::into_branch_condition(_e107) {
             valid = rt::Scalar(0u32);
         }
@@ -3193,13 +2710,13 @@ impl<'g> Resources<'g> {
         let _e125 = rt::Scalar(self.surface_settings.bias_m);
         let base_height = ((rt::Scalar(0f32) - _e125) / scale);
         let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
-        let eye = ((rt::Scalar(0f32) - distance_1) * along_1);
-        let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
-        enter = top_5.max(eye);
+        let eye = ((rt::Scalar(0f32) - distance) * along);
+        let top_4 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
+        enter = top_4.max(eye);
         leave_4 = ((base_height * scale) / descent);
         let _e144 = leave_4;
         let _e145 = leave_4;
-        leave_4 = (_e144 + ((_e145 - top_5) * rt::Scalar(0.000001f32)));
+        leave_4 = (_e144 + ((_e145 - top_4) * rt::Scalar(0.000001f32)));
         let _e152 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
             let _e157 = enter;
@@ -3221,16 +2738,16 @@ impl<'g> Resources<'g> {
         }
         let _e175 = enter;
         let _e178 = enter;
-        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
+        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_4));
         let _e182 = enter;
         let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e188 = enter;
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_34 = <Path>::new((uv_9 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_31 = <Path>::new((uv_9 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_34, point_5, uv_9, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_31, point_5, uv_9, tangent, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_3))
@@ -3246,13 +2763,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn trace(&self, path_33: Path) -> Hit {
-        rt::into(self.v_trace(path_33))
+    pub(crate) fn trace(&self, path_30: Path) -> Hit {
+        rt::into(self.v_trace(path_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_33: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_33);
-        let _e2 = self.v_refine_stage(path_33, _e1);
+    fn v_trace(&self, path_30: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_30);
+        let _e2 = self.v_refine_stage(path_30, _e1);
         return _e2;
     }
     pub(crate) fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {
@@ -3282,7 +2799,6 @@ impl<'g> Resources<'g> {
             normal_map: bound.normal_map,
             search_map: bound.slot(crate::MapSlot::Search),
             shadow_search_map: bound.slot(crate::MapSlot::ShadowSearch),
-            shadow_texels: bound.slot(crate::MapSlot::Shadow),
             surface_settings: bound.surface_settings,
         }
     }

@@ -87,10 +87,6 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "search/none", head: r#"// No search: the entry and the exit, with nothing known of what lies between.
 "# },
-    Module { path: "search/pyramid", head: r#"// The pyramid of least and greatest heights: over nodes that the path stays above, down where it does not, and up again.
-"# },
-    Module { path: "search/sphere", head: r#"// Sphere tracing: as far as the field of distances, a volume, says that nothing is met.
-"# },
     Module { path: "refine/binary", head: r#"// Binary search: the interval is halved, keeping its near end above and its far end below the surface.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a search it starts
@@ -140,12 +136,6 @@ pub const MODULES: &[Module] = &[
 //
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so that the
 // power is a product of squares and has the same bits everywhere.
-"# },
-    Module { path: "shadow/horizon", head: r#"// Looked up: the sine of the horizon in sixteen azimuths, a layer each.
-"# },
-    Module { path: "shadow/march", head: r#"// A search of its own: equal steps toward the light, until one is below the surface or above all of it.
-"# },
-    Module { path: "shadow/none", head: r#"// No shadows.
 "# },
     Module { path: "roots/clear", head: r#"// Makes a part of what is traced empty again, so that the next surface begins with nothing: a triangle over all of the
 // picture, as far away as can be.
@@ -465,7 +455,7 @@ pub const DECLARATIONS: &[Declaration] = &[
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 5u;"#,
+        text: r#"const STAGES = 4u;"#,
     },
     Declaration {
         module: "constants",
@@ -1165,18 +1155,17 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "reflected_light",
         sampling: None,
-        uses: &["Entered", "Hit", "frame", "shade_stage", "shadow_stage", "surface_settings", "toward_light"],
+        uses: &["frame", "shade_stage", "surface_settings", "toward_light"],
         text: r#"// The light that a point reflects along `view`, toward the eye, in linear RGB: the ambient part, and light by light what
 // the shading makes of it.
-fn reflected_light(at: Entered, hit: Hit, position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
+fn reflected_light(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
     let diffuse = surface_settings.diffuse.xyz * color;
     var light = frame.ambient.xyz * diffuse;
     var k = 0u;
     while (k < frame.light_count) {
         let toward = toward_light(frame.lights[k], position);
         let reflected = shade_stage(normal, view, toward.direction, diffuse);
-        let arriving = toward.falloff * shadow_stage(at, hit, toward.direction);
-        light = light + reflected * frame.lights[k].color.xyz * arriving;
+        light = light + reflected * frame.lights[k].color.xyz * toward.falloff;
         k = k + 1u;
     }
     return light;
@@ -1210,7 +1199,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
         + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height);
     let normal = mesostructure_normal(at, hit.uv);
     let view = normalize(frame.eye.xyz - position);
-    let color = reflected_light(at, hit, position, normal, view, color_or_white(hit.uv));
+    let color = reflected_light(position, normal, view, color_or_white(hit.uv));
     let depth = dot(position - frame.eye.xyz, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size() - vec2f(0.5, 0.5));
     return PixelOut(
@@ -1984,144 +1973,6 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
 }"#,
     },
     Declaration {
-        module: "search/pyramid",
-        name: "leaves_block",
-        sampling: None,
-        uses: &["NEVER"],
-        text: r#"// When the path leaves a block of cells along one axis.
-fn leaves_block(origin: f32, step: f32, first: f32, last: f32) -> f32 {
-    if (step > 0.0) {
-        return (last - origin) / step;
-    }
-    if (step < 0.0) {
-        return (first - origin) / step;
-    }
-    return NEVER;
-}"#,
-    },
-    Declaration {
-        module: "search/pyramid",
-        name: "search_pyramid",
-        sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_gap", "cell_of", "found_in_cell", "grid_of", "least_at", "leaves_block", "path_height", "path_slope", "quadratic", "search_texel", "surface_settings", "wrap_index"],
-        text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
-    let grid = grid_of(path);
-    let n = vec2i(surface_settings.height_size);
-    var top = 0;
-    while ((1 << u32(top)) < max(n.x, n.y)) {
-        top = top + 1;
-    }
-    var level = top;
-    var cell = vec2i(cell_of(grid.origin));
-    var t = 0.0;
-    var reads = 0u;
-    let limit = u32(params.x);
-    while (reads < limit) {
-        let first = reads == 0u;
-        let inside = vec2i(wrap_index(cell.x, n.x), wrap_index(cell.y, n.y));
-        let is_out = cell.x < 0 || cell.y < 0 || cell.x >= n.x || cell.y >= n.y;
-        if (is_out && surface_settings.wrap != 0u) {
-            level = 0;
-        }
-        let side = 1 << u32(level);
-        let node = vec2i(inside.x >> u32(level), inside.y >> u32(level));
-        let low = cell - (inside - node * side);
-        let high = min(low + vec2i(side, side), cell - inside + n);
-        let bounds = search_texel(path, node, 0, level);
-        reads = reads + 1u;
-        let leave_x = leaves_block(grid.origin.x, grid.step.x, f32(low.x), f32(high.x));
-        let leave_y = leaves_block(grid.origin.y, grid.step.y, f32(low.y), f32(high.y));
-        let end = min(min(leave_x, leave_y), path.exit);
-        let span = max(end - t, 0.0);
-        let gap = vec3f(path_height(path, t) - bounds.y, path_slope(path, t), path.h.z);
-        let is_above = gap.x > 0.0 && quadratic(gap, least_at(gap, span)) > 0.0;
-        if (!is_above && level > 0) {
-            level = level - 1;
-            continue;
-        }
-        if (!is_above) {
-            let found = found_in_cell(cell_gap(path, grid, vec2f(cell), t), t, span, first, reads);
-            if (found.status != FOUND_ABOVE) {
-                return found;
-            }
-        }
-        if (end >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
-        }
-        let near = vec2i(cell_of(grid.origin + grid.step * end));
-        cell = clamp(near, low, high - vec2i(1, 1));
-        if (leave_x <= end) {
-            cell.x = select(low.x - 1, high.x, grid.step.x > 0.0);
-        }
-        if (leave_y <= end) {
-            cell.y = select(low.y - 1, high.y, grid.step.y > 0.0);
-        }
-        t = max(t, end);
-        level = min(level + 1, top);
-    }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
-}"#,
-    },
-    Declaration {
-        module: "search/sphere",
-        name: "SPHERE_SLICES",
-        sampling: None,
-        uses: &[],
-        text: r#"const SPHERE_SLICES = 32;"#,
-    },
-    Declaration {
-        module: "search/sphere",
-        name: "SPHERE_NEAR",
-        sampling: None,
-        uses: &[],
-        text: r#"// Distances below this, in tiles, are hits.
-const SPHERE_NEAR = 0.001;"#,
-    },
-    Declaration {
-        module: "search/sphere",
-        name: "slice_value",
-        sampling: None,
-        uses: &["Around", "Path", "bilinear", "search_texel"],
-        text: r#"fn slice_value(path: Path, at: Around, slice: i32) -> f32 {
-    return bilinear(
-        search_texel(path, vec2i(at.columns.x, at.rows.x), slice, 0),
-        search_texel(path, vec2i(at.columns.y, at.rows.x), slice, 0),
-        search_texel(path, vec2i(at.columns.x, at.rows.y), slice, 0),
-        search_texel(path, vec2i(at.columns.y, at.rows.y), slice, 0),
-        at.part,
-    ).x;
-}"#,
-    },
-    Declaration {
-        module: "search/sphere",
-        name: "search_sphere",
-        sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "SPHERE_NEAR", "SPHERE_SLICES", "path_height", "path_slope", "path_uv", "slice_value", "surface_settings", "texels_around"],
-        text: r#"fn search_sphere(path: Path, params: vec4f) -> Found {
-    var t = 0.0;
-    var reads = 0u;
-    let limit = u32(params.x);
-    while (reads < limit) {
-        let at = texels_around(path_uv(path, t), surface_settings.height_size);
-        let level = clamp(path_height(path, t) * f32(SPHERE_SLICES) - 0.5, 0.0, f32(SPHERE_SLICES) - 1.001);
-        let slice = i32(level);
-        let below = slice_value(path, at, slice);
-        let above = slice_value(path, at, slice + 1);
-        let distance = below + (above - below) * (level - f32(slice));
-        reads = reads + 1u;
-        let rise = path_slope(path, t);
-        if (distance < SPHERE_NEAR) {
-            return Found(FOUND_BELOW, t, t, 0.0, 0.0, reads);
-        }
-        t = t + distance / sqrt(dot(path.duv, path.duv) + rise * rise);
-        if (t >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
-        }
-    }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
-}"#,
-    },
-    Declaration {
         module: "refine/binary",
         name: "refine_binary",
         sampling: None,
@@ -2423,84 +2274,6 @@ const SPHERE_NEAR = 0.001;"#,
         return color * cosine + specular;
     }
     return vec3f(0.0, 0.0, 0.0);
-}"#,
-    },
-    Declaration {
-        module: "shadow/horizon",
-        name: "COS",
-        sampling: None,
-        uses: &[],
-        text: r#"// Of a sixteenth of a turn.
-const COS = 0.9238795325;"#,
-    },
-    Declaration {
-        module: "shadow/horizon",
-        name: "SIN",
-        sampling: None,
-        uses: &[],
-        text: r#"const SIN = 0.3826834324;"#,
-    },
-    Declaration {
-        module: "shadow/horizon",
-        name: "shadow_horizon",
-        sampling: None,
-        uses: &["COS", "Entered", "Hit", "SIN", "shadow_texel", "surface_settings", "wrap_index"],
-        text: r#"fn shadow_horizon(at: Entered, hit: Hit, toward: vec3f, params: vec4f) -> f32 {
-    let x = dot(toward, normalize(at.tangent));
-    let y = dot(toward, normalize(at.bitangent));
-    var nearest = 0;
-    var most = -2.0;
-    var azimuth = vec2f(1.0, 0.0);
-    var k = 0;
-    while (k < 16) {
-        let along = x * azimuth.x + y * azimuth.y;
-        if (along > most) {
-            most = along;
-            nearest = k;
-        }
-        let turned = vec2f(azimuth.x * COS - azimuth.y * SIN, azimuth.y * COS + azimuth.x * SIN);
-        azimuth = turned;
-        k = k + 1;
-    }
-    let n = vec2i(surface_settings.height_size);
-    let texel = vec2i(floor(hit.uv * vec2f(n)));
-    let place = vec2i(wrap_index(texel.x, n.x), wrap_index(texel.y, n.y));
-    return select(0.0, 1.0, dot(toward, at.normal) > shadow_texel(place, nearest, 0).x);
-}"#,
-    },
-    Declaration {
-        module: "shadow/march",
-        name: "shadow_march",
-        sampling: None,
-        uses: &["Entered", "Hit", "height_at", "surface_settings"],
-        text: r#"fn shadow_march(at: Entered, hit: Hit, toward: vec3f, params: vec4f) -> f32 {
-    let rise = dot(toward, at.normal) / surface_settings.scale_m;
-    if (rise <= 0.0) {
-        return 0.0;
-    }
-    let aside = vec2f(
-        dot(toward, at.tangent) / dot(at.tangent, at.tangent),
-        dot(toward, at.bitangent) / dot(at.bitangent, at.bitangent),
-    );
-    let way = (1.0 - hit.height) / rise;
-    var k = 1.0;
-    while (k <= params.x) {
-        let t = way * k / params.x;
-        if (hit.height + rise * t < height_at(hit.uv + aside * t)) {
-            return 0.0;
-        }
-        k = k + 1.0;
-    }
-    return 1.0;
-}"#,
-    },
-    Declaration {
-        module: "shadow/none",
-        name: "shadow_none",
-        sampling: None,
-        uses: &["Entered", "Hit"],
-        text: r#"fn shadow_none(at: Entered, hit: Hit, toward: vec3f, params: vec4f) -> f32 {
-    return 1.0;
 }"#,
     },
     Declaration {

@@ -20,7 +20,6 @@ pub mod refine;
 pub mod search;
 mod selection;
 pub mod shade;
-pub mod shadow;
 mod slots;
 mod stages;
 pub mod surface;

@@ -3,7 +3,7 @@
 use relief_core::registry::{Entry, RayClass};
 
 use crate::slots::MapSlot;
-use crate::{refine, search, shade, shadow, surface};
+use crate::{refine, search, shade, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
@@ -31,7 +31,7 @@ pub struct Stage {
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub const STAGES: [Stage; 5] = [
+pub const STAGES: [Stage; 4] = [
     Stage {
         key: "surface",
         title: "surface",
@@ -70,16 +70,6 @@ pub const STAGES: [Stage; 5] = [
         inputs: &[("normal", "vec3f"), ("view", "vec3f"), ("toward", "vec3f"), ("color", "vec3f")],
         returns: "vec3f",
         slot: None,
-        rays: &[],
-    },
-    Stage {
-        key: "shadow",
-        title: "shadow",
-        plural: "shadows",
-        entries: shadow::ENTRIES,
-        inputs: &[("at", "Entered"), ("hit", "Hit"), ("toward", "vec3f")],
-        returns: "f32",
-        slot: Some(MapSlot::Shadow),
         rays: &[],
     },
 ];

@@ -10,9 +10,6 @@ mod cone;
 mod frustum;
 mod linear;
 mod none;
-mod pyramid;
-mod sphere;
 
 /// All of them.
-pub const ENTRIES: &[Entry] =
-    &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY, cone::ENTRY, pyramid::ENTRY, sphere::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, linear::ENTRY, cells::ENTRY, frustum::ENTRY, cone::ENTRY];
