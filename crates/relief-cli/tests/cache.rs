@@ -3,7 +3,10 @@
 mod common;
 
 use std::path::{Path, PathBuf};
+#[cfg(unix)]
+use std::process::Command;
 use std::process::Stdio;
+use std::time::Instant;
 
 use common::command::{Folder, Ran};
 use common::maps::Map;
@@ -192,6 +195,62 @@ fn several_processes_at_once_all_finish_and_leave_one_whole_file() {
     assert!(pictures.iter().all(|picture| *picture == pictures[0]));
     assert_eq!(files(&folder.path("kept")).len(), 1);
     assert_eq!(json(&folder, "one.png", "--cache kept")["from"], "cache");
+}
+
+/// Bytes of everything in a folder.
+fn held(folder: &Path) -> u64 {
+    files(folder).iter().filter_map(|file| file.metadata().ok()).map(|about| about.len()).sum()
+}
+
+#[test]
+fn killed_processes_leave_nothing_over_and_nothing_wrong() {
+    const LIMIT: u64 = 1_500_000;
+    let folder = Folder::new();
+    for (name, step) in [("one.png", 700), ("two.png", 900)] {
+        let map = Map::new(256, 256, |x, y| ((x * step + y * 1100 + (x * y) % 11 * 2000) % 65_536) as u16);
+        folder.write(name, map.png());
+    }
+    let flags = format!("--cache kept --cache-size {LIMIT}");
+    json(&folder, "one.png", "--no-cache");
+    let right = picture(&folder);
+    let started = Instant::now();
+    json(&folder, "two.png", "--no-cache");
+    let whole = started.elapsed();
+    // Of the two maps the folder holds one only, so that each run writes, and removes the other's.
+    let mut state = 1u32;
+    for round in 0..20 {
+        let words = line(["one.png", "two.png"][round % 2], &flags);
+        let mut run = folder.command().args(words.split_ascii_whitespace()).stdout(Stdio::null()).spawn();
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        std::thread::sleep(whole.mul_f64(1.2 * f64::from(state) / f64::from(u32::MAX)));
+        let run = run.as_mut().expect("the command starts");
+        run.kill().expect("it is ours");
+        run.wait().expect("it ends");
+        assert!(held(&folder.path("kept")) <= LIMIT, "round {round}");
+    }
+    json(&folder, "one.png", &flags);
+    assert!(picture(&folder) == right);
+    assert_eq!(json(&folder, "one.png", &flags)["from"], "cache");
+    assert!(picture(&folder) == right);
+    assert_eq!(files(&folder.path("kept")).len(), 1);
+    assert!(held(&folder.path("kept")) <= LIMIT);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_disk_that_fills_up_is_noted_and_leaves_nothing() {
+    let folder = room();
+    json(&folder, "one.png", "--no-cache");
+    let right = picture(&folder);
+    // No file may grow beyond 16 blocks of 512 bytes: the picture fits, the map does not.
+    let line = line("one.png", "--json --cache kept");
+    let script = format!("trap '' XFSZ; ulimit -f 16; exec {} {line}", env!("CARGO_BIN_EXE_relief"));
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &script]).current_dir(folder.path("")).stdin(Stdio::null());
+    let about = map_of(Ran::new(&line, &shell.output().expect("a shell")).fine());
+    assert!(about["from"] == "bake" && about["file"].is_null() && about["note"].is_string(), "{about}");
+    assert!(picture(&folder) == right);
+    assert_eq!(files(&folder.path("kept")), [] as [PathBuf; 0]);
 }
 
 #[test]
