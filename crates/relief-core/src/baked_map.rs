@@ -34,8 +34,8 @@ impl MapFormat {
 
 /// The shape of a map: texels of 1, 2 or 4 channels, in layers, in levels of detail.
 ///
-/// The slices of a volume, azimuths, directions and the faces of a cube are layers. Each level has half the columns and
-/// rows of the one before, rounded down but at least one, as textures of GPUs have.
+/// The slices of a volume, azimuths, directions and the faces of a cube are layers. Each level has half the
+/// columns and rows of the one before, rounded down but at least one, as textures of GPUs have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MapLayout {
     /// Columns and rows of the finest level.
@@ -122,13 +122,13 @@ pub struct MapIdentity {
     pub wrap: Wrap,
     /// The metric that it was baked in.
     pub metric: Metric,
-    /// The level of the kind's texture that is the map's finest: the finest of all, or of a chain whose finest level
-    /// says nothing that the heights do not say a coarser one.
+    /// The level of the kind's texture that is the map's finest: the finest of all, or of a chain whose
+    /// finest level says nothing that the heights do not say a coarser one.
     pub first_level: u32,
 }
 
-/// The values of a map: level by level from the finest, layer by layer, row by row from the top, the channels of a texel
-/// side by side.
+/// The values of a map: level by level from the finest, layer by layer, row by row from the top, the channels
+/// of a texel side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MapTexels {
     /// 32-bit floats.
@@ -157,11 +157,11 @@ impl MapTexels {
     }
 }
 
-/// A map that was baked from a height map, for a shader to read: one value from the bake over the cache to the GPU and to
-/// the translated shaders.
+/// A map that was baked from a height map, for a shader to read: one value from the bake over the cache to
+/// the GPU and to the translated shaders.
 ///
-/// Where the kind promises something of its values, it holds for the stored ones: in fewer bits they are rounded to the
-/// safe side.
+/// Where the kind promises something of its values, it holds for the stored ones: in fewer bits they are
+/// rounded to the safe side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BakedMap {
     identity: MapIdentity,

@@ -10,7 +10,8 @@ pub enum FoundState {
     Miss = 0,
     /// `near` is above the surface (or on it) and nothing lies before it; `far` is the end of the path.
     Above = 1,
-    /// `far` is below the surface; how far before it the surface was crossed is not known: `near` is the entry.
+    /// `far` is below the surface; how far before it the surface was crossed is not known: `near` is the
+    /// entry.
     Below = 2,
     /// `near` is above the surface and `far` is below it.
     Bracket = 3,

@@ -12,13 +12,14 @@ pub const MAX_TEXELS: u64 = 1 << 30;
 
 /// A rectangular map of heights and the surface that it stands for.
 ///
-/// * Texels are `f32` in `[0, 1]`, row 0 on top, 1 is highest. Texel `(i, j)` has its centre at texture coordinates
-///   `((i + ½) / W, (j + ½) / H)`; `(0, 0)` is the top-left corner, `u` grows to the right and `v` downward.
-/// * Between texel centres the surface is *bilinear*. That surface is the truth that all error is measured against. It
-///   consists of *dual cells*: cell `(i, j)` is the square between the centres of the texels `(i, j)` and
-///   `(i + 1, j + 1)`, so that a point lies in the cell `floor(u W - ½), floor(v H - ½)`.
-/// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres (Szirmay-Kalos and
-///   Umenhoffer 2008, eq. 8).
+/// * Texels are `f32` in `[0, 1]`, row 0 on top, 1 is highest. Texel `(i, j)` has its centre at texture
+///   coordinates `((i + ½) / W, (j + ½) / H)`; `(0, 0)` is the top-left corner, `u` grows to the right and
+///   `v` downward.
+/// * Between texel centres the surface is *bilinear*. That surface is the truth that all error is measured
+///   against. It consists of *dual cells*: cell `(i, j)` is the square between the centres of the texels
+///   `(i, j)` and `(i + 1, j + 1)`, so that a point lies in the cell `floor(u W - ½), floor(v H - ½)`.
+/// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres
+///   (Szirmay-Kalos and Umenhoffer 2008, eq. 8).
 /// * [`Wrap`] says how the map goes on beyond its edges.
 /// * `texel_size_m` and `physical_range` are metadata: slopes are set by the tangent frame alone.
 ///
@@ -107,7 +108,8 @@ impl HeightMap {
     ///
     /// # Errors
     ///
-    /// When a side is 0 or too large, when `texels.len()` is not `width * height`, or when a texel is not in `[0, 1]`.
+    /// When a side is 0 or too large, when `texels.len()` is not `width * height`, or when a texel is not in
+    /// `[0, 1]`.
     pub fn new(width: u32, height: u32, texels: Vec<f32>, wrap: Wrap) -> Result<Self, HeightMapError> {
         Self::check_size(width, height)?;
         if texels.len() as u64 != u64::from(width) * u64::from(height) {
@@ -206,7 +208,8 @@ impl HeightMap {
         Ok(self)
     }
 
-    /// The same map with the physical values that texel 0 and texel 1 stand for (metres for elevation models).
+    /// The same map with the physical values that texel 0 and texel 1 stand for (metres for elevation
+    /// models).
     ///
     /// # Errors
     ///
@@ -237,7 +240,8 @@ impl HeightMap {
         &self.heights.texels
     }
 
-    /// All texels, when nothing else of the map is needed any more. They are copied where a clone of the map still has them.
+    /// All texels, when nothing else of the map is needed any more. They are copied where a clone of the map
+    /// still has them.
     pub fn into_texels(self) -> Vec<f32> {
         Arc::try_unwrap(self.heights).map_or_else(|shared| shared.texels.clone(), |own| own.texels)
     }
@@ -258,8 +262,8 @@ impl HeightMap {
         self.wrap
     }
 
-    /// The world lengths that the source states: of the tile along `u` and `v`, and from height 0 to height 1, in metres. `None`
-    /// where it does not state both, or the relief is level.
+    /// The world lengths that the source states: of the tile along `u` and `v`, and from height 0 to height
+    /// 1, in metres. `None` where it does not state both, or the relief is level.
     pub fn stated_lengths_m(&self) -> Option<([f64; 2], f64)> {
         let (tile_m, [zero, one]) = (self.stated_tile_m()?, self.physical_range?);
         let span_m = (one - zero).abs();
@@ -304,8 +308,8 @@ impl HeightMap {
         self.heights.texels[j * self.width as usize + i]
     }
 
-    /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`, `(i + 1, j)`, `(i, j + 1)`
-    /// and `(i + 1, j + 1)`.
+    /// The four corners `[h00, h10, h01, h11]` of dual cell `(i, j)`: the texels `(i, j)`, `(i + 1, j)`,
+    /// `(i, j + 1)` and `(i + 1, j + 1)`.
     #[inline]
     pub fn cell(&self, i: i64, j: i64) -> [f32; 4] {
         let (i0, i1) = (self.wrap.index(i, self.width) as usize, self.wrap.index(i + 1, self.width) as usize);

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-/// The BLAKE3 hash of a height map's size and texels: of width and height as `u32` and the texels as `f32`, all
-/// little-endian. Wrap, displacement and what the file states do not count.
+/// The BLAKE3 hash of a height map's size and texels: of width and height as `u32` and the texels as `f32`,
+/// all little-endian. Wrap, displacement and what the file states do not count.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct HeightsHash(pub [u8; 32]);
 

@@ -15,7 +15,8 @@ pub struct Hit {
     pub height: f64,
     /// Parameter along the path.
     pub t: f64,
-    /// Height reads: one bilinear evaluation, one 2x2 cell fetch, one pyramid node or one texel of another map is 1.
+    /// Height reads: one bilinear evaluation, one 2x2 cell fetch, one pyramid node or one texel of another
+    /// map is 1.
     pub reads: u32,
 }
 

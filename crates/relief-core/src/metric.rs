@@ -5,8 +5,8 @@ use crate::HeightMap;
 /// The metric that a map is baked in: a step `(du, dv, dh)` in texture coordinates and texel height is
 /// `sqrt((tile_m[0] du)² + (tile_m[1] dv)² + (scale_m dh)²)` metres long.
 ///
-/// Maps of distances, angles and cone ratios state it. A step through such a map divides by the path's speed in it, so that
-/// neither another scale nor another size of the tile on the surface makes the map invalid.
+/// Maps of distances, angles and cone ratios state it. A step through such a map divides by the path's speed
+/// in it, so that neither another scale nor another size of the tile on the surface makes the map invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metric {
     /// Length of a tile along `u` and `v` in metres.
@@ -26,8 +26,8 @@ pub struct MetricError {
 }
 
 impl Metric {
-    /// Texture units and heights as they are: a metre for each tile and for the scale. The maps that searches read are
-    /// baked in it, since a ray's path is given so, too.
+    /// Texture units and heights as they are: a metre for each tile and for the scale. The maps that searches
+    /// read are baked in it, since a ray's path is given so, too.
     pub const UNIT: Self = Self { tile_m: [1.0, 1.0], scale_m: 1.0 };
 
     /// A metric of those lengths.

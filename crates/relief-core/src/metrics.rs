@@ -8,7 +8,8 @@ pub const LATE_TEXELS: f64 = 0.5;
 
 /// What [`compare`] finds. Shares are of all rays, from 0 to 1; a statistic over no hits is 0.
 ///
-/// Hits that ran out of steps are counted in `exhausted` alone: they are neither hits nor misses for the other figures.
+/// Hits that ran out of steps are counted in `exhausted` alone: they are neither hits nor misses for the
+/// other figures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ErrorReport {
     /// How many rays were compared.
@@ -60,8 +61,8 @@ pub struct LengthMismatch {
 
 /// Compares hits with the true hits of the same rays, in the same order, on that map.
 ///
-/// Distances are along the texture, in texels of the map: `√((Δu W)² + (Δv H)²)`. Whether a hit is late or early is
-/// told by that distance and by its `t`; a hit at the same `t` that lies beside the ray is neither.
+/// Distances are along the texture, in texels of the map: `√((Δu W)² + (Δv H)²)`. Whether a hit is late or
+/// early is told by that distance and by its `t`; a hit at the same `t` that lies beside the ray is neither.
 ///
 /// # Errors
 ///

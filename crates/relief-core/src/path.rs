@@ -2,15 +2,15 @@
 
 use crate::HeightMap;
 
-/// A ray segment in texture space: `(u, v)` is linear in the parameter `t`, and the normalised height above the base is
-/// `H(t) = h[0] + h[1] t + h[2] t²`.
+/// A ray segment in texture space: `(u, v)` is linear in the parameter `t`, and the normalised height above
+/// the base is `H(t) = h[0] + h[1] t + h[2] t²`.
 ///
 /// * `t` is 0 at the entry and `exit` where the path ends; it is the distance along the ray in metres.
 /// * `H` is a texel height: 0 and 1 are the lowest and the highest level of the map. On a plane `h[2]` is 0.
-/// * Texture coordinates are not wrapped; under [`Wrap::Clamp`](crate::Wrap::Clamp) whoever makes the path ends it at
-///   the edge of the footprint `[0, 1]²`.
-/// * The shaders hold the same struct in `f32`; here it is `f64`, so that the exact tracers judge precisely the ray that
-///   a shader was given.
+/// * Texture coordinates are not wrapped; under [`Wrap::Clamp`](crate::Wrap::Clamp) whoever makes the path
+///   ends it at the edge of the footprint `[0, 1]²`.
+/// * The shaders hold the same struct in `f32`; here it is `f64`, so that the exact tracers judge precisely
+///   the ray that a shader was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Path {
     /// Texture coordinates at the entry.
@@ -21,7 +21,8 @@ pub struct Path {
     pub h: [f64; 3],
     /// The parameter where the path ends.
     pub exit: f64,
-    /// The parameter where the path crosses the base surface, which is where `offset` and `slope` methods begin.
+    /// The parameter where the path crosses the base surface, which is where `offset` and `slope` methods
+    /// begin.
     pub base: f64,
     /// What turns texture units and heights into world lengths.
     pub metric: PathMetric,
@@ -75,8 +76,8 @@ impl PathMetric {
 }
 
 impl Path {
-    /// A straight path from `(u, v, H)` to another such point, with `t` from 0 to 1, in a tile of 1 m and relief of
-    /// 1 m. The base is where it reaches `H = 1`, or the entry when it never does.
+    /// A straight path from `(u, v, H)` to another such point, with `t` from 0 to 1, in a tile of 1 m and
+    /// relief of 1 m. The base is where it reaches `H = 1`, or the entry when it never does.
     pub fn between(from: [f64; 3], to: [f64; 3]) -> Self {
         let dh = to[2] - from[2];
         let base = if dh != 0.0 { ((1.0 - from[2]) / dh).clamp(0.0, 1.0) } else { 0.0 };

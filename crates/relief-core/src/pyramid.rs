@@ -1,7 +1,8 @@
 //! The maximum and the minimum pyramid over the dual cells of a height map.
 //!
-//! Tevs, Ihrke and Seidel 2008 ("Maximum mipmaps") and the pyramids of quadtree displacement mapping take maxima over
-//! texels, which does not bound the bilinear surface between them. Here level 0 holds the maxima over dual cells.
+//! Tevs, Ihrke and Seidel 2008 ("Maximum mipmaps") and the pyramids of quadtree displacement mapping take
+//! maxima over texels, which does not bound the bilinear surface between them. Here level 0 holds the maxima
+//! over dual cells.
 
 use std::convert::Infallible;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -12,14 +13,16 @@ use crate::{HeightMap, Wrap};
 
 /// Upper bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells.
 ///
-/// * Level 0 has the size `W x H` of the map; node `(i, j)` is the highest of the four texels around dual cell
-///   `(i, j)`, wrapped as the map is. A bilinear patch never rises above its corners, so that is a bound, and a tight one.
-/// * Level `k + 1` has half the size of level `k`, rounded *up*: node `(i, j)` is the highest of the nodes `(2i, 2j)` to
-///   `(2i + 1, 2j + 1)` of level `k` that exist. So node `(i, j)` of level `k` covers the cells `i 2^k .. (i + 1) 2^k`
-///   as far as they are below `W`, and rows likewise. Nothing is padded. (Texture mipmaps round down instead.)
+/// * Level 0 has the size `W x H` of the map; node `(i, j)` is the highest of the four texels around dual
+///   cell `(i, j)`, wrapped as the map is. A bilinear patch never rises above its corners, so that is a
+///   bound, and a tight one.
+/// * Level `k + 1` has half the size of level `k`, rounded *up*: node `(i, j)` is the highest of the nodes
+///   `(2i, 2j)` to `(2i + 1, 2j + 1)` of level `k` that exist. So node `(i, j)` of level `k` covers the cells
+///   `i 2^k .. (i + 1) 2^k` as far as they are below `W`, and rows likewise. Nothing is padded. (Texture
+///   mipmaps round down instead.)
 /// * The last level is one node.
-/// * Cells outside of `0..W` are found through [`Self::column`]. The half cells before texel 0 of a clamped or mirrored
-///   map (cell -1) are bounded by cell 0.
+/// * Cells outside of `0..W` are found through [`Self::column`]. The half cells before texel 0 of a clamped
+///   or mirrored map (cell -1) are bounded by cell 0.
 ///
 /// Takes 4/3 of the map's texels, as `f32`.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,8 +31,8 @@ pub struct MaxPyramid {
     levels: Vec<PyramidLevel>,
 }
 
-/// Lower bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells: [`MaxPyramid`] with lowest for highest.
-/// Levels, sizes and the cells that a node covers are the same.
+/// Lower bounds of the bilinear surface over squares of `2^k` by `2^k` dual cells: [`MaxPyramid`] with lowest
+/// for highest. Levels, sizes and the cells that a node covers are the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MinPyramid {
     levels: Vec<PyramidLevel>,
@@ -49,8 +52,8 @@ impl MaxPyramid {
         pyramid
     }
 
-    /// The pyramid of a map, unless `at`, which is told the finished part from any thread every few milliseconds, wants to
-    /// stop.
+    /// The pyramid of a map, unless `at`, which is told the finished part from any thread every few
+    /// milliseconds, wants to stop.
     ///
     /// # Errors
     ///
@@ -89,11 +92,12 @@ impl MaxPyramid {
         fold(self.wrap, cell, self.levels[0].height)
     }
 
-    /// An upper bound of the surface over the dual cells from `first` to `last`, both included and not wrapped, and the
-    /// number of nodes that were read for it. `first` must not exceed `last` on either axis.
+    /// An upper bound of the surface over the dual cells from `first` to `last`, both included and not
+    /// wrapped, and the number of nodes that were read for it. `first` must not exceed `last` on either axis.
     ///
-    /// Reads the nodes of the finest level at which few suffice: at most 3 by 3 (6 by 6 across the edges of a repeated
-    /// map). The cells that these cover besides are why the bound need not be tight; over a single cell of the map it is.
+    /// Reads the nodes of the finest level at which few suffice: at most 3 by 3 (6 by 6 across the edges of a
+    /// repeated map). The cells that these cover besides are why the bound need not be tight; over a single
+    /// cell of the map it is.
     pub fn bound(&self, first: [i64; 2], last: [i64; 2]) -> (f32, u32) {
         let columns = folded_ranges(self.wrap, first[0], last[0], self.levels[0].width);
         let rows = folded_ranges(self.wrap, first[1], last[1], self.levels[0].height);
@@ -166,7 +170,8 @@ fn lower(a: f32, b: f32) -> f32 {
 /// Nodes that are built between two calls of `at`: well below a millisecond of work.
 const NODES_A_CALL: usize = 1 << 18;
 
-/// All levels, where a node is the `pick` of what it covers. The two finest are built together, while their rows are cached.
+/// All levels, where a node is the `pick` of what it covers. The two finest are built together, while their
+/// rows are cached.
 fn levels<E: Send>(
     map: &HeightMap,
     pick: impl Fn(f32, f32) -> f32 + Copy + Sync,

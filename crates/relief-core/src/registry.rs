@@ -1,10 +1,10 @@
 //! What a registry entry says of itself.
 //!
-//! Each surface, search, refinement and shading has one [`Entry`] beside its source. The command's help, the tables in
-//! the documentation, the tests' matrix and the benchmarks all read the lists of these.
+//! Each surface, search, refinement and shading has one [`Entry`] beside its source. The command's help, the
+//! tables in the documentation, the tests' matrix and the benchmarks all read the lists of these.
 
-/// One stage's variant: what it is called, where it comes from, what it needs and what it promises. Its number in the
-/// shaders is its place in its list.
+/// One stage's variant: what it is called, where it comes from, what it needs and what it promises. Its
+/// number in the shaders is its place in its list.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// The name on the command line and in scenes.
@@ -53,7 +53,8 @@ pub enum MapSetting {
 /// The metric that a map for a stage is baked in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapMetric {
-    /// Texture units and heights as they are: the map is the same whatever the tile's size and the scale in metres.
+    /// Texture units and heights as they are: the map is the same whatever the tile's size and the scale in
+    /// metres.
     Texture,
     /// The metres of the surface that the map lies on.
     Scene,
@@ -64,8 +65,8 @@ pub enum MapMetric {
 pub enum MapLevels {
     /// The finest level of the kind's texture.
     One,
-    /// The levels of the kind's texture from that one on. Each is padded, to the right and below, to half the size of the one
-    /// before, as textures of GPUs have it: kinds round sizes up, textures round down.
+    /// The levels of the kind's texture from that one on. Each is padded, to the right and below, to half the
+    /// size of the one before, as textures of GPUs have it: kinds round sizes up, textures round down.
     ChainFrom(u32),
 }
 
@@ -252,7 +253,8 @@ pub fn listed(names: &[String]) -> String {
     if rest == 0 { text } else { format!("{text} and {rest} more") }
 }
 
-/// Levenshtein distance in characters; a name longer than any of ours is cut first, so that hostile input stays cheap.
+/// Levenshtein distance in characters; a name longer than any of ours is cut first, so that hostile input
+/// stays cheap.
 fn edit_distance(a: &str, b: &str) -> usize {
     let a: Vec<char> = a.chars().take(64).collect();
     let mut row: Vec<usize> = (0..=a.len()).collect();

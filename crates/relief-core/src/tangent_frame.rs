@@ -6,11 +6,12 @@ use glam::{DVec2, DVec3};
 
 /// The frame that carries texture space `(u, v, h)` to the world.
 ///
-/// * `tangent` and `bitangent` point along growing `u` and `v`. In a *true* frame they carry the world length of one
-///   tile and need not be orthogonal; in an *orthonormalised* frame they are unit vectors at right angles, which makes
-///   the inverse a transposition and shading in tangent space possible, and loses those lengths.
-/// * `normal` is the unit outward normal. With `v` downward, `normal = bitangent x tangent` on a surface that is not
-///   mirrored, where the paper, with `v` upward, has `T x B`.
+/// * `tangent` and `bitangent` point along growing `u` and `v`. In a *true* frame they carry the world length
+///   of one tile and need not be orthogonal; in an *orthonormalised* frame they are unit vectors at right
+///   angles, which makes the inverse a transposition and shading in tangent space possible, and loses those
+///   lengths.
+/// * `normal` is the unit outward normal. With `v` downward, `normal = bitangent x tangent` on a surface that
+///   is not mirrored, where the paper, with `v` upward, has `T x B`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TangentFrame {
     /// World direction of growing `u`.
@@ -51,7 +52,8 @@ impl TangentFrame {
         Ok(Self { tangent, bitangent, normal })
     }
 
-    /// 1, or -1 where the texture is mirrored, so that `normal` points along `handedness * (bitangent x tangent)`.
+    /// 1, or -1 where the texture is mirrored, so that `normal` points along
+    /// `handedness * (bitangent x tangent)`.
     pub fn handedness(&self) -> f64 {
         if self.bitangent.cross(self.tangent).dot(self.normal) < 0.0 { -1.0 } else { 1.0 }
     }
@@ -65,11 +67,11 @@ impl TangentFrame {
         Self { tangent, bitangent, normal: self.normal }
     }
 
-    /// The normal that grows with the object: `N |T x B| / sqrt((|T|² + |B|²) / 2)` (eq. 6; its denominator is a square
-    /// root, without which the displacement would not change with the object's size).
+    /// The normal that grows with the object: `N |T x B| / sqrt((|T|² + |B|²) / 2)` (eq. 6; its denominator
+    /// is a square root, without which the displacement would not change with the object's size).
     ///
-    /// Displacing along it instead of along the unit normal makes the relief's proportions independent of a uniform
-    /// scaling of the object.
+    /// Displacing along it instead of along the unit normal makes the relief's proportions independent of a
+    /// uniform scaling of the object.
     pub fn scaled_normal(&self) -> DVec3 {
         let mean = ((self.tangent.length_squared() + self.bitangent.length_squared()) / 2.0).sqrt();
         self.normal * (self.tangent.cross(self.bitangent).length() / mean)
@@ -80,8 +82,8 @@ impl TangentFrame {
         self.tangent * uvh.x + self.bitangent * uvh.y + self.normal * uvh.z
     }
 
-    /// The texture-space vector `(u, v, h)` of a world vector (eq. 7), the inverse of [`Self::world_from_texture`] for
-    /// any frame whose normal is orthogonal to tangent and bitangent.
+    /// The texture-space vector `(u, v, h)` of a world vector (eq. 7), the inverse of
+    /// [`Self::world_from_texture`] for any frame whose normal is orthogonal to tangent and bitangent.
     pub fn texture_from_world(&self, d: DVec3) -> DVec3 {
         let (tt, tb, bb) = (
             self.tangent.length_squared(),
@@ -93,8 +95,8 @@ impl TangentFrame {
         DVec3::new((td * bb - bd * tb) / area, (bd * tt - td * tb) / area, self.normal.dot(d))
     }
 
-    /// The unit world normal of a relief with the slopes `dh/du` and `dh/dv` in metres per texture unit: eq. 9 with the
-    /// signs of a downward `v`.
+    /// The unit world normal of a relief with the slopes `dh/du` and `dh/dv` in metres per texture unit: eq.
+    /// 9 with the signs of a downward `v`.
     pub fn mesostructure_normal(&self, slope: DVec2) -> DVec3 {
         let (n, s) = (self.normal, self.handedness());
         let du = self.tangent + n * slope.x;

@@ -3,7 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// How texels outside the map are found. It is part of the height map: every bake and every method honours it.
+/// How texels outside the map are found. It is part of the height map: every bake and every method honours
+/// it.
 ///
 /// The discriminants are the numbers that the shaders use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -14,7 +15,8 @@ pub enum Wrap {
     Repeat = 0,
     /// The edge texels go on for ever: texel `W` is texel `W - 1`. The footprint is `[0, 1]²`.
     Clamp = 1,
-    /// The map is tiled and every second tile is mirrored: texel `W` is texel `W - 1`, texel `W + 1` is `W - 2`.
+    /// The map is tiled and every second tile is mirrored: texel `W` is texel `W - 1`, texel `W + 1` is
+    /// `W - 2`.
     Mirror = 2,
 }
 

@@ -1,9 +1,9 @@
 //! Baked maps kept from run to run, in a folder, by the hash of what they are made from.
 //!
-//! Files are written aside and renamed, so that a reader finds a whole map or none. Who writes holds a lock on the folder,
-//! which the system takes back from a process that dies: whatever lies aside while nobody holds it is left over, and is
-//! removed. Before a map is written, those that were unused longest make room, so that the folder never holds more than its
-//! limit. It may be emptied at any time.
+//! Files are written aside and renamed, so that a reader finds a whole map or none. Who writes holds a lock
+//! on the folder, which the system takes back from a process that dies: whatever lies aside while nobody
+//! holds it is left over, and is removed. Before a map is written, those that were unused longest make room,
+//! so that the folder never holds more than its limit. It may be emptied at any time.
 
 use std::fs::{self, DirEntry, File, TryLockError};
 use std::io;
@@ -36,7 +36,8 @@ const MAP: &str = ".map";
 /// How the names of files begin that are still being written.
 const ASIDE: &str = ".aside-";
 
-/// How long a writer waits for others: a large map takes a second or two. Longer, and a stopped process stops everyone.
+/// How long a writer waits for others: a large map takes a second or two. Longer, and a stopped process stops
+/// everyone.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// How long it sleeps between two tries.
@@ -87,8 +88,8 @@ impl Cache {
         Self { folder: folder.into(), limit: limit.0 }
     }
 
-    /// The cache in the folder that the environment's `RELIEF_CACHE` names, or in the system's place for such files. It
-    /// may hold what `RELIEF_CACHE_SIZE` says, or 2 GiB.
+    /// The cache in the folder that the environment's `RELIEF_CACHE` names, or in the system's place for such
+    /// files. It may hold what `RELIEF_CACHE_SIZE` says, or 2 GiB.
     ///
     /// # Errors
     ///
@@ -178,8 +179,8 @@ impl Cache {
         Ok(path)
     }
 
-    /// Removes what killed processes left, and what is above the limit. A folder that somebody else is writing into is left
-    /// to him.
+    /// Removes what killed processes left, and what is above the limit. A folder that somebody else is
+    /// writing into is left to him.
     pub(crate) fn tidy(&self) {
         let Ok(files) = self.files() else { return };
         let left_over = files.iter().any(|file| is_aside(&file.name));

@@ -1,4 +1,5 @@
-//! The file that keeps a map: what it is found by, what its codes stand for, its texels, and a hash of all of that.
+//! The file that keeps a map: what it is found by, what its codes stand for, its texels, and a hash of all of
+//! that.
 //!
 //! The hash tells a file that was cut short or changed from a whole one; nothing of such a file is used.
 
@@ -58,7 +59,8 @@ pub fn write(path: &Path, key: Hash, map: &BakedMap) -> io::Result<()> {
     out.inner.flush()
 }
 
-/// Reads a map of that identity and shape. Memory is taken only when the file has the length that it must have.
+/// Reads a map of that identity and shape. Memory is taken only when the file has the length that it must
+/// have.
 pub fn read(path: &Path, key: Hash, identity: MapIdentity, layout: MapLayout) -> Found {
     match std::fs::metadata(path) {
         // What cannot even be looked at is as good as not there.

@@ -3,8 +3,8 @@
 use blake3::{Hash, Hasher};
 use relief_core::{MapFormat, MapIdentity, MapLayout, Metric, Wrap};
 
-/// The hash of all that decides a map's bytes. It holds the revision of the kind, not the version of the program: another
-/// version finds the maps that it would bake alike.
+/// The hash of all that decides a map's bytes. It holds the revision of the kind, not the version of the
+/// program: another version finds the maps that it would bake alike.
 pub fn key(identity: &MapIdentity, layout: &MapLayout) -> Hash {
     let MapIdentity { kind, revision, texture, settings, heights, wrap, metric, first_level } = identity;
     let Metric { tile_m, scale_m } = metric;

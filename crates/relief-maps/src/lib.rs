@@ -1,5 +1,5 @@
-//! The baked maps that displacement methods read, provided: looked up in memory and in a folder that keeps them from run to
-//! run, baked where they are not there, and kept.
+//! The baked maps that displacement methods read, provided: looked up in memory and in a folder that keeps
+//! them from run to run, baked where they are not there, and kept.
 //!
 //! ```
 //! use relief_core::{HeightMap, Metric, Wrap};

@@ -17,7 +17,8 @@ use crate::file::Found;
 /// What maps in memory may take besides those of the last call when nothing else is said.
 const DEFAULT_MEMORY: ByteSize = ByteSize(1 << 30);
 
-/// Provides the baked maps that methods read: those it has provided before, those a folder keeps, or fresh ones.
+/// Provides the baked maps that methods read: those it has provided before, those a folder keeps, or fresh
+/// ones.
 #[derive(Debug)]
 pub struct Maps {
     cache: Option<Cache>,
@@ -125,20 +126,22 @@ impl Maps {
         Self { cache: None, format: MapFormat::default(), memory: DEFAULT_MEMORY.0, kept: Vec::new() }
     }
 
-    /// A provider that keeps maps in a folder, too, from run to run. What killed processes left in it is removed.
+    /// A provider that keeps maps in a folder, too, from run to run. What killed processes left in it is
+    /// removed.
     pub fn with_cache(cache: Cache) -> Self {
         cache.tidy();
         Self { cache: Some(cache), ..Self::in_memory() }
     }
 
-    /// The same with maps of another format. In fewer bits maps take less memory, and promise what they promise of their
-    /// rounded values.
+    /// The same with maps of another format. In fewer bits maps take less memory, and promise what they
+    /// promise of their rounded values.
     #[must_use]
     pub fn with_format(self, format: MapFormat) -> Self {
         Self { format, ..self }
     }
 
-    /// The same with other limits to what maps in memory may take besides those of the last call; by default 1 GiB.
+    /// The same with other limits to what maps in memory may take besides those of the last call; by default
+    /// 1 GiB.
     #[must_use]
     pub fn with_memory(self, memory: ByteSize) -> Self {
         Self { memory: memory.0, ..self }
@@ -268,7 +271,8 @@ impl Maps {
         self.kept.push(map);
     }
 
-    /// Drops the maps that were unused longest until the memory suffices; the last so many stay whatever they take.
+    /// Drops the maps that were unused longest until the memory suffices; the last so many stay whatever they
+    /// take.
     fn forget(&mut self, last: usize) {
         let mut held: u64 = self.kept.iter().map(|map| map.layout().bytes()).sum();
         while self.kept.len() > last && held > self.memory {

@@ -2,14 +2,15 @@
 
 use glam::{DMat4, DVec3};
 
-/// How close to vertical, as the cosine to `±y`, a line of sight may be before `+y` no longer says where up is. Larger
-/// and the picture spins when looking almost straight down; smaller and the directions lose their precision.
+/// How close to vertical, as the cosine to `±y`, a line of sight may be before `+y` no longer says where up
+/// is. Larger and the picture spins when looking almost straight down; smaller and the directions lose their
+/// precision.
 const VERTICAL: f64 = 1.0 - 1e-9;
 
 /// A perspective camera.
 ///
-/// `+y` points up in the picture. Looking straight down, `-z` does (so that the built-in plane's texture stands
-/// upright), and straight up, `+z`.
+/// `+y` points up in the picture. Looking straight down, `-z` does (so that the built-in plane's texture
+/// stands upright), and straight up, `+z`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     eye: DVec3,
@@ -26,7 +27,8 @@ pub struct Camera {
 pub struct Ray {
     /// Where it starts, in metres.
     pub origin: DVec3,
-    /// Where it goes; not normalised. The parameter `t` of a point `origin + t * direction` is in units of this vector.
+    /// Where it goes; not normalised. The parameter `t` of a point `origin + t * direction` is in units of
+    /// this vector.
     pub direction: DVec3,
 }
 
@@ -64,7 +66,8 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// When a number is not finite, when eye and target coincide, or when the field of view is not in `(0, 180)`.
+    /// When a number is not finite, when eye and target coincide, or when the field of view is not in
+    /// `(0, 180)`.
     pub fn new(eye: DVec3, target: DVec3, fov_degrees: f64) -> Result<Self, CameraError> {
         let toward = target - eye;
         if !(eye.is_finite() && target.is_finite() && toward.length_squared().is_finite()) {
@@ -113,8 +116,8 @@ impl Camera {
 
     /// The ray through the centre of pixel `(x, y)` of a picture of `width` x `height` pixels, row 0 on top.
     ///
-    /// The direction's component along the view axis is 1, so that the parameter of a point on the ray is its depth in
-    /// metres along that axis.
+    /// The direction's component along the view axis is 1, so that the parameter of a point on the ray is its
+    /// depth in metres along that axis.
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
         let (width, height) = (f64::from(width), f64::from(height));
         let across = (2.0 * f64::from(x) + 1.0 - width) / height * self.tan_half_fov;
@@ -122,8 +125,8 @@ impl Camera {
         Ray { origin: self.eye, direction: self.forward + self.right * across - self.up * down }
     }
 
-    /// The matrix from the world to clip space with depth in `[0, 1]` between the planes, as wgpu wants it: for a
-    /// picture of aspect `width / height` it is the inverse of [`Self::ray`].
+    /// The matrix from the world to clip space with depth in `[0, 1]` between the planes, as wgpu wants it:
+    /// for a picture of aspect `width / height` it is the inverse of [`Self::ray`].
     ///
     /// # Errors
     ///

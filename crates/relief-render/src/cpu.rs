@@ -14,7 +14,8 @@ use crate::job::{Job, JobSurface, Rendering, uncovered};
 use crate::kept::kept;
 use crate::raycast::{RayCaster, Sides};
 
-/// Renders jobs on all cores, and keeps the hierarchies of their meshes and height maps from one job to the next.
+/// Renders jobs on all cores, and keeps the hierarchies of their meshes and height maps from one job to the
+/// next.
 #[derive(Debug, Default)]
 pub struct CpuRenderer {
     casters: Vec<(Arc<[Triangle]>, Arc<RayCaster>)>,
@@ -29,8 +30,8 @@ impl CpuRenderer {
 
     /// Renders a job. `progress` is told the finished part, from 0 to 1, from any thread.
     ///
-    /// A surface whose selection is the exact pair is traced by the core's fast exact tracer in place of search and
-    /// refinement.
+    /// A surface whose selection is the exact pair is traced by the core's fast exact tracer in place of
+    /// search and refinement.
     pub fn render(&mut self, job: &Job, progress: &(dyn Fn(f32) + Sync)) -> Rendering {
         let surfaces = self.ready(job);
         let done = AtomicU32::new(0);
@@ -103,7 +104,8 @@ impl<'a> Ready<'a> {
         Self { program: surface.program(frame), triangles: &surface.triangles, base, sides, tracer }
     }
 
-    /// What a point of the picture shows of the surface: the first base polygon along the ray whose relief is hit.
+    /// What a point of the picture shows of the surface: the first base polygon along the ray whose relief is
+    /// hit.
     fn pixel(&self, point: [f32; 2]) -> Option<PixelOut> {
         let direction = self.program.pixel_direction(point);
         let ray = Ray {

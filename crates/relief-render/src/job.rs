@@ -22,8 +22,8 @@ pub struct Job {
     pub surfaces: Vec<JobSurface>,
 }
 
-/// A surface of a job. Renderers keep what they have made of its parts as long as they are given the same ones again: the
-/// same by their address.
+/// A surface of a job. Renderers keep what they have made of its parts as long as they are given the same
+/// ones again: the same by their address.
 #[derive(Clone, Debug)]
 pub struct JobSurface {
     /// What is the same for all of its pixels.
@@ -69,7 +69,8 @@ fn of_picture(picture: &Picture) -> ColorTexture<'_> {
     ColorTexture::new(picture.width, &picture.texels)
 }
 
-/// The result of a job: every pixel, row by row from the top. A pixel that nothing covers has `hit` 0 and zeros.
+/// The result of a job: every pixel, row by row from the top. A pixel that nothing covers has `hit` 0 and
+/// zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rendering {
     /// Columns.

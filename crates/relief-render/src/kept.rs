@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-/// What was made of a thing for this frame or the one before, or is made of it. Things are told apart by their address.
+/// What was made of a thing for this frame or the one before, or is made of it. Things are told apart by
+/// their address.
 pub fn kept<K: ?Sized, T: ?Sized>(
     now: &mut Vec<(Arc<K>, Arc<T>)>,
     before: &[(Arc<K>, Arc<T>)],

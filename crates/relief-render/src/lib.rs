@@ -1,7 +1,7 @@
 //! Scenes, and the two backends that render them: the CPU, which every machine has, and the GPU through wgpu.
 //!
-//! A [`Scene`](scene::Scene) is built or loaded, and [`render()`] makes a picture of it. Both backends run the same shaders and give
-//! the same picture; [`picture`] turns it into bytes and channels.
+//! A [`Scene`](scene::Scene) is built or loaded, and [`render()`] makes a picture of it. Both backends run
+//! the same shaders and give the same picture; [`picture`] turns it into bytes and channels.
 
 pub mod camera;
 pub mod cpu;

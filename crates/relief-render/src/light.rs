@@ -1,7 +1,7 @@
 //! Lights.
 //!
-//! Light is measured relative to a white surface: an irradiance of 1 makes a diffuse surface of colour 1 that faces the
-//! light appear with the linear picture value 1. Colours are linear, red, green, blue.
+//! Light is measured relative to a white surface: an irradiance of 1 makes a diffuse surface of colour 1 that
+//! faces the light appear with the linear picture value 1. Colours are linear, red, green, blue.
 
 use glam::{DVec3, Vec3};
 pub use relief_shaders::MAX_LIGHTS;
@@ -20,7 +20,8 @@ pub enum Light {
     Point {
         /// Position in metres.
         position_m: DVec3,
-        /// Irradiance on a surface that faces the light from 1 m away; it falls with the square of the distance.
+        /// Irradiance on a surface that faces the light from 1 m away; it falls with the square of the
+        /// distance.
         intensity: Vec3,
     },
 }

@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
-/// The greatest shininess. It is a whole number so that shaders can raise to it by multiplication alone, with the same
-/// bits everywhere; beyond this a highlight is smaller than a pixel.
+/// The greatest shininess. It is a whole number so that shaders can raise to it by multiplication alone, with
+/// the same bits everywhere; beyond this a highlight is smaller than a pixel.
 pub const MAX_SHININESS: u32 = 1024;
 
 /// A Blinn-Phong material: under irradiance `E` from direction `L`, seen from `V`, with `h` half-way between,
@@ -34,8 +34,8 @@ pub enum MaterialError {
 }
 
 impl Material {
-    /// A material of those colours; `shininess` is a whole number from 1 to [`MAX_SHININESS`]. Where a scene has a
-    /// colour picture, `diffuse` multiplies it.
+    /// A material of those colours; `shininess` is a whole number from 1 to [`MAX_SHININESS`]. Where a scene
+    /// has a colour picture, `diffuse` multiplies it.
     ///
     /// # Errors
     ///

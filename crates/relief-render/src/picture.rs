@@ -28,8 +28,8 @@ fn srgb_byte(linear: f32) -> u8 {
 
 /// The arbitrary output variables of a rendering: a plane of numbers for each of [`AOV_CHANNELS`].
 ///
-/// `hit` is 1 or 0; `uv` is not wrapped; `height` is a texel value; `P` and `N` are in the world; `depth` is in metres
-/// along the view axis. Pixels that no surface covers are 0 throughout.
+/// `hit` is 1 or 0; `uv` is not wrapped; `height` is a texel value; `P` and `N` are in the world; `depth` is
+/// in metres along the view axis. Pixels that no surface covers are 0 throughout.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
     let plane = |place: usize| {
         rendering

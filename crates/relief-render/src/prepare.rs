@@ -16,8 +16,9 @@ use crate::light::Light;
 use crate::mesh::{Mesh, Vertex};
 use crate::scene::{Scene, Surface};
 
-/// The least distance of the near plane, as a part of the far plane's: depths have 24 bits, of which such a ratio leaves
-/// ten at the far end. Smaller and distant surfaces flicker; larger and the eye cannot come close to a surface.
+/// The least distance of the near plane, as a part of the far plane's: depths have 24 bits, of which such a
+/// ratio leaves ten at the far end. Smaller and distant surfaces flicker; larger and the eye cannot come
+/// close to a surface.
 const NEAR_OVER_FAR: f64 = 1e-4;
 
 /// Makes jobs of scenes, and keeps what they have in common from one to the next.

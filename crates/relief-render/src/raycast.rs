@@ -1,10 +1,11 @@
 //! Rays against a base mesh, without leaks.
 //!
-//! The hierarchy is built by `obvhs`; traversal and triangle test are ours. The test shears space so that the ray runs
-//! along an axis and asks on which side of each projected edge the ray passes (after Woop, Benthin and Wald,
-//! *Watertight Ray/Triangle Intersection*, JCGT 2013). It works in `f64` throughout: a product of rounded numbers
-//! keeps its order under rounding, so that the sign of `a b - c d` is never wrong and only ever lost to 0, which counts
-//! as inside. Both triangles at an edge see the same two projected corners, so a ray cannot pass between them.
+//! The hierarchy is built by `obvhs`; traversal and triangle test are ours. The test shears space so that the
+//! ray runs along an axis and asks on which side of each projected edge the ray passes (after Woop, Benthin
+//! and Wald, *Watertight Ray/Triangle Intersection*, JCGT 2013). It works in `f64` throughout: a product of
+//! rounded numbers keeps its order under rounding, so that the sign of `a b - c d` is never wrong and only
+//! ever lost to 0, which counts as inside. Both triangles at an edge see the same two projected corners, so a
+//! ray cannot pass between them.
 
 use crate::camera::Ray;
 use crate::mesh::Mesh;
@@ -14,11 +15,12 @@ use obvhs::bvh2::{Bvh2, builder::build_bvh2_from_tris};
 use obvhs::triangle::Triangle;
 use std::fmt;
 
-/// How far boxes are grown, relative to the largest coordinate in play. It must exceed the triangle test's rounding
-/// (a few 1e-16), or a box could reject what the test would accept; larger costs visits only.
+/// How far boxes are grown, relative to the largest coordinate in play. It must exceed the triangle test's
+/// rounding (a few 1e-16), or a box could reject what the test would accept; larger costs visits only.
 const BOX_SLACK: f64 = 1e-12;
 
-/// The depth of hierarchy that is walked without taking memory. Deeper ones, which only contrived meshes have, take it.
+/// The depth of hierarchy that is walked without taking memory. Deeper ones, which only contrived meshes
+/// have, take it.
 const STACK_DEPTH: usize = 64;
 
 /// Which sides of a triangle a ray can hit.
@@ -34,11 +36,13 @@ pub enum Sides {
 /// A point where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceHit {
-    /// Parameter of the point along the ray, at least 0; for a camera's ray the depth along the view axis in metres.
+    /// Parameter of the point along the ray, at least 0; for a camera's ray the depth along the view axis in
+    /// metres.
     pub t: f64,
     /// Number of the triangle in the mesh.
     pub triangle: u32,
-    /// Barycentric coordinates of the point: the weights of the triangle's corners, none negative, which add up to 1.
+    /// Barycentric coordinates of the point: the weights of the triangle's corners, none negative, which add
+    /// up to 1.
     pub weights: [f64; 3],
     /// Whether the front was hit.
     pub front: bool,
@@ -46,8 +50,8 @@ pub struct SurfaceHit {
 
 /// A mesh prepared for ray casting.
 ///
-/// Answers depend on the mesh and the ray alone, not on the hierarchy: hits are ordered by `(t, triangle)`, and where a
-/// ray meets an edge or a corner, every triangle there is hit.
+/// Answers depend on the mesh and the ray alone, not on the hierarchy: hits are ordered by `(t, triangle)`,
+/// and where a ray meets an edge or a corner, every triangle there is hit.
 #[derive(Clone)]
 pub struct RayCaster {
     corners: Vec<[DVec3; 3]>,
@@ -92,8 +96,8 @@ impl RayCaster {
         Self { corners, bvh, depth, extent }
     }
 
-    /// The hit with the least `(t, triangle)` that comes after the hit given, or the first one of all. A ray whose
-    /// numbers are not finite, or whose direction is 0, hits nothing.
+    /// The hit with the least `(t, triangle)` that comes after the hit given, or the first one of all. A ray
+    /// whose numbers are not finite, or whose direction is 0, hits nothing.
     pub fn next_hit(&self, ray: &Ray, sides: Sides, after: Option<&SurfaceHit>) -> Option<SurfaceHit> {
         let query = Query::new(ray, sides, after, self.extent)?;
         if self.depth <= STACK_DEPTH {
@@ -152,8 +156,8 @@ impl RayCaster {
         }
     }
 
-    /// The parameter at which the ray enters a node's grown box, or nothing if it does not meet what it still looks
-    /// for there.
+    /// The parameter at which the ray enters a node's grown box, or nothing if it does not meet what it still
+    /// looks for there.
     #[inline]
     fn enter(&self, query: &Query, node: u32) -> Option<f64> {
         let bounds = self.bvh.nodes.get(node as usize)?.aabb();
@@ -207,7 +211,8 @@ impl Query {
         })
     }
 
-    /// A corner in the space where the ray runs along `+z` from the origin; depends on nothing but corner and ray.
+    /// A corner in the space where the ray runs along `+z` from the origin; depends on nothing but corner and
+    /// ray.
     #[inline]
     fn sheared(&self, corner: DVec3) -> DVec3 {
         let p = corner - self.ray.origin;
@@ -218,8 +223,8 @@ impl Query {
     #[inline]
     fn triangle(&self, triangle: u32, corners: &[DVec3; 3]) -> Option<SurfaceHit> {
         let [a, b, c] = [self.sheared(corners[0]), self.sheared(corners[1]), self.sheared(corners[2])];
-        // Twice the areas of the parts of the projected triangle opposite each corner. Seen along the ray, a front's
-        // corners run clockwise in these right-handed axes.
+        // Twice the areas of the parts of the projected triangle opposite each corner. Seen along the ray, a
+        // front's corners run clockwise in these right-handed axes.
         let wa = c.x * b.y - c.y * b.x;
         let wb = a.x * c.y - a.y * c.x;
         let wc = b.x * a.y - b.y * a.x;
@@ -249,7 +254,8 @@ fn precedes(a: (f64, u32), b: (f64, u32)) -> bool {
     a.0 < b.0 || a.0 == b.0 && a.1 < b.1
 }
 
-/// How many levels of inner nodes lie below the root, itself included: the most nodes that can wait during a walk.
+/// How many levels of inner nodes lie below the root, itself included: the most nodes that can wait during a
+/// walk.
 fn depth_below(bvh: &Bvh2) -> usize {
     let mut deepest = 0;
     let mut waiting = vec![(0u32, 1)];

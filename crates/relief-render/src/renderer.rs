@@ -100,7 +100,8 @@ enum Backend {
 }
 
 impl Renderer {
-    /// A renderer of a kind, which reads textures so: a GPU if there is one, else the CPU, unless one of both is asked for.
+    /// A renderer of a kind, which reads textures so: a GPU if there is one, else the CPU, unless one of both
+    /// is asked for.
     ///
     /// # Errors
     ///
@@ -127,8 +128,8 @@ impl Renderer {
         Self { backend, reason: None, preparer: Preparer::default() }
     }
 
-    /// Renders a scene; its choice of backend and sampling was made when the renderer was. The baked maps that its methods
-    /// read are those of the provider.
+    /// Renders a scene; its choice of backend and sampling was made when the renderer was. The baked maps
+    /// that its methods read are those of the provider.
     ///
     /// # Errors
     ///
@@ -157,8 +158,8 @@ impl Renderer {
         Ok(Rendered { rendering, backend, device, reason, maps: accounts, elapsed })
     }
 
-    /// Draws a scene into a picture that stays on the GPU: linear colours in 16-bit floats, for the caller to show. None on
-    /// the CPU. The next call draws over it.
+    /// Draws a scene into a picture that stays on the GPU: linear colours in 16-bit floats, for the caller to
+    /// show. None on the CPU. The next call draws over it.
     ///
     /// # Errors
     ///
@@ -200,8 +201,8 @@ impl Renderer {
     }
 }
 
-/// Renders a scene once, on the backend and with the sampling that it names. The baked maps that its methods read are
-/// those of the provider. For more pictures than one see [`Renderer`].
+/// Renders a scene once, on the backend and with the sampling that it names. The baked maps that its methods
+/// read are those of the provider. For more pictures than one see [`Renderer`].
 ///
 /// # Errors
 ///

@@ -165,8 +165,8 @@ pub struct Frame {
     pub eye: rt::Vec4<f32>,
     /// Unit view axis.
     pub forward: rt::Vec4<f32>,
-    /// The ray through the picture's top-left corner, and its change per pixel to the right and downward; the component
-    /// along the view axis is 1.
+    /// The ray through the picture's top-left corner, and its change per pixel to the right and downward; the
+    /// component along the view axis is 1.
     pub corner: rt::Vec4<f32>,
     pub right: rt::Vec4<f32>,
     pub down: rt::Vec4<f32>,

@@ -8,16 +8,16 @@ pub const MODULES: &[Module] = &[
     Module { path: "constants", head: r#""# },
     Module { path: "shared/cell", head: r#"// Ray against one dual cell, shared by the searches that visit cells and the patch refinement.
 //
-// In a cell the bilinear surface along the path is a quadratic: the gap between path and surface, with s counted from
-// the parameter t where the path enters the cell, is c.x + c.y s + c.z s².
+// In a cell the bilinear surface along the path is a quadratic: the gap between path and surface, with s
+// counted from the parameter t where the path enters the cell, is c.x + c.y s + c.z s².
 "# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
 //
-// `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine. `fast` lets a
-// sampler do it, in the precision and with the wrap of the sampler.
+// `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine.
+// `fast` lets a sampler do it, in the precision and with the wrap of the sampler.
 //
-// Texel (i, j) has its centre at ((i + ½) / W, (j + ½) / H); dual cell (i, j) lies between the centres of the texels
-// (i, j) and (i + 1, j + 1).
+// Texel (i, j) has its centre at ((i + ½) / W, (j + ½) / H); dual cell (i, j) lies between the centres of the
+// texels (i, j) and (i + 1, j + 1).
 "# },
     Module { path: "shared/interval", head: r#"// The interval that the bracketing refinements begin with.
 "# },
@@ -25,13 +25,14 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/maps", head: r#"// The one module that reads baked maps.
 //
-// Slices, azimuths, directions and the faces of a cube are layers. A map of 8 bits holds codes: they are recovered from what
-// the GPU makes of them, and their values computed here, so that these have the same bits everywhere.
+// Slices, azimuths, directions and the faces of a cube are layers. A map of 8 bits holds codes: they are
+// recovered from what the GPU makes of them, and their values computed here, so that these have the same bits
+// everywhere.
 "# },
     Module { path: "shared/normal", head: r#"// The mesostructure's normal, in the world.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central differences over two
-// texels, or a tangent-space normal map.
+// Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central
+// differences over two texels, or a tangent-space normal map.
 "# },
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
@@ -39,8 +40,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/pixel", head: r#"// A pixel as one pure function: surface, search, refinement and shading in a row.
 "# },
-    Module { path: "shared/records", head: r#"// What the host and the GPU exchange in buffers besides the settings. The Rust side of these structs is written by the
-// linker.
+    Module { path: "shared/records", head: r#"// What the host and the GPU exchange in buffers besides the settings. The Rust side of these structs is
+// written by the linker.
 "# },
     Module { path: "shared/settings", head: r#"// What is the same for all pixels: of a picture, of a surface in it, and of a pass over some of its rows.
 "# },
@@ -50,108 +51,118 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "surface/plane", head: r#"// The flat base surface: one straight segment a ray.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over the triangle, so that
-// relief runs smoothly from one triangle to the next; the segment lies in the frame of the base point.
+// Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over the
+// triangle, so that relief runs smoothly from one triangle to the next; the segment lies in the frame of the
+// base point.
 "# },
     Module { path: "search/cells", head: r#"// Cell walk: every dual cell along the path, in order, until the path dips below the surface in one.
 //
-// The safe form that Szirmay-Kalos and Umenhoffer 2008, section 4.3.1, asks for: every texel visited. In a cell the gap
-// is a quadratic, so whether it falls to zero is known without sampling; the bracket ends where it is least.
-// `params.x` caps the number of cells.
+// The safe form that Szirmay-Kalos and Umenhoffer 2008, section 4.3.1, asks for: every texel visited. In a
+// cell the gap is a quadratic, so whether it falls to zero is known without sampling; the bracket ends where
+// it is least. `params.x` caps the number of cells.
 "# },
     Module { path: "search/cone", head: r#"// Cone stepping: from texel to texel, over the empty cone that stands on the nearest one.
 //
-// Dummer 2006; Szirmay-Kalos and Umenhoffer 2008, section 4.3.5. As published the cone is moved to the ray, and cuts the
-// surface where it was made for the texel's centre. Here it stays where it was made: a ray that is inside of it, wherever in the
-// texel, meets no surface until it leaves it, and where it is outside, or leaves it within the cell, the cell's patch is looked
-// at, as `cells` does. So nothing is passed, with the widest cones that there are. `params.x` caps the reads.
+// Dummer 2006; Szirmay-Kalos and Umenhoffer 2008, section 4.3.5. As published the cone is moved to the ray,
+// and cuts the surface where it was made for the texel's centre. Here it stays where it was made: a ray that
+// is inside of it, wherever in the texel, meets no surface until it leaves it, and where it is outside, or
+// leaves it within the cell, the cell's patch is looked at, as `cells` does. So nothing is passed, with the
+// widest cones that there are. `params.x` caps the reads.
 //
-// A cone is convex, so a ray that is inside at two places is inside between: however a step was rounded, where it ends is looked
-// at before it is taken. A path that bends is followed by a line that is not above it.
+// A cone is convex, so a ray that is inside at two places is inside between: however a step was rounded,
+// where it ends is looked at before it is taken. A path that bends is followed by a line that is not above
+// it.
 "# },
-    Module { path: "search/frustum", head: r#"// Quadrant frusta: from every dual cell on, over the empty frustum that stands on it in the quadrant of the ray.
+    Module { path: "search/frustum", head: r#"// Quadrant frusta: from every dual cell on, over the empty frustum that stands on it in the quadrant of the
+// ray.
 //
-// Published here first. The map is relief-bake's kind `frustum`, whose head has the proof: for every cell and quadrant the
-// least slope S, in heights a texel, such that the surface is nowhere above top + S d, with the greatest of the cell's
-// four heights for the top and d the Chebyshev distance from the cell in texels. Where the ray leaves the cell above the
-// top it is safe until it meets that frustum, one division an axis away; where it sinks to the top over the cell, the
-// cell's patch is looked at, as `cells` does. Cells outside of the map are images of cells inside; the flat half cells beside
-// the edges of a clamped or mirrored map, which are none, are walked through. `params.x` caps the reads.
+// Published here first. The map is relief-bake's kind `frustum`, whose head has the proof: for every cell and
+// quadrant the least slope S, in heights a texel, such that the surface is nowhere above top + S d, with the
+// greatest of the cell's four heights for the top and d the Chebyshev distance from the cell in texels. Where
+// the ray leaves the cell above the top it is safe until it meets that frustum, one division an axis away;
+// where it sinks to the top over the cell, the cell's patch is looked at, as `cells` does. Cells outside of
+// the map are images of cells inside; the flat half cells beside the edges of a clamped or mirrored map,
+// which are none, are walked through. `params.x` caps the reads.
 //
-// All that floats round is taken off the gap to the frustum before the division, so that a step may end early, never late.
+// All that floats round is taken off the gap to the frustum before the division, so that a step may end
+// early, never late.
 "# },
     Module { path: "search/linear", head: r#"// Linear search: equal steps from the entry to the exit until one is below the surface.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.3.1. `params.x` is the number of steps for a ray along the normal,
-// `params.y` how many times as many a grazing ray takes.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.3.1. `params.x` is the number of steps for a ray along the
+// normal, `params.y` how many times as many a grazing ray takes.
 "# },
     Module { path: "search/none", head: r#"// No search: the entry and the exit, with nothing known of what lies between.
 "# },
     Module { path: "refine/binary", head: r#"// Binary search: the interval is halved, keeping its near end above and its far end below the surface.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a search it starts
-// with the whole path and may find any crossing.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a search it
+// starts with the whole path and may find any crossing.
 "# },
     Module { path: "refine/none", head: r#"// No refinement: what the search found is the hit.
 //
-// Without a search this is bump mapping: the processed point (Szirmay-Kalos and Umenhoffer 2008, section 4.1.1). After
-// linear search it is steep parallax mapping: the first sample below (section 4.3.1).
+// Without a search this is bump mapping: the processed point (Szirmay-Kalos and Umenhoffer 2008, section
+// 4.1.1). After linear search it is steep parallax mapping: the first sample below (section 4.3.1).
 "# },
     Module { path: "refine/offset", head: r#"// Parallax mapping: the surface is taken for a level plane at the height of the starting point.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.1.2. The published offset h (Vx, Vy) / Vz is the point where the ray
-// reaches that level.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.1.2. The published offset h (Vx, Vy) / Vz is the point where
+// the ray reaches that level.
 "# },
     Module { path: "refine/offset_limited", head: r#"// Parallax mapping with offset limiting: the offset is h (Vx, Vy), without the division by Vz.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.1.3. The offset never exceeds the height, and the point it gives lies
-// beside the ray.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.1.3. The offset never exceeds the height, and the point it
+// gives lies beside the ray.
 "# },
-    Module { path: "refine/patch", head: r#"// Exact refinement: ray against bilinear patch in closed form, in every dual cell of the search's interval, in order.
+    Module { path: "refine/patch", head: r#"// Exact refinement: ray against bilinear patch in closed form, in every dual cell of the search's interval,
+// in order.
 //
-// `params.x` caps the number of cells. After a search that ends above the surface it goes on to the end of the path and
-// may end in a miss.
+// `params.x` caps the number of cells. After a search that ends above the surface it goes on to the end of
+// the path and may end in a miss.
 "# },
-    Module { path: "refine/secant", head: r#"// The secant method of displacement mapping, which is false position: the surface between the two ends is taken for a
-// plane, and the end on the same side as the new point is replaced.
+    Module { path: "refine/secant", head: r#"// The secant method of displacement mapping, which is false position: the surface between the two ends is
+// taken for a plane, and the end on the same side as the new point is replaced.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.2.3. `params.x` is the number of steps. The last one needs no read.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.2.3. `params.x` is the number of steps. The last one needs no
+// read.
 "# },
-    Module { path: "refine/slope", head: r#"// Parallax mapping taking into account the slope: the surface is taken for its tangent plane at the starting point.
+    Module { path: "refine/slope", head: r#"// Parallax mapping taking into account the slope: the surface is taken for its tangent plane at the starting
+// point.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.1.4. With `params.x` 0 the offset is h Nz (Vx, Vy), the safer form that
-// the section ends with; with 1 it is divided by N·V, which solves ray against plane.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.1.4. With `params.x` 0 the offset is h Nz (Vx, Vy), the safer
+// form that the section ends with; with 1 it is divided by N·V, which solves ray against plane.
 "# },
     Module { path: "refine/slope_iterative", head: r#"// Iterative parallax mapping: the slope correction, repeated from the point that it gave.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 4.2.1. `params.x` is the number of corrections; with `params.y` 1 each is
-// divided by N·V, which makes it Newton's method.
+// Szirmay-Kalos and Umenhoffer 2008, section 4.2.1. `params.x` is the number of corrections; with `params.y`
+// 1 each is divided by N·V, which makes it Newton's method.
 "# },
     Module { path: "refine/true_secant", head: r#"// The secant method proper: always the last two guesses, whether or not they enclose the crossing.
 //
-// Suggested by Szirmay-Kalos and Umenhoffer 2008, section 4.2.3. `params.x` is the number of steps. It converges faster
-// than false position and without its certainty; a guess outside the search's interval is brought back to its ends.
+// Suggested by Szirmay-Kalos and Umenhoffer 2008, section 4.2.3. `params.x` is the number of steps. It
+// converges faster than false position and without its certainty; a guess outside the search's interval is
+// brought back to its ends.
 "# },
     Module { path: "shade/blinn_phong", head: r#"// Blinn-Phong: diffuse, and a specular lobe around the half vector.
 //
-// Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so that the
-// power is a product of squares and has the same bits everywhere.
+// Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so
+// that the power is a product of squares and has the same bits everywhere.
 "# },
-    Module { path: "roots/clear", head: r#"// Makes a part of what is traced empty again, so that the next surface begins with nothing: a triangle over all of the
-// picture, as far away as can be.
+    Module { path: "roots/clear", head: r#"// Makes a part of what is traced empty again, so that the next surface begins with nothing: a triangle over
+// all of the picture, as far away as can be.
 "# },
-    Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU to the
-// translation, and for measurements of the stages alone.
+    Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
+// to the translation, and for measurements of the stages alone.
 "# },
-    Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first one traced is shaded once. Where another surface
-// was seen before, the nearer one is kept.
+    Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first one traced is shaded once. Where
+// another surface was seen before, the nearer one is kept.
 "# },
     Module { path: "roots/show", head: r#"// The picture for callers that show it: linear colours of the records of some rows, over the background.
 "# },
     Module { path: "roots/trace", head: r#"// The first pass of a picture on the GPU: the base mesh is rasterised, and every fragment's ray traced.
 //
-// Rays are made from the pixel and the triangle's corners, not from interpolated attributes, so that both backends trace
-// the same ray to the last bit whatever the rasteriser's precision.
+// Rays are made from the pixel and the triangle's corners, not from interpolated attributes, so that both
+// backends trace the same ray to the last bit whatever the rasteriser's precision.
 "# },
 ];
 
@@ -477,8 +488,9 @@ const NEVER = 3.0e38;"#,
         name: "ROUNDING",
         sampling: None,
         uses: &[],
-        text: r#"// Share of a sum's terms that is taken off for the rounding of it and of what it is computed from: 8 roundings. Smaller,
-// and steps may pass what `cells` sees; larger, and rays that graze plateaus look at more patches.
+        text: r#"// Share of a sum's terms that is taken off for the rounding of it and of what it is computed from: 8
+// roundings. Smaller, and steps may pass what `cells` sees; larger, and rays that graze plateaus look at more
+// patches.
 const ROUNDING = 0.00000095367431640625;"#,
     },
     Declaration {
@@ -507,8 +519,8 @@ struct Grid {
         name: "cell_leave",
         sampling: None,
         uses: &["Grid", "NEVER"],
-        text: r#"// The parameter where the path leaves the cell through its sides across u and across v. Computed from the cell number
-// each time, so that nothing accumulates.
+        text: r#"// The parameter where the path leaves the cell through its sides across u and across v. Computed from the
+// cell number each time, so that nothing accumulates.
 fn cell_leave(grid: Grid, cell: vec2f) -> vec2f {
     var leave = vec2f(NEVER, NEVER);
     if (grid.step.x > 0.0) {
@@ -547,8 +559,9 @@ fn cell_next(grid: Grid, cell: vec2f, leave: vec2f) -> vec2f {
         name: "cell_after",
         sampling: None,
         uses: &["Grid", "cell_of"],
-        text: r#"// The cell that holds the ray at t, after a step through the side of `cell` along each axis that it has left by then: where
-// rounding sees the ray before a line that it has crossed, it is in the cell behind it all the same.
+        text: r#"// The cell that holds the ray at t, after a step through the side of `cell` along each axis that it has left
+// by then: where rounding sees the ray before a line that it has crossed, it is in the cell behind it all the
+// same.
 fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32) -> vec2f {
     let near = cell_of(grid.origin + grid.step * t);
     let ahead = max(near, cell + select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), leave <= vec2f(t, t)));
@@ -600,7 +613,8 @@ fn gap_to(path: Path, grid: Grid, cell: vec2f, h: vec4f, t: f32) -> vec3f {
         name: "least_at",
         sampling: None,
         uses: &[],
-        text: r#"// Where in [0, span] a quadratic that is positive at 0 is least: a place where it is not positive if there is one.
+        text: r#"// Where in [0, span] a quadratic that is positive at 0 is least: a place where it is not positive if there is
+// one.
 fn least_at(c: vec3f, span: f32) -> f32 {
     if (c.z > 0.0) {
         return clamp((0.0 - c.y) / (2.0 * c.z), 0.0, span);
@@ -646,8 +660,8 @@ fn first_root(c: vec3f, span: f32) -> f32 {
         name: "found_in_cell",
         sampling: None,
         uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "least_at", "quadratic"],
-        text: r#"// What a search knows after a cell over which the gap is c, from parameter t on to t + span: a bracket that ends where the gap
-// is least, or that the path stays above. `first` says that the path begins here.
+        text: r#"// What a search knows after a cell over which the gap is c, from parameter t on to t + span: a bracket that
+// ends where the gap is least, or that the path stays above. `first` says that the path begins here.
 fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, reads: u32) -> Found {
     if (c.x <= 0.0) {
         if (first && c.x < 0.0) {
@@ -668,8 +682,8 @@ fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, reads: u32) -> Found 
         name: "CELL_LIMIT",
         sampling: None,
         uses: &[],
-        text: r#"// Farther out than this a cell number would not fit an integer; larger values only matter for paths that are already
-// meaningless in f32.
+        text: r#"// Farther out than this a cell number would not fit an integer; larger values only matter for paths that are
+// already meaningless in f32.
 const CELL_LIMIT = 1073741824.0;"#,
     },
     Declaration {
@@ -708,7 +722,8 @@ fn height_size() -> vec2f {
         name: "cell_of",
         sampling: None,
         uses: &["CELL_LIMIT"],
-        text: r#"// The dual cell that holds a point, in cell units (texture coordinate times size, minus a half), as whole numbers.
+        text: r#"// The dual cell that holds a point, in cell units (texture coordinate times size, minus a half), as whole
+// numbers.
 fn cell_of(point: vec2f) -> vec2f {
     return clamp(floor(point), vec2f(-CELL_LIMIT, -CELL_LIMIT), vec2f(CELL_LIMIT, CELL_LIMIT));
 }"#,
@@ -996,8 +1011,8 @@ fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
         name: "EXHAUSTED_BIT",
         sampling: None,
         uses: &[],
-        text: r#"// What is known of a traced pixel travels in integers: the triangle's number plus 1, negative for a back face; the reads,
-// with this bit set where the search was exhausted.
+        text: r#"// What is known of a traced pixel travels in integers: the triangle's number plus 1, negative for a back
+// face; the reads, with this bit set where the search was exhausted.
 const EXHAUSTED_BIT = 1073741824i;"#,
     },
     Declaration {
@@ -1005,7 +1020,8 @@ const EXHAUSTED_BIT = 1073741824i;"#,
         name: "Traced",
         sampling: None,
         uses: &[],
-        text: r#"// What the first pass knows of a pixel: of the hit uv, height and t; the triangle and the reads. Zeros where nothing is.
+        text: r#"// What the first pass knows of a pixel: of the hit uv, height and t; the triangle and the reads. Zeros where
+// nothing is.
 struct Traced {
     @location(0) hit: vec4f,
     @location(1) what: vec2i,
@@ -1027,8 +1043,9 @@ fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
         name: "FLOOR",
         sampling: None,
         uses: &[],
-        text: r#"// A path that ends at or below this height has crossed every level of the map: what it has not hit is rounding. Larger,
-// and paths that end at the footprint's edge hit what is not there; smaller, and paths through a valley floor leak.
+        text: r#"// A path that ends at or below this height has crossed every level of the map: what it has not hit is
+// rounding. Larger, and paths that end at the footprint's edge hit what is not there; smaller, and paths
+// through a valley floor leak.
 const FLOOR = 0.000001;"#,
     },
     Declaration {
@@ -1097,8 +1114,8 @@ fn hit_on_path(path: Path, t: f32, exhausted: u32, reads: u32) -> Hit {
         name: "starting_point",
         sampling: None,
         uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_UNBRACKETED", "Found", "Path"],
-        text: r#"// Where the one-point refinements begin: the processed point when nothing was searched, else what is known to be
-// nearest to the hit.
+        text: r#"// Where the one-point refinements begin: the processed point when nothing was searched, else what is known to
+// be nearest to the hit.
 fn starting_point(path: Path, found: Found) -> f32 {
     if (found.status == FOUND_UNBRACKETED) {
         return path.base;
@@ -1124,7 +1141,8 @@ fn pixel_direction(pixel: vec2f) -> vec3f {
         name: "pixel_of",
         sampling: None,
         uses: &["Corner", "PixelIn", "frame", "pixel_direction"],
-        text: r#"// A pixel's ray, through a point in pixels from the picture's top-left corner, and the triangle that it meets.
+        text: r#"// A pixel's ray, through a point in pixels from the picture's top-left corner, and the triangle that it
+// meets.
 fn pixel_of(a: Corner, b: Corner, c: Corner, side: f32, point: vec2f) -> PixelIn {
     return PixelIn(frame.eye.xyz, pixel_direction(point), side, a, b, c);
 }"#,
@@ -1156,8 +1174,8 @@ fn trace(path: Path) -> Hit {
         name: "reflected_light",
         sampling: None,
         uses: &["frame", "shade_stage", "surface_settings", "toward_light"],
-        text: r#"// The light that a point reflects along `view`, toward the eye, in linear RGB: the ambient part, and light by light what
-// the shading makes of it.
+        text: r#"// The light that a point reflects along `view`, toward the eye, in linear RGB: the ambient part, and light by
+// light what the shading makes of it.
 fn reflected_light(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
     let diffuse = surface_settings.diffuse.xyz * color;
     var light = frame.ambient.xyz * diffuse;
@@ -1311,8 +1329,8 @@ struct Frame {
     eye: vec4f,
     // Unit view axis.
     forward: vec4f,
-    // The ray through the picture's top-left corner, and its change per pixel to the right and downward; the component
-    // along the view axis is 1.
+    // The ray through the picture's top-left corner, and its change per pixel to the right and downward; the
+    // component along the view axis is 1.
     corner: vec4f,
     right: vec4f,
     down: vec4f,
@@ -1385,8 +1403,8 @@ struct SurfaceSettings {
 struct PassSettings {
     // From a pixel's centre to the point of it that is seen, in pixels.
     offset: vec2f,
-    // The rows of the picture that are shaded and read back at once, so that the records fit the least buffer that
-    // adapters offer.
+    // The rows of the picture that are shaded and read back at once, so that the records fit the least buffer
+    // that adapters offer.
     first_row: u32,
     rows: u32,
 }"#,
@@ -1415,7 +1433,8 @@ fn height_and_slope(uv: vec2f) -> vec3f {
         name: "normal_z",
         sampling: None,
         uses: &["Path"],
-        text: r#"// The component of the unit surface normal along the base normal, for slopes in normalised height per texture unit.
+        text: r#"// The component of the unit surface normal along the base normal, for slopes in normalised height per texture
+// unit.
 fn normal_z(path: Path, slope: vec2f) -> f32 {
     let m = path.metric;
     let area = m.x * m.z - m.y * m.y;
@@ -1555,8 +1574,9 @@ struct PixelOut {
         name: "BELOW_FLOOR",
         sampling: None,
         uses: &[],
-        text: r#"// A descending path ends this much, relatively, below the lowest level of the map, so that rounding cannot let it end
-// above a floor. Larger costs steps below the floor; smaller than an ulp of f32 lets paths leak through.
+        text: r#"// A descending path ends this much, relatively, below the lowest level of the map, so that rounding cannot
+// let it end above a floor. Larger costs steps below the floor; smaller than an ulp of f32 lets paths leak
+// through.
 const BELOW_FLOOR = 1.000001;"#,
     },
     Declaration {
@@ -1628,7 +1648,8 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
     let base_height = (0.0 - surface_settings.bias_m) / scale;
     let slope = (0.0 - descent) / scale;
 
-    // Metres along the ray, counted from the base: entry at height 1 but not behind the eye, exit at height 0.
+    // Metres along the ray, counted from the base: entry at height 1 but not behind the eye, exit at
+    // height 0.
     let eye = (0.0 - distance) * along;
     let top = (base_height - 1.0) * scale / descent;
     var enter = max(top, eye);
@@ -1644,8 +1665,8 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
         valid = 0u;
     }
     let entry_height = select(base_height + slope * enter, 1.0, enter == top);
-    // Limits that it never reaches: where compilers may reorder arithmetic they would cancel `uv + duv enter` against
-    // `duv base`, and methods that begin at the base would differ from machine to machine.
+    // Limits that it never reaches: where compilers may reorder arithmetic they would cancel `uv + duv enter`
+    // against `duv base`, and methods that begin at the base would differ from machine to machine.
     let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
     let path = Path(
         uv + duv * enter,
@@ -1695,7 +1716,8 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
         name: "cone_slope",
         sampling: None,
         uses: &["CONE_HALF_RATIO", "Path", "search_texel", "surface_settings", "wrap_index"],
-        text: r#"// Slope of the empty cone on a texel, in heights for each tile; negative where none is known to be empty. One read.
+        text: r#"// Slope of the empty cone on a texel, in heights for each tile; negative where none is known to be empty. One
+// read.
 fn cone_slope(path: Path, texel: vec2f) -> f32 {
     let n = vec2i(surface_settings.height_size);
     let place = vec2i(texel);
@@ -1714,8 +1736,8 @@ fn cone_slope(path: Path, texel: vec2f) -> f32 {
         name: "stays_inside",
         sampling: None,
         uses: &["Grid", "NEVER", "Path", "ROUNDING", "height_size", "path_height", "path_slope"],
-        text: r#"// How far from t on the ray is inside of the cone of that slope on an apex, by more than is rounded. `offset` is the texel's
-// centre from which the places of the path count, in texels.
+        text: r#"// How far from t on the ray is inside of the cone of that slope on an apex, by more than is rounded. `offset`
+// is the texel's centre from which the places of the path count, in texels.
 fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t: f32) -> f32 {
     let rest = path.exit - t;
     let height = path_height(path, t) - apex;
@@ -1810,8 +1832,9 @@ fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t:
         name: "folded_cell",
         sampling: None,
         uses: &["WRAP_MIRROR", "WRAP_REPEAT", "surface_settings"],
-        text: r#"// Along an axis the cell of the map that a dual cell is an image of, and 1 where the image is mirrored. The first is -1
-// where there is none: outside of a clamped map, and in the half cells between a mirrored map and its images.
+        text: r#"// Along an axis the cell of the map that a dual cell is an image of, and 1 where the image is mirrored. The
+// first is -1 where there is none: outside of a clamped map, and in the half cells between a mirrored map and
+// its images.
 fn folded_cell(i: i32, n: i32) -> vec2i {
     if (i >= 0 && i < n) {
         return vec2i(i, 0);
@@ -1835,8 +1858,8 @@ fn folded_cell(i: i32, n: i32) -> vec2i {
         name: "frustum_slope",
         sampling: None,
         uses: &["Path", "folded_cell", "search_texel", "surface_settings"],
-        text: r#"// The slope of the frustum that stands on a cell, toward larger u and v where `forward` says so. One read; none, and a
-// negative slope, where the map has no frustum.
+        text: r#"// The slope of the frustum that stands on a cell, toward larger u and v where `forward` says so. One read;
+// none, and a negative slope, where the map has no frustum.
 fn frustum_slope(path: Path, cell: vec2i, forward: vec2<bool>) -> f32 {
     let u = folded_cell(cell.x, i32(surface_settings.height_size.x));
     let v = folded_cell(cell.y, i32(surface_settings.height_size.y));
@@ -1855,9 +1878,9 @@ fn frustum_slope(path: Path, cell: vec2i, forward: vec2<bool>) -> f32 {
         name: "stays_above",
         sampling: None,
         uses: &["NEVER", "ROUNDING", "first_root"],
-        text: r#"// How far, from a height `above.x` over the frustum's top on, the ray stays above the frustum as the distance along one axis
-// has it. `left` is how many texels of the cell are left along the axis, `speed` texels a unit of t, `lost` what rounding
-// may have taken off the gap.
+        text: r#"// How far, from a height `above.x` over the frustum's top on, the ray stays above the frustum as the distance
+// along one axis has it. `left` is how many texels of the cell are left along the axis, `speed` texels a unit
+// of t, `lost` what rounding may have taken off the gap.
 fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span: f32) -> f32 {
     let rise = slope * abs(speed);
     let gap = above.x + slope * left - lost;
@@ -2438,8 +2461,8 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let side = select(-1.0, 1.0, front);
     let at = surface_stage(numbered_pixel(in.triangle, side, in.position.xy + pass_settings.offset));
-    // A discarded invocation may run on as a helper of its neighbours, and with a path that leads nowhere it would run
-    // to the end of its step limit: nothing is traced without a path.
+    // A discarded invocation may run on as a helper of its neighbours, and with a path that leads nowhere it
+    // would run to the end of its step limit: nothing is traced without a path.
     var hit = miss(0u);
     if (at.valid == 1u) {
         hit = trace(at.path);

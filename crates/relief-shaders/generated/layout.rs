@@ -57,8 +57,8 @@ impl Shared for Frame {
 pub struct PassSettings {
     /// From a pixel's centre to the point of it that is seen, in pixels.
     pub offset: rt::Vec2<f32>,
-    /// The rows of the picture that are shaded and read back at once, so that the records fit the least buffer that
-    /// adapters offer.
+    /// The rows of the picture that are shaded and read back at once, so that the records fit the least buffer
+    /// that adapters offer.
     pub first_row: u32,
     pub rows: u32,
 }

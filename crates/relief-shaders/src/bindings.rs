@@ -1,5 +1,5 @@
-//! What the shaders bind: one table, from which the shaders' declarations, the header of every assembled shader and the GPU
-//! backend's layouts are made.
+//! What the shaders bind: one table, from which the shaders' declarations, the header of every assembled
+//! shader and the GPU backend's layouts are made.
 
 use std::fmt::Write as _;
 
@@ -75,7 +75,8 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
     Binding { group: 2, number, name, kind, holds }
 }
 
-/// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them that it names.
+/// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
+/// that it names.
 pub const BINDINGS: [Binding; 20] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),

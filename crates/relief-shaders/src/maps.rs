@@ -181,8 +181,8 @@ impl Selection {
         needs
     }
 
-    /// Of the maps given, those that the chosen variants read over that height map on a surface of that metric, each in its
-    /// slot.
+    /// Of the maps given, those that the chosen variants read over that height map on a surface of that
+    /// metric, each in its slot.
     ///
     /// # Errors
     ///

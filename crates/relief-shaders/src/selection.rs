@@ -143,7 +143,8 @@ impl Selection {
         Ok(selection)
     }
 
-    /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default parameters.
+    /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default
+    /// parameters.
     ///
     /// # Errors
     ///

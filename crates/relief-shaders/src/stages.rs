@@ -1,4 +1,5 @@
-//! The stages of a pixel: one table, from which selections, settings, the shaders' dispatch, help and tests are made.
+//! The stages of a pixel: one table, from which selections, settings, the shaders' dispatch, help and tests
+//! are made.
 
 use relief_core::registry::{Entry, RayClass};
 
@@ -7,9 +8,9 @@ use crate::{refine, search, shade, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
-/// A variant is a pair of files in the stage's folder, which has the name of its key: the shader, and the registry entry
-/// beside it. The shader's function is called by the key and the variant's name, as in `search_linear`. It takes the
-/// stage's inputs, and after them the variant's parameters, a `vec4f`.
+/// A variant is a pair of files in the stage's folder, which has the name of its key: the shader, and the
+/// registry entry beside it. The shader's function is called by the key and the variant's name, as in
+/// `search_linear`. It takes the stage's inputs, and after them the variant's parameters, a `vec4f`.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
     /// The key in settings and scenes, as in `search.steps`.
@@ -26,7 +27,8 @@ pub struct Stage {
     pub returns: &'static str,
     /// Where its variants read baked maps, if they may read any.
     pub slot: Option<MapSlot>,
-    /// The rays that it is given when a picture is rendered. A variant for which these are impossible is refused.
+    /// The rays that it is given when a picture is rendered. A variant for which these are impossible is
+    /// refused.
     pub rays: &'static [RayClass],
 }
 

@@ -1,8 +1,8 @@
-//! The shaders as plain WGSL without imports, for any engine that reads it: assembled from the declarations that a
-//! selection reaches, with the comments of their sources.
+//! The shaders as plain WGSL without imports, for any engine that reads it: assembled from the declarations
+//! that a selection reaches, with the comments of their sources.
 //!
-//! Only the structure is assembled. Parameters, sizes and wrap stay in uniform buffers, so that one shader serves every
-//! scene that has the same variants.
+//! Only the structure is assembled. Parameters, sizes and wrap stay in uniform buffers, so that one shader
+//! serves every scene that has the same variants.
 //!
 //! ```
 //! use relief_shaders::Selection;
@@ -74,8 +74,8 @@ impl FromStr for Sampling {
 /// What a shader is assembled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Root {
-    /// The functions alone, for a program of one's own: `shade_pixel` is a whole pixel, `pixel_of` makes what it takes of a
-    /// point of the picture and a triangle's corners.
+    /// The functions alone, for a program of one's own: `shade_pixel` is a whole pixel, `pixel_of` makes what
+    /// it takes of a point of the picture and a triangle's corners.
     Functions,
     /// Rasterises the base mesh and traces it: `vertex_main`, `fragment_main`.
     Trace,

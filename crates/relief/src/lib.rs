@@ -1,7 +1,9 @@
-//! Displacement mapping: a height map and a mesh go in; a picture, baked maps or a shader that any engine can use comes out.
+//! Displacement mapping: a height map and a mesh go in; a picture, baked maps or a shader that any engine can
+//! use comes out.
 //!
-//! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], and in [`exact`] the answer that every faster method is judged
-//! by. Every other crate of the project is a module, most of them behind a feature of that name; all are on by default.
+//! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], and in [`exact`] the answer that every faster
+//! method is judged by. Every other crate of the project is a module, most of them behind a feature of that
+//! name; all are on by default.
 //!
 //! | module | feature | what it is for |
 //! | --- | --- | --- |

@@ -39,11 +39,12 @@ pub struct Arguments {
     /// Runs of each, and as many more as take 50 ms together; the median counts
     #[arg(long, default_value_t = 3)]
     runs: usize,
-    /// A map that would take longer than this on one thread is left out, and larger ones too; one that takes more than a
-    /// tenth of it is run once
+    /// A map that would take longer than this on one thread is left out, and larger ones too; one that takes
+    /// more than a tenth of it is run once
     #[arg(long, default_value_t = 60.0, value_name = "SECONDS")]
     limit: f64,
-    /// How long brute force may take at each size: then the time of the texels that were done counts for all. 0 leaves it out
+    /// How long brute force may take at each size: then the time of the texels that were done counts for all.
+    /// 0 leaves it out
     #[arg(long, default_value_t = 1.5, value_name = "SECONDS")]
     brute: f64,
     /// A Python with numpy, edt and topocalc: times distance and horizon beside these two
@@ -165,7 +166,8 @@ impl Row {
 }
 
 impl Brute {
-    /// Its seconds, the share of the texels that was done, and the lead over it of a bake that takes so many milliseconds.
+    /// Its seconds, the share of the texels that was done, and the lead over it of a bake that takes so many
+    /// milliseconds.
     fn cells(&self, bake_ms: f64) -> [String; 3] {
         let lead = 1e3 * self.seconds / bake_ms;
         [format!("{:.3}", self.seconds), percent(self.share), format!("{lead:.0}")]

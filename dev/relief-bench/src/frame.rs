@@ -1,4 +1,5 @@
-//! `frame`: the second picture of a renderer that keeps what it was given, beside a whole rendering from files.
+//! `frame`: the second picture of a renderer that keeps what it was given, beside a whole rendering from
+//! files.
 
 use std::path::PathBuf;
 use std::time::Instant;
@@ -44,7 +45,8 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 /// What was measured of a scene on a backend.
 struct Measured {
     device: String,
-    /// Milliseconds of reading the files, taking the maps out of a folder, opening the renderer and one picture.
+    /// Milliseconds of reading the files, taking the maps out of a folder, opening the renderer and one
+    /// picture.
     whole: Samples,
     /// Milliseconds of the same but for reading the files.
     render: Samples,

@@ -1,4 +1,5 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `frame`, `probe` and `trace`. Results are kept in `docs/`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `frame`, `probe` and `trace`. Results are
+//! kept in `docs/`.
 
 use std::process::ExitCode;
 

@@ -1,4 +1,5 @@
-//! How near every method comes to the truth: maps, view rays at given angles, and the survey's claims about the order.
+//! How near every method comes to the truth: maps, view rays at given angles, and the survey's claims about
+//! the order.
 
 use std::path::{Path as FilePath, PathBuf};
 
@@ -28,7 +29,8 @@ pub struct Named {
     pub map: HeightMap,
 }
 
-/// The five maps of the accuracy tables: bricks and cobbles, a real elevation model, spikes, and fractal ground.
+/// The five maps of the accuracy tables: bricks and cobbles, a real elevation model, spikes, and fractal
+/// ground.
 ///
 /// # Panics
 ///
@@ -130,8 +132,8 @@ impl<'a> Case<'a> {
     }
 }
 
-/// Mean distance to the truth in texels over all maps and angles, and the share of rays that passed the first hit, of a
-/// method with that many linear steps.
+/// Mean distance to the truth in texels over all maps and angles, and the share of rays that passed the first
+/// hit, of a method with that many linear steps.
 ///
 /// # Errors
 ///

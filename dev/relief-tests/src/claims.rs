@@ -40,8 +40,8 @@ pub struct Claim {
     pub measure: Measure,
     /// Where, in degrees from the normal.
     pub angles: &'static [f64],
-    /// What was found when it was measured: whether the mean over the maps bears the claim out. A claim that does not
-    /// hold is recorded here, with its figures in the table, and not forgotten.
+    /// What was found when it was measured: whether the mean over the maps bears the claim out. A claim that
+    /// does not hold is recorded here, with its figures in the table, and not forgotten.
     pub holds: bool,
 }
 

@@ -1,8 +1,9 @@
 //! Whether one tracer's answer is as good as exact.
 //!
-//! Hits are not compared by `t` alone: where a path grazes the surface, `t` and even hit or miss hang on the last bit. An
-//! answer is accepted when it is the exact answer for a surface that differs by no more than a given height: the path touches
-//! the surface at the hit, to that height, and is nowhere deeper below it before.
+//! Hits are not compared by `t` alone: where a path grazes the surface, `t` and even hit or miss hang on the
+//! last bit. An answer is accepted when it is the exact answer for a surface that differs by no more than a
+//! given height: the path touches the surface at the hit, to that height, and is nowhere deeper below it
+//! before.
 
 use std::fmt;
 
@@ -36,7 +37,8 @@ impl fmt::Display for Disagreement {
 pub enum Verdict {
     /// Both miss, or both hit at the same `t` to within the tolerance over the slope.
     Agree,
-    /// They differ as to hit or miss, or hit at different places, but the path grazes the surface within the tolerance.
+    /// They differ as to hit or miss, or hit at different places, but the path grazes the surface within the
+    /// tolerance.
     Grazing,
 }
 
@@ -66,7 +68,8 @@ pub fn judge(
         if !a.found {
             return Ok(Verdict::Agree);
         }
-        // What lies behind the true hit may be deeper, but the path has come out of the surface by then or hits for good.
+        // What lies behind the true hit may be deeper, but the path has come out of the surface by then or
+        // hits for good.
         let end = if path.exit.is_finite() { path.exit } else { a.t + (1.0 + a.t) };
         let depth = -least_gap(map, path, 0.0, end);
         return if depth <= tolerance { Ok(Verdict::Grazing) } else { Err(wrong("a hit is missed", depth)) };

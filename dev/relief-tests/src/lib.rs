@@ -1,5 +1,5 @@
-//! What tests and benchmarks share: adversarial maps and rays, a deterministic random generator, and the judge that
-//! compares one tracer with another. Never published.
+//! What tests and benchmarks share: adversarial maps and rays, a deterministic random generator, and the
+//! judge that compares one tracer with another. Never published.
 
 pub mod accuracy;
 pub mod baked;
@@ -15,12 +15,13 @@ pub mod search;
 
 use std::path::PathBuf;
 
-/// How many adversarial rays a test sends through each map in each wrap. Tests that cost more a ray take a fraction of
-/// it. All test times scale with it: 25,000 makes 1.2 million rays over [`maps::ALL`] in the three wraps.
+/// How many adversarial rays a test sends through each map in each wrap. Tests that cost more a ray take a
+/// fraction of it. All test times scale with it: 25,000 makes 1.2 million rays over [`maps::ALL`] in the
+/// three wraps.
 pub const RAYS_PER_MAP: usize = 25_000;
 
-/// The folder of real maps, from the environment variable `RELIEF_DATA`; `None` when unset or absent, and then a test
-/// that needs it skips and says so.
+/// The folder of real maps, from the environment variable `RELIEF_DATA`; `None` when unset or absent, and
+/// then a test that needs it skips and says so.
 pub fn data_dir() -> Option<PathBuf> {
     std::env::var_os("RELIEF_DATA").map(PathBuf::from).filter(|folder| folder.is_dir())
 }

@@ -29,7 +29,8 @@ impl NamedMap {
     }
 }
 
-/// Every adversarial map. Sizes are mixed on purpose: one texel, one row, one column, odd, prime, powers of two.
+/// Every adversarial map. Sizes are mixed on purpose: one texel, one row, one column, odd, prime, powers of
+/// two.
 pub const ALL: &[NamedMap] = &[
     NamedMap { name: "white noise 37x53", width: 37, height: 53, texels: white_noise },
     NamedMap { name: "white noise 128x128", width: 128, height: 128, texels: white_noise },
@@ -86,8 +87,8 @@ fn natural(rng: &mut Rng, size: [u32; 2]) -> Vec<f32> {
     fractal(rng.bits(), size[0], size[1], 0.55)
 }
 
-/// Fractal noise like weathered ground, that tiles: octaves of smoothly interpolated lattice noise, each `roughness` as
-/// high as the one before and twice as fine, stretched to fill `[0, 1]`.
+/// Fractal noise like weathered ground, that tiles: octaves of smoothly interpolated lattice noise, each
+/// `roughness` as high as the one before and twice as fine, stretched to fill `[0, 1]`.
 pub fn fractal(seed: u64, width: u32, height: u32, roughness: f32) -> Vec<f32> {
     let mut texels = vec![0.0f32; area([width, height])];
     let mut amplitude = 1.0;

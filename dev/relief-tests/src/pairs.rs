@@ -1,4 +1,5 @@
-//! The pairs of search and refinement, and which rays each is held to the exact answer for: the registry says it.
+//! The pairs of search and refinement, and which rays each is held to the exact answer for: the registry says
+//! it.
 
 use relief_core::Path;
 use relief_core::registry::{Guarantee, RayClass};

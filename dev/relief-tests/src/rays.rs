@@ -53,7 +53,8 @@ impl RayKind {
         RayKind::Endless,
     ];
 
-    /// Whether a path of this kind is straight, begins above the surface and falls, as view rays on a plane do.
+    /// Whether a path of this kind is straight, begins above the surface and falls, as view rays on a plane
+    /// do.
     pub fn is_view(self) -> bool {
         matches!(
             self,
@@ -62,13 +63,14 @@ impl RayKind {
     }
 }
 
-/// How far paths pass by what they aim at, in heights: not at all, by rounding errors of `f64` and `f32`, visibly.
+/// How far paths pass by what they aim at, in heights: not at all, by rounding errors of `f64` and `f32`,
+/// visibly.
 const OFFSETS: [f64; 9] = [0.0, 0.0, 1e-15, -1e-15, 1e-9, -1e-9, 1e-6, -1e-6, 1e-3];
 
 /// An endless, deterministic stream of adversarial paths through one map, kind by kind in turn.
 ///
-/// Paths under [`Wrap::Clamp`] end at the edge of the footprint `[0, 1]²`; the others leave it on every side. Every
-/// number of a path is finite, but for the exit of [`RayKind::Endless`].
+/// Paths under [`Wrap::Clamp`] end at the edge of the footprint `[0, 1]²`; the others leave it on every side.
+/// Every number of a path is finite, but for the exit of [`RayKind::Endless`].
 #[derive(Clone, Debug)]
 pub struct Rays<'a> {
     map: &'a HeightMap,
@@ -321,7 +323,8 @@ impl Iterator for Rays<'_> {
     }
 }
 
-/// The part of a path over the footprint `[0, 1]²`, with `t` beginning anew; `None` where it does not cross it.
+/// The part of a path over the footprint `[0, 1]²`, with `t` beginning anew; `None` where it does not cross
+/// it.
 pub fn clip_to_footprint(path: &Path) -> Option<Path> {
     let (mut from, mut to) = (0.0f64, path.exit);
     for axis in 0..2 {

@@ -7,7 +7,8 @@ use relief_tests::judge::judge;
 use relief_tests::maps;
 use relief_tests::rng::Rng;
 
-/// No path may cost more reads: a pyramid tracer reads some tens of nodes for each cell that it comes down to.
+/// No path may cost more reads: a pyramid tracer reads some tens of nodes for each cell that it comes down
+/// to.
 const MOST_READS: f64 = 64.0 * MAX_TRAVEL;
 
 fn path(uv: [f64; 2], duv: [f64; 2], h: [f64; 3], exit: f64) -> Path {
@@ -122,7 +123,8 @@ fn any_finite_path_is_answered() {
     });
 }
 
-/// The unit of `t` does not matter: the same path at a trillionth and a trillion times the speed hits at the same place.
+/// The unit of `t` does not matter: the same path at a trillionth and a trillion times the speed hits at the
+/// same place.
 #[test]
 fn the_answer_does_not_depend_on_the_unit_of_t() {
     let mut rng = Rng::new(12);

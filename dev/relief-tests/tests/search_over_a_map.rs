@@ -1,5 +1,5 @@
-//! The pairs of stages that promise the exact first hit, as the shaders have them, against it: adversarial rays of the
-//! classes for which they promise it, through adversarial maps in all wraps.
+//! The pairs of stages that promise the exact first hit, as the shaders have them, against it: adversarial
+//! rays of the classes for which they promise it, through adversarial maps in all wraps.
 
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, cell_walk};
@@ -26,8 +26,8 @@ fn steepest(map: &HeightMap) -> f64 {
     })
 }
 
-/// What `f32` may make of heights along a path, in heights: roundings of the path's own heights, and of its places, in
-/// texels, where the surface is as steep as the map gets.
+/// What `f32` may make of heights along a path, in heights: roundings of the path's own heights, and of its
+/// places, in texels, where the surface is as steep as the map gets.
 fn slack(map: &HeightMap, steepest: f64, path: &Path) -> f64 {
     let heights = path.h[0].abs() + path.exit * (path.h[1].abs() + path.exit * path.h[2].abs());
     let texels = |axis: usize, side: u32| {
@@ -43,8 +43,8 @@ fn paths(map: &HeightMap, seed: u64) -> impl Iterator<Item = (RayKind, Path)> + 
     finite.map(|(kind, path)| (kind, Path::from(&relief_shaders::cpu::Path::from(&path))))
 }
 
-/// A shader's answer to be judged: where its `t` says, which is checked, and there on the surface. Where a path begins
-/// below, the shader has the height of the path.
+/// A shader's answer to be judged: where its `t` says, which is checked, and there on the surface. Where a
+/// path begins below, the shader has the height of the path.
 fn answer(map: &HeightMap, tracer: &MethodTracer, path: &Path) -> ExactHit {
     let mut hit = tracer.first_hit(path);
     if hit.found {
@@ -59,7 +59,8 @@ fn answer(map: &HeightMap, tracer: &MethodTracer, path: &Path) -> ExactHit {
     ExactHit { hit, ..ExactHit::miss(0, 0.0) }
 }
 
-/// The answers of a pair of stages to the rays for which it promises to be exact, and the reads that they took.
+/// The answers of a pair of stages to the rays for which it promises to be exact, and the reads that they
+/// took.
 fn trial(map: &HeightMap, selection: &Selection, format: MapFormat, rays: usize) -> (Tally, f64) {
     let baked = maps_in(format, map, selection);
     let tracer = MethodTracer::over(map, selection, slots(map, selection, &baked));
@@ -114,8 +115,8 @@ type Mutation = (&'static str, fn(&mut [f32]));
 /// A search, and what is wrong with the maps that it is given.
 struct Wrong {
     method: &'static str,
-    /// Maps, their wraps, and other wraps in which they are baked. In a mirrored map no two points are nearer than in the map
-    /// itself, so cones baked for repeat are safe there.
+    /// Maps, their wraps, and other wraps in which they are baked. In a mirrored map no two points are nearer
+    /// than in the map itself, so cones baked for repeat are safe there.
     foreign: [(usize, Wrap, Wrap); 2],
     mutations: &'static [Mutation],
 }

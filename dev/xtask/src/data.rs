@@ -1,7 +1,7 @@
 //! The sample maps in `data/`.
 //!
-//! All but the elevation model are computed, from `+ - * /`, `sqrt` and integers alone, so that every machine gets the
-//! same texels.
+//! All but the elevation model are computed, from `+ - * /`, `sqrt` and integers alone, so that every machine
+//! gets the same texels.
 
 use crate::output::Generated;
 use std::path::Path;

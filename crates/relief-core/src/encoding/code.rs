@@ -2,7 +2,8 @@
 
 use super::Rounding;
 
-/// The codes 0 to 255 of values from a range: code `c` stands for `low + step * c`, multiplied and added in `f32`.
+/// The codes 0 to 255 of values from a range: code `c` stands for `low + step * c`, multiplied and added in
+/// `f32`.
 ///
 /// A GPU gives back a code over 255, which may be off by its last bit; a shader recovers the code as
 /// `floor(255 v + 1/2)` and computes the value as it is computed here.
@@ -33,7 +34,8 @@ impl Codes {
         self.low + self.step * f32::from(code)
     }
 
-    /// The code whose value is nearest, or nearest on the side given. None where no code lies there, and for NaN.
+    /// The code whose value is nearest, or nearest on the side given. None where no code lies there, and for
+    /// NaN.
     pub fn code(self, value: f32, rounding: Rounding) -> Option<u8> {
         if value.is_nan() {
             return None;

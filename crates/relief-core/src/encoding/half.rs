@@ -4,8 +4,8 @@ use half::f16;
 
 use super::Rounding;
 
-/// The value that a 16-bit float gives back for a value stored in it. Rounded down it is at most the value, rounded up
-/// at least: what is above 65504 becomes 65504 or infinity by the side. NaN stays NaN.
+/// The value that a 16-bit float gives back for a value stored in it. Rounded down it is at most the value,
+/// rounded up at least: what is above 65504 becomes 65504 or infinity by the side. NaN stays NaN.
 pub fn round(value: f32, rounding: Rounding) -> f32 {
     rounded(value, rounding).to_f32()
 }
@@ -15,7 +15,8 @@ pub fn bits(value: f32, rounding: Rounding) -> u16 {
     rounded(value, rounding).to_bits()
 }
 
-/// The same without subnormal numbers, for which GPUs may read 0: the nearest normal number or 0 on that side.
+/// The same without subnormal numbers, for which GPUs may read 0: the nearest normal number or 0 on that
+/// side.
 pub fn normal_bits(value: f32, rounding: Rounding) -> u16 {
     let least = f16::MIN_POSITIVE;
     let stored = rounded(value, rounding);

@@ -1,7 +1,7 @@
 //! The truth: every dual cell on the path, in order, each solved in closed form.
 //!
-//! The walk is the 2-D DDA of Amanatides and Woo 1987 with crossings computed from the cell's number rather than by
-//! adding increments, so that its error does not grow along the path.
+//! The walk is the 2-D DDA of Amanatides and Woo 1987 with crossings computed from the cell's number rather
+//! than by adding increments, so that its error does not grow along the path.
 
 use super::patch::Gap;
 use super::{ExactHit, MAX_TRAVEL, is_traceable};
@@ -9,9 +9,10 @@ use crate::{HeightMap, Path};
 
 /// The first hit of a path, in `f64`, by a walk through every dual cell on its way.
 ///
-/// At a hit `|H(t) - f(u, v)|` is at most 1e-12, unless the path begins below the surface, for maps of up to 4096 cells a
-/// side and paths within a few tiles of the origin; beyond, it grows with the number of cells between the path and the
-/// origin, times 2⁻⁵². Costs one read a cell on the path. See the [module](super) for endless paths.
+/// At a hit `|H(t) - f(u, v)|` is at most 1e-12, unless the path begins below the surface, for maps of up to
+/// 4096 cells a side and paths within a few tiles of the origin; beyond, it grows with the number of cells
+/// between the path and the origin, times 2⁻⁵². Costs one read a cell on the path. See the [module](super)
+/// for endless paths.
 pub fn cell_walk(map: &HeightMap, path: &Path) -> ExactHit {
     if !is_traceable([map.width(), map.height()], path) {
         return ExactHit::miss(0, 0.0);
@@ -47,11 +48,12 @@ fn highest(map: &HeightMap) -> f64 {
     f64::from(map.texels().iter().copied().fold(0.0, f32::max))
 }
 
-/// The least gap `g` between path and surface for `t` in `[from, to]`, in `f64`; negative where the path is below the
-/// surface. This is what tells how near a path comes to being a hit, or how little it takes to lose one.
+/// The least gap `g` between path and surface for `t` in `[from, to]`, in `f64`; negative where the path is
+/// below the surface. This is what tells how near a path comes to being a hit, or how little it takes to lose
+/// one.
 ///
-/// `from` and `to` must be finite, and are taken as `[0, exit]` where they are outside of it; the gap of nothing is
-/// infinite. At most [`MAX_TRAVEL`] cells are looked at.
+/// `from` and `to` must be finite, and are taken as `[0, exit]` where they are outside of it; the gap of
+/// nothing is infinite. At most [`MAX_TRAVEL`] cells are looked at.
 pub fn least_gap(map: &HeightMap, path: &Path, from: f64, to: f64) -> f64 {
     let (from, to) = (from.max(0.0), to.min(path.exit));
     let is_range = from <= to && to.is_finite();
@@ -164,7 +166,8 @@ struct Visit {
     to: f64,
 }
 
-/// The dual cells on a path, in order. Neighbours share the parameter at which one is left and the other entered.
+/// The dual cells on a path, in order. Neighbours share the parameter at which one is left and the other
+/// entered.
 struct Walk {
     /// Position at `t = 0` and change a unit of `t`, in cells.
     start: [f64; 2],

@@ -1,8 +1,8 @@
 //! The exact first hit: the judge of every method.
 //!
-//! Along a [`Path`] the gap `g(t) = H(t) - f(u(t), v(t))` is the height of the path above the bilinear surface. All
-//! tracers here answer the same question: the least `t` in `[0, exit]` with `g(t) <= 0`. A path that begins on or below
-//! the surface therefore hits at `t = 0`.
+//! Along a [`Path`] the gap `g(t) = H(t) - f(u(t), v(t))` is the height of the path above the bilinear
+//! surface. All tracers here answer the same question: the least `t` in `[0, exit]` with `g(t) <= 0`. A path
+//! that begins on or below the surface therefore hits at `t = 0`.
 //!
 //! | tracer | how it finds the cells | how it solves a cell | meant for |
 //! | --- | --- | --- | --- |
@@ -12,14 +12,14 @@
 //!
 //! The first two share no code. All three accept every path:
 //!
-//! * `exit` may be infinite. A path that comes below the map ends there with a hit, one that rises above the map for
-//!   good ends there with a miss. One that does neither is given up, [`exhausted`](Hit::exhausted), once it has moved
-//!   [`MAX_TRAVEL`] cells.
-//! * A path is a miss when its `exit` is below 0 or NaN, when it begins [`MAX_START`] or more cells away from the origin of
-//!   the texture, or when it moves [`MAX_RATE`] or more cells a unit of `t`, or a coefficient of its height is as large.
-//!   That includes what is infinite or NaN.
-//! * Under [`Wrap::Clamp`](crate::Wrap::Clamp) the surface goes on outside of the footprint, level along the axis on which
-//!   it is left; the tracers do not end a path there.
+//! * `exit` may be infinite. A path that comes below the map ends there with a hit, one that rises above the
+//!   map for good ends there with a miss. One that does neither is given up, [`exhausted`](Hit::exhausted),
+//!   once it has moved [`MAX_TRAVEL`] cells.
+//! * A path is a miss when its `exit` is below 0 or NaN, when it begins [`MAX_START`] or more cells away from
+//!   the origin of the texture, or when it moves [`MAX_RATE`] or more cells a unit of `t`, or a coefficient
+//!   of its height is as large. That includes what is infinite or NaN.
+//! * Under [`Wrap::Clamp`](crate::Wrap::Clamp) the surface goes on outside of the footprint, level along the
+//!   axis on which it is left; the tracers do not end a path there.
 
 mod cell_walk;
 mod fast;
@@ -32,29 +32,34 @@ pub use cell_walk::{cell_walk, least_gap};
 pub use fast::FastTracer;
 pub use pyramid_tracer::PyramidTracer;
 
-/// How far, in cells along the longer axis, a path is followed before it is given up: once across the largest map. Larger
-/// values only keep tracers busy for longer with level paths through valleys that never end.
+/// How far, in cells along the longer axis, a path is followed before it is given up: once across the largest
+/// map. Larger values only keep tracers busy for longer with level paths through valleys that never end.
 pub const MAX_TRAVEL: f64 = (1u32 << 20) as f64;
 
-/// How far from the origin of the texture, in cells, a path may begin. There `f64` still resolves 2⁻¹² of a cell.
+/// How far from the origin of the texture, in cells, a path may begin. There `f64` still resolves 2⁻¹² of a
+/// cell.
 pub const MAX_START: f64 = (1u64 << 40) as f64;
 
-/// How fast a path may move and rise: far beyond use, and yet squares and products of such numbers are finite.
+/// How fast a path may move and rise: far beyond use, and yet squares and products of such numbers are
+/// finite.
 pub const MAX_RATE: f64 = 1e90;
 
 /// An exact tracer's answer, with what is needed to judge another's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExactHit {
-    /// The hit. Its height is the surface's; that is the path's too, except where the path begins below the surface.
+    /// The hit. Its height is the surface's; that is the path's too, except where the path begins below the
+    /// surface.
     pub hit: Hit,
-    /// The dual cell that was hit, unwrapped. A hit on an edge or a vertex names one of the cells there. 0 for a miss.
+    /// The dual cell that was hit, unwrapped. A hit on an edge or a vertex names one of the cells there. 0
+    /// for a miss.
     pub cell: [i64; 2],
-    /// `g'(t)` at the hit: how fast the gap closes, in heights per unit of `t`. An error `e` of a height moves the hit
-    /// by `e / |slope|`. 0 for a miss.
+    /// `g'(t)` at the hit: how fast the gap closes, in heights per unit of `t`. An error `e` of a height
+    /// moves the hit by `e / |slope|`. 0 for a miss.
     pub slope: f64,
-    /// For a hit the gap there: 0, or negative where the path begins below the surface. For a miss a lower bound of the
-    /// least gap along the path, never negative, in heights: how far the path is from touching. [`cell_walk`] knows it
-    /// exactly when it is below 1 and the path was not given up; [`FastTracer`] does not look and says 0.
+    /// For a hit the gap there: 0, or negative where the path begins below the surface. For a miss a lower
+    /// bound of the least gap along the path, never negative, in heights: how far the path is from touching.
+    /// [`cell_walk`] knows it exactly when it is below 1 and the path was not given up; [`FastTracer`] does
+    /// not look and says 0.
     pub clearance: f64,
 }
 

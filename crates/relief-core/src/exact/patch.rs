@@ -10,8 +10,8 @@ pub(super) struct Gap {
 impl Gap {
     /// The gap inside a cell with the corners `[h00, h10, h01, h11]`.
     ///
-    /// At `τ = 0` the path is at `from`, in cell units from the corner `h00`, and has the height `h[0]`; it moves by
-    /// `step` a unit of `τ`, and its height is `h[0] + h[1] τ + h[2] τ²`.
+    /// At `τ = 0` the path is at `from`, in cell units from the corner `h00`, and has the height `h[0]`; it
+    /// moves by `step` a unit of `τ`, and its height is `h[0] + h[1] τ + h[2] τ²`.
     #[inline(always)]
     pub fn in_cell(corners: [f32; 4], from: [f64; 2], step: [f64; 2], h: [f64; 3]) -> Self {
         let [h00, h10, h01, h11] = corners;
@@ -52,8 +52,8 @@ impl Gap {
 
     /// The first `τ` in `[0, length]` where the gap is not positive.
     ///
-    /// The two roots are `2 c0 / (-c1 ± √disc)`; the form with the denominator that does not cancel is used, and a
-    /// change of sign between the ends is never lost to rounding.
+    /// The two roots are `2 c0 / (-c1 ± √disc)`; the form with the denominator that does not cancel is used,
+    /// and a change of sign between the ends is never lost to rounding.
     #[inline(always)]
     pub fn first_root(&self, length: f64) -> Option<f64> {
         let [c0, c1, c2] = self.c;

@@ -1,17 +1,19 @@
 //! The second opinion: the same answer as the cell walk by other means.
 //!
-//! Nothing here steps from cell to cell. The path is halved until a piece is above the [`MaxPyramid`]'s bound of the
-//! cells it crosses, or crosses at most two columns and two rows. The pieces of a path inside one cell are quadratic; their
-//! first root is isolated by the signs of Bernstein coefficients (Lane and Riesenfeld 1981, "Bounds on a polynomial")
-//! and closed in on by bracketing (the Illinois method, Dowell and Jarratt 1971, with bisection for safety).
+//! Nothing here steps from cell to cell. The path is halved until a piece is above the [`MaxPyramid`]'s bound
+//! of the cells it crosses, or crosses at most two columns and two rows. The pieces of a path inside one cell
+//! are quadratic; their first root is isolated by the signs of Bernstein coefficients (Lane and Riesenfeld
+//! 1981, "Bounds on a polynomial") and closed in on by bracketing (the Illinois method, Dowell and Jarratt
+//! 1971, with bisection for safety).
 
 use super::{ExactHit, MAX_TRAVEL, is_traceable};
 use crate::{HeightMap, MaxPyramid, Path};
 
-/// An exact tracer in `f64` that shares neither traversal nor root finding with [`cell_walk`](super::cell_walk).
+/// An exact tracer in `f64` that shares neither traversal nor root finding with
+/// [`cell_walk`](super::cell_walk).
 ///
-/// Same guarantee; a read is a pyramid node or a cell. Its clearance is a lower bound that can be loose, because whatever
-/// was passed over counts with its bound.
+/// Same guarantee; a read is a pyramid node or a cell. Its clearance is a lower bound that can be loose,
+/// because whatever was passed over counts with its bound.
 #[derive(Clone, Debug)]
 pub struct PyramidTracer<'a> {
     map: &'a HeightMap,
@@ -39,7 +41,8 @@ impl<'a> PyramidTracer<'a> {
         let mut trace = Trace { tracer: self, path, clearance: f64::INFINITY, reads: 0 };
         let travel = trace.speed(0).max(trace.speed(1));
         let limit = MAX_TRAVEL / travel;
-        // Pieces that double in length, beginning with about one tile, so that an endless path is searched from its start.
+        // Pieces that double in length, beginning with about one tile, so that an endless path is searched
+        // from its start.
         let mut from = 0.0;
         let mut length = f64::from(self.map.width().max(self.map.height())) / travel;
         if !(length.is_finite() && length > 0.0) {
@@ -141,7 +144,8 @@ impl Trace<'_> {
         self.search(a, middle, halvings - 1).or_else(|| self.search(middle, b, halvings - 1))
     }
 
-    /// The first hit with `t` in `[a, b]`, where the path crosses at most one line between columns and one between rows.
+    /// The first hit with `t` in `[a, b]`, where the path crosses at most one line between columns and one
+    /// between rows.
     fn search_cells(&mut self, a: f64, b: f64, first: [i64; 2], last: [i64; 2]) -> Option<ExactHit> {
         let mut cuts = [b, b];
         for (axis, cut) in cuts.iter_mut().enumerate() {
@@ -201,15 +205,17 @@ impl Trace<'_> {
     }
 }
 
-/// The first piece of `[a, b]` over which a quadratic with those Bernstein coefficients falls from above 0 to 0 or below;
-/// `[a, a]` when it is not above 0 at `a`. Without one, `least` is lowered to the least value known to be reached.
+/// The first piece of `[a, b]` over which a quadratic with those Bernstein coefficients falls from above 0 to
+/// 0 or below; `[a, a]` when it is not above 0 at `a`. Without one, `least` is lowered to the least value
+/// known to be reached.
 fn first_bracket([start, control, end]: [f64; 3], a: f64, b: f64, least: &mut f64) -> Option<[f64; 2]> {
     if start <= 0.0 {
         return Some([a, a]);
     }
     let middle = a + 0.5 * (b - a);
     let divisible = a < middle && middle < b;
-    // Where the values turn before the end they may come above 0 again, and rounding at the end could hide the dip.
+    // Where the values turn before the end they may come above 0 again, and rounding at the end could hide
+    // the dip.
     if end <= 0.0 && (control >= end || !divisible) {
         return Some([a, b]);
     }
@@ -224,7 +230,8 @@ fn first_bracket([start, control, end]: [f64; 3], a: f64, b: f64, least: &mut f6
         .or_else(|| first_bracket([value, right, end], middle, b, least))
 }
 
-/// The parameter in `[above, below]` where the gap gets to 0; it is positive at the first and not at the second.
+/// The parameter in `[above, below]` where the gap gets to 0; it is positive at the first and not at the
+/// second.
 fn close_in(gap: impl Fn(f64) -> f64, above: f64, below: f64) -> f64 {
     let (mut p, mut q) = (above, below);
     let (mut gap_p, mut gap_q) = (gap(p), gap(q));

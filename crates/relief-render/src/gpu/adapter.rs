@@ -59,7 +59,8 @@ pub(super) fn described(info: &AdapterInfo) -> String {
     format!("{} ({}{driver})", info.name.trim(), info.backend)
 }
 
-/// What is asked of the device: WebGPU's reduced defaults, and room for maps and meshes as large as the adapter takes.
+/// What is asked of the device: WebGPU's reduced defaults, and room for maps and meshes as large as the
+/// adapter takes.
 pub(super) fn limits(adapter: &Adapter) -> Limits {
     let has = adapter.limits();
     Limits {

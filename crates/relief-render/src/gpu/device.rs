@@ -76,8 +76,8 @@ impl Gpu {
         Ok(Self { troubles: Some(troubles), ..gpu })
     }
 
-    /// A device and queue of the caller's own, who keeps his own error handlers: errors of what is done here are caught, and
-    /// given as results. `name` is how errors call it.
+    /// A device and queue of the caller's own, who keeps his own error handlers: errors of what is done here
+    /// are caught, and given as results. `name` is how errors call it.
     ///
     /// Any limits will do that hold WebGPU's reduced ones, `Limits::downlevel_defaults()`. With the feature
     /// `FLOAT32_FILTERABLE` fast sampling reads maps in 32-bit floats, without in 16-bit ones.
@@ -122,8 +122,8 @@ impl Gpu {
         self.uploaded.fetch_add(bytes as u64, Ordering::Relaxed);
     }
 
-    /// Runs commands and turns whatever the driver says of them into an error: lack of memory first, then a loss of the
-    /// device, from both of which other errors follow, then the first refusal.
+    /// Runs commands and turns whatever the driver says of them into an error: lack of memory first, then a
+    /// loss of the device, from both of which other errors follow, then the first refusal.
     pub(super) async fn guarded<T>(&self, work: impl FnOnce() -> Result<T, GpuError>) -> Result<T, GpuError> {
         self.check()?;
         let refused = self.device.push_error_scope(ErrorFilter::Validation);

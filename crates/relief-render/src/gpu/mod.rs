@@ -1,9 +1,10 @@
 //! The GPU backend: the linked shaders on `wgpu`.
 //!
-//! A picture takes two passes. The first rasterises the base mesh and traces every fragment's ray through the relief; a
-//! fragment whose ray misses the relief is discarded, so that the surface behind it shows. The second shades each pixel
-//! once. Rays are made from pixel and triangle, not from interpolated attributes, so that the picture differs from the
-//! CPU's only where the two disagree on which triangle covers a pixel, and by the rounding of the GPU's arithmetic.
+//! A picture takes two passes. The first rasterises the base mesh and traces every fragment's ray through the
+//! relief; a fragment whose ray misses the relief is discarded, so that the surface behind it shows. The
+//! second shades each pixel once. Rays are made from pixel and triangle, not from interpolated attributes, so
+//! that the picture differs from the CPU's only where the two disagree on which triangle covers a pixel, and
+//! by the rounding of the GPU's arithmetic.
 
 mod adapter;
 mod device;

@@ -11,8 +11,8 @@ use super::wait::block_on;
 use super::{Gpu, GpuError};
 use crate::job::JobSurface;
 
-/// Rays of a dispatch: a few rows of the shader's workgroups, and some ten MiB. Larger, and slow adapters may take so
-/// long that the system resets them; smaller, and the waiting in between shows.
+/// Rays of a dispatch: a few rows of the shader's workgroups, and some ten MiB. Larger, and slow adapters may
+/// take so long that the system resets them; smaller, and the waiting in between shows.
 const RAYS: usize = 4 * PROBE_ROW as usize;
 
 /// Runs stages over rays, and keeps the programs.
@@ -28,12 +28,14 @@ impl Prober {
         Self { programs: Programs::new(&gpu), gpu }
     }
 
-    /// Runs a surface's stages over rays of the caller's choice, each with its own triangle, and gives every stage's result;
-    /// all zeros for a ray that never enters the relief. The surface's own triangles are not used.
+    /// Runs a surface's stages over rays of the caller's choice, each with its own triangle, and gives every
+    /// stage's result; all zeros for a ray that never enters the relief. The surface's own triangles are not
+    /// used.
     ///
     /// # Errors
     ///
-    /// When a map is larger than the adapter takes or is malformed, when memory runs out, or when the device is lost.
+    /// When a map is larger than the adapter takes or is malformed, when memory runs out, or when the device
+    /// is lost.
     pub fn probe(
         &mut self,
         surface: &JobSurface,

@@ -85,8 +85,8 @@ pub struct Programs {
     compiled: u32,
 }
 
-/// Programs by what they were asked for, and by their text: what differs in a stage that a program does not reach has the same
-/// one.
+/// Programs by what they were asked for, and by their text: what differs in a stage that a program does not
+/// reach has the same one.
 #[derive(Debug)]
 struct Kept<K, T> {
     by_key: HashMap<K, T>,

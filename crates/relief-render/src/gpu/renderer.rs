@@ -14,8 +14,8 @@ use super::wait::block_on;
 use super::{Gpu, GpuError};
 use crate::job::{Job, JobSurface, Rendering};
 
-/// Renders jobs on a GPU, and keeps there what they have in common: a second frame of the same surfaces uploads a camera and
-/// compiles nothing.
+/// Renders jobs on a GPU, and keeps there what they have in common: a second frame of the same surfaces
+/// uploads a camera and compiles nothing.
 #[derive(Debug)]
 pub struct GpuRenderer {
     gpu: Gpu,
@@ -71,16 +71,17 @@ impl GpuRenderer {
         self.work
     }
 
-    /// Renders a job and reads it back. `progress` is told the part done, from 0 to 1, after every band of rows. Waits for
-    /// the GPU, which the web does not allow: see [`Self::render_async`].
+    /// Renders a job and reads it back. `progress` is told the part done, from 0 to 1, after every band of
+    /// rows. Waits for the GPU, which the web does not allow: see [`Self::render_async`].
     ///
-    /// The picture is the same whenever it is rendered on the same adapter. Against the CPU, exact sampling differs where
-    /// the rasteriser gives a pixel on the edge of two triangles to the other one, and by rounding.
+    /// The picture is the same whenever it is rendered on the same adapter. Against the CPU, exact sampling
+    /// differs where the rasteriser gives a pixel on the edge of two triangles to the other one, and by
+    /// rounding.
     ///
     /// # Errors
     ///
-    /// When the picture, a map or a mesh is larger than the adapter takes, when a map is malformed, when memory runs out,
-    /// or when the device is lost.
+    /// When the picture, a map or a mesh is larger than the adapter takes, when a map is malformed, when
+    /// memory runs out, or when the device is lost.
     pub fn render(
         &mut self,
         job: &Job,
@@ -118,8 +119,8 @@ impl GpuRenderer {
         Ok(Rendering { width, height, pixels })
     }
 
-    /// Draws a job into a picture that stays on the GPU, of linear colours in 16-bit floats, over the frame's background. It
-    /// is drawn over by the next call. Nothing is waited for but compilers and large uploads.
+    /// Draws a job into a picture that stays on the GPU, of linear colours in 16-bit floats, over the frame's
+    /// background. It is drawn over by the next call. Nothing is waited for but compilers and large uploads.
     ///
     /// # Errors
     ///
@@ -131,7 +132,8 @@ impl GpuRenderer {
         let before = self.work_so_far();
         let passes = self.prepare(job, sampling).await?;
         let show = self.programs.show(&self.gpu, sampling).await?;
-        // Every surface's group 0 binds the frame and the passes; without one there is nothing to show but the background.
+        // Every surface's group 0 binds the frame and the passes; without one there is nothing to show but
+        // the background.
         let maps = passes.surfaces.first().ok_or(GpuError::EmptyPicture)?.maps.clone();
         let (gpu, layouts) = (self.gpu.clone(), self.programs.layouts.clone());
         let targets = self.targets.as_mut().ok_or(GpuError::EmptyPicture)?;

@@ -1,5 +1,5 @@
-//! What of a surface lies on the GPU. A part is uploaded when it is another one than before: by its address, or of settings
-//! by their bytes.
+//! What of a surface lies on the GPU. A part is uploaded when it is another one than before: by its address,
+//! or of settings by their bytes.
 
 use std::sync::Arc;
 

@@ -195,7 +195,8 @@ fn mesh(mesh: Result<Mesh, crate::mesh::MeshError>, placement: Placement) -> Arc
     Arc::new(mesh.and_then(|mesh| mesh.placed(&placement)).expect("a proper mesh"))
 }
 
-/// Three surfaces that pass through each other, of two maps and three methods, one of them seen from both sides.
+/// Three surfaces that pass through each other, of two maps and three methods, one of them seen from both
+/// sides.
 fn three_surfaces() -> Vec<Surface> {
     let (one, other) = (hills(37, 21, Wrap::Repeat), hills(16, 24, Wrap::Mirror));
     let leaning = Placement { rotation_degrees: [70.0, 20.0, 0.0].into(), ..Placement::default() };

@@ -14,7 +14,8 @@ use wgpu::{
 
 use super::{Gpu, GpuError};
 
-/// Bytes that are handed to the driver at once; as many wait in its staging memory. Smaller uploads wait more often.
+/// Bytes that are handed to the driver at once; as many wait in its staging memory. Smaller uploads wait more
+/// often.
 pub const STAGING_BYTES: usize = 16 << 20;
 
 /// How the maps that fast sampling filters are stored.

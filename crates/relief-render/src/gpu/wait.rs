@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::task::{Context, Poll, Wake, Waker};
 use std::thread::{self, Thread};
 
-/// Runs a future to its end on this thread, which sleeps meanwhile. Not for the web, where nothing goes on while a thread
-/// sleeps.
+/// Runs a future to its end on this thread, which sleeps meanwhile. Not for the web, where nothing goes on
+/// while a thread sleeps.
 pub fn block_on<F: Future>(future: F) -> F::Output {
     struct Unpark(Thread);
 

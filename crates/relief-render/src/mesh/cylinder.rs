@@ -9,14 +9,15 @@ const RADIUS_M: f64 = 0.5;
 
 /// The upright cylinder of diameter 1 and height 1 around the origin.
 ///
-/// * The side carries one tile: `u` runs once around, to the right seen from outside with `u = ½` at `+z`, `v` from the
-///   top edge to the bottom edge. It consists of `around` x `along` quads.
+/// * The side carries one tile: `u` runs once around, to the right seen from outside with `u = ½` at `+z`,
+///   `v` from the top edge to the bottom edge. It consists of `around` x `along` quads.
 /// * Each cap shows the disc that it cuts out of one tile of the unit square, oriented as on the
 ///   [`cube`](super::cube()).
 ///
 /// # Errors
 ///
-/// When `around` is not in `3..=`[`MAX_DIVISIONS`](super::MAX_DIVISIONS) or `along` is not in `1..=MAX_DIVISIONS`.
+/// When `around` is not in `3..=`[`MAX_DIVISIONS`](super::MAX_DIVISIONS) or `along` is not in
+/// `1..=MAX_DIVISIONS`.
 pub fn cylinder(around: u32, along: u32) -> Result<Mesh, MeshError> {
     check_divisions("around", around, 3)?;
     check_divisions("along", along, 1)?;

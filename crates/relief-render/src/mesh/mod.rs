@@ -29,8 +29,8 @@ pub struct Vertex {
     pub position: Vec3,
     /// Unit outward normal.
     pub normal: Vec3,
-    /// Derivative of the position by `u`: points along growing `u`, as long as one tile in metres. Not normalised and
-    /// not made orthogonal to the bitangent.
+    /// Derivative of the position by `u`: points along growing `u`, as long as one tile in metres. Not
+    /// normalised and not made orthogonal to the bitangent.
     pub tangent: Vec3,
     /// Derivative of the position by `v`: points along growing `v`, as long as one tile in metres.
     pub bitangent: Vec3,
@@ -40,8 +40,8 @@ pub struct Vertex {
 
 /// Triangles over shared vertices.
 ///
-/// Corners run counter-clockwise seen from the front. Every index is below the number of vertices and every number of
-/// every vertex is finite.
+/// Corners run counter-clockwise seen from the front. Every index is below the number of vertices and every
+/// number of every vertex is finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     vertices: Vec<Vertex>,
@@ -70,7 +70,8 @@ pub enum MeshError {
     /// A tile factor is not finite and positive.
     #[error("the tile factors are {0} and {1}: they must be finite and positive")]
     BadTile(f32, f32),
-    /// A placement's numbers are not finite, its size is not positive, or the mesh is no longer finite where it is placed.
+    /// A placement's numbers are not finite, its size is not positive, or the mesh is no longer finite where
+    /// it is placed.
     #[error("a mesh cannot be placed so: its numbers must be finite and its size positive")]
     BadPlacement,
     /// A number of divisions is outside its range.
@@ -124,8 +125,8 @@ impl Mesh {
         self.triangles[triangle as usize].map(|index| &self.vertices[index as usize])
     }
 
-    /// A point of a triangle: every number of its corners, weighted with the barycentric `weights` (which add up to 1).
-    /// Nothing is normalised. Panics when there is no such triangle.
+    /// A point of a triangle: every number of its corners, weighted with the barycentric `weights` (which add
+    /// up to 1). Nothing is normalised. Panics when there is no such triangle.
     pub fn interpolated(&self, triangle: u32, weights: [f32; 3]) -> Vertex {
         let [a, b, c] = self.corners(triangle);
         let [wa, wb, wc] = weights;
@@ -154,8 +155,8 @@ impl Mesh {
         lengths.map(|length| if areas > 0.0 { length / areas } else { 0.0 })
     }
 
-    /// The same mesh with `tile` times as many tiles along `u` and `v`: texture coordinates are multiplied, tangents
-    /// and bitangents divided.
+    /// The same mesh with `tile` times as many tiles along `u` and `v`: texture coordinates are multiplied,
+    /// tangents and bitangents divided.
     ///
     /// # Errors
     ///

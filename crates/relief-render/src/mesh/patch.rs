@@ -44,8 +44,8 @@ impl Builder {
         self.triangles.push(corners);
     }
 
-    /// Adds a grid of `columns` x `rows` quads whose vertex `(i, j)`, `i` along growing `u` and `j` along growing `v`,
-    /// is `point(i, j)`.
+    /// Adds a grid of `columns` x `rows` quads whose vertex `(i, j)`, `i` along growing `u` and `j` along
+    /// growing `v`, is `point(i, j)`.
     pub fn grid(&mut self, columns: u32, rows: u32, point: impl Fn(u32, u32) -> SurfacePoint) {
         let first = self.vertices.len() as u32;
         for j in 0..=rows {
@@ -69,14 +69,14 @@ impl Builder {
     }
 }
 
-/// Sine and cosine of division `i` of `n` around a circle, starting at `-π`, so that the middle of a texture, `u = ½`,
-/// is at angle 0. Divisions 0 and `n` give the same bits: a closed surface meets itself exactly.
+/// Sine and cosine of division `i` of `n` around a circle, starting at `-π`, so that the middle of a texture,
+/// `u = ½`, is at angle 0. Divisions 0 and `n` give the same bits: a closed surface meets itself exactly.
 pub(super) fn turn(i: u32, n: u32) -> (f64, f64) {
     (TAU * f64::from(i % n) / f64::from(n) - PI).sin_cos()
 }
 
-/// How far division `i` of `n` of a unit length lies from the middle; divisions `i` and `n - i` are exact opposites, so
-/// that faces meet exactly whichever way they count.
+/// How far division `i` of `n` of a unit length lies from the middle; divisions `i` and `n - i` are exact
+/// opposites, so that faces meet exactly whichever way they count.
 pub(super) fn from_middle(i: u32, n: u32) -> f64 {
     (2.0 * f64::from(i) - f64::from(n)) / (2.0 * f64::from(n))
 }

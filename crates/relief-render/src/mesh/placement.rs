@@ -68,7 +68,8 @@ mod tests {
 
     #[test]
     fn turns_come_in_the_order_x_y_z() {
-        // The plane's normal is +y: about x it goes to +z, and from there about y to +x; about z that goes to +y.
+        // The plane's normal is +y: about x it goes to +z, and from there about y to +x; about z that goes to
+        // +y.
         for (rotation, normal) in [
             ([0.0, 0.0, 0.0], Vec3::Y),
             ([90.0, 0.0, 0.0], Vec3::Z),

@@ -4,8 +4,8 @@ use super::patch::{Builder, SurfacePoint, from_middle, part};
 use super::{Mesh, MeshError, check_divisions};
 use glam::{DVec2, DVec3};
 
-/// The unit square `x, z ∈ [-½, ½]` at `y = 0` with normal `+y`, `u` along `+x`, `v` along `+z`, one tile over the
-/// whole, in `divisions` x `divisions` quads.
+/// The unit square `x, z ∈ [-½, ½]` at `y = 0` with normal `+y`, `u` along `+x`, `v` along `+z`, one tile
+/// over the whole, in `divisions` x `divisions` quads.
 ///
 /// # Errors
 ///

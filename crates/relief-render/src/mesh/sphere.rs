@@ -7,16 +7,18 @@ use std::f64::consts::{PI, TAU};
 
 const RADIUS_M: f64 = 0.5;
 
-/// The sphere of diameter 1 around the origin with one tile laid on it as a map of the world: `u` runs once around, to
-/// the right seen from outside with `u = ½` at `+z`, `v` from the north pole `+y` to the south pole. It consists of
-/// `around` columns and `down` rows.
+/// The sphere of diameter 1 around the origin with one tile laid on it as a map of the world: `u` runs once
+/// around, to the right seen from outside with `u = ½` at `+z`, `v` from the north pole `+y` to the south
+/// pole. It consists of `around` columns and `down` rows.
 ///
-/// At a pole all directions of growing `u` meet and the true tangent is 0. Each column has its own pole vertex, in the
-/// middle of the column, whose tangent is that of the middle of its row, so that the frame can be inverted everywhere.
+/// At a pole all directions of growing `u` meet and the true tangent is 0. Each column has its own pole
+/// vertex, in the middle of the column, whose tangent is that of the middle of its row, so that the frame can
+/// be inverted everywhere.
 ///
 /// # Errors
 ///
-/// When `around` is not in `3..=`[`MAX_DIVISIONS`](super::MAX_DIVISIONS) or `down` is not in `2..=MAX_DIVISIONS`.
+/// When `around` is not in `3..=`[`MAX_DIVISIONS`](super::MAX_DIVISIONS) or `down` is not in
+/// `2..=MAX_DIVISIONS`.
 pub fn sphere(around: u32, down: u32) -> Result<Mesh, MeshError> {
     check_divisions("around", around, 3)?;
     check_divisions("from pole to pole", down, 2)?;

@@ -28,8 +28,8 @@ fn own_frame(mesh: &Mesh, triangle: u32) -> TangentFrame {
     TangentFrame::of_triangle(positions, uvs).expect("no degenerate triangle")
 }
 
-/// The largest difference between a triangle's own frame and the mean of its corners' frames, relative to the longest
-/// tangent and bitangent of the mesh. Tangents at a pole are left out: they are chosen, not derived.
+/// The largest difference between a triangle's own frame and the mean of its corners' frames, relative to the
+/// longest tangent and bitangent of the mesh. Tangents at a pole are left out: they are chosen, not derived.
 fn frame_error(mesh: &Mesh) -> f64 {
     let mut worst = 0.0f64;
     let longest =

@@ -10,9 +10,10 @@ const RING_M: f64 = 0.35;
 /// Radius of the tube; with [`RING_M`] it makes ½, so that the torus fits the unit cube.
 const TUBE_M: f64 = 0.15;
 
-/// The torus around the `y` axis with outer diameter 1 and a tube of diameter 0.3, one tile over the whole: `u` runs
-/// once along the ring, to the right seen from outside with `u = ½` at `+z`; `v` once around the tube, from the inner
-/// equator over the top, `v = ½` at the outer equator, and back below. It consists of `around` x `tube` quads.
+/// The torus around the `y` axis with outer diameter 1 and a tube of diameter 0.3, one tile over the whole:
+/// `u` runs once along the ring, to the right seen from outside with `u = ½` at `+z`; `v` once around the
+/// tube, from the inner equator over the top, `v = ½` at the outer equator, and back below. It consists of
+/// `around` x `tube` quads.
 ///
 /// # Errors
 ///

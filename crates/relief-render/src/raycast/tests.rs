@@ -4,9 +4,9 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use std::collections::HashSet;
 
-/// Every hit by solving `origin + t d = a + v (b - a) + w (c - a)` for every triangle: Cramer's rule, which shares
-/// nothing with the sheared edge test. The second part says whether the ray passes so close to an edge, or so flatly
-/// over the triangle, that two correct methods may differ.
+/// Every hit by solving `origin + t d = a + v (b - a) + w (c - a)` for every triangle: Cramer's rule, which
+/// shares nothing with the sheared edge test. The second part says whether the ray passes so close to an
+/// edge, or so flatly over the triangle, that two correct methods may differ.
 fn brute_force(mesh: &Mesh, ray: &Ray, sides: Sides) -> (Vec<SurfaceHit>, bool) {
     let (mut hits, mut doubtful) = (Vec::new(), false);
     for triangle in 0..mesh.triangles().len() as u32 {
@@ -131,8 +131,9 @@ fn fronts_and_backs_are_told_apart() {
     assert!(caster.next_hit(&other, Sides::Front, None).is_some_and(|hit| hit.front && hit.t == 2.5));
 }
 
-/// How many rays aimed exactly at edges and corners pass through the mesh, and how many were aimed. From outside only what lies amid front faces
-/// is aimed at, since a ray at a silhouette may well pass by; from inside, everything.
+/// How many rays aimed exactly at edges and corners pass through the mesh, and how many were aimed. From
+/// outside only what lies amid front faces is aimed at, since a ray at a silhouette may well pass by; from
+/// inside, everything.
 fn leaks(mesh: &Mesh, origin: DVec3, inside: bool) -> (u32, u32) {
     let caster = RayCaster::new(mesh);
     let key = |corner: &Vertex| (corner.position + Vec3::ZERO).to_array().map(f32::to_bits);

@@ -82,8 +82,8 @@ impl SceneBuilder {
         self
     }
 
-    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default one from the direction (0.5, 0.8, 0.3) with
-    /// irradiance 1.
+    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default one from the direction (0.5, 0.8,
+    /// 0.3) with irradiance 1.
     pub fn lights(mut self, lights: Vec<Light>) -> Self {
         self.lights = Some(lights);
         self
@@ -123,8 +123,8 @@ impl SceneBuilder {
     ///
     /// # Errors
     ///
-    /// When there is no surface, the size is out of range, there are too many lights, a colour is negative or not finite,
-    /// or what a surface selects cannot trace view rays.
+    /// When there is no surface, the size is out of range, there are too many lights, a colour is negative or
+    /// not finite, or what a surface selects cannot trace view rays.
     pub fn build(self) -> Result<Scene, ValueError> {
         let [width, height] = self.size;
         if !(self.size.iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))) {

@@ -1,7 +1,7 @@
 //! Scene files: TOML.
 //!
-//! The keys of a scene and those of its surfaces stand side by side, so that a scene of one surface is a plain list; what
-//! stands there of a surface holds for every one of `[[surfaces]]`.
+//! The keys of a scene and those of its surfaces stand side by side, so that a scene of one surface is a
+//! plain list; what stands there of a surface holds for every one of `[[surfaces]]`.
 
 use super::keys::keys_of;
 use super::{SceneError, SceneSpec, SurfaceSpec};
@@ -22,12 +22,13 @@ const MAX_FILE_BYTES: u64 = 1 << 20;
 /// The key of the list of surfaces.
 const SURFACES: &str = "surfaces";
 
-/// Reads a scene file and checks all that needs no other file. Relative paths in it start at the folder that it lies in.
+/// Reads a scene file and checks all that needs no other file. Relative paths in it start at the folder that
+/// it lies in.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is longer than 1 MiB, is no TOML, has an unknown key, or has a value that cannot be
-/// used; errors in the file say their line.
+/// When the file cannot be read, is longer than 1 MiB, is no TOML, has an unknown key, or has a value that
+/// cannot be used; errors in the file say their line.
 pub fn read_scene(path: &Path) -> Result<SceneSpec, SceneError> {
     let text = read_text(path).map_err(|source| SceneError::Io { path: path.to_owned(), source })?;
     let mut spec = parse(&text).map_err(|mistake| match mistake {

@@ -12,15 +12,17 @@ use relief_core::{ByteSize, HeightMap};
 /// The memory that maps and picture may take when nothing else is said.
 pub const DEFAULT_MAX_MEMORY: ByteSize = ByteSize(4 << 30);
 
-/// Memory that rendering takes for a pixel: its results on the GPU, their copy, and the picture to be written.
+/// Memory that rendering takes for a pixel: its results on the GPU, their copy, and the picture to be
+/// written.
 const BYTES_PER_PIXEL: u64 = 192;
 
-/// The largest length and coordinate in metres, a million kilometres. The shaders multiply four of them in `f32`: much
-/// larger ones overflow there, and the picture would be empty without a word.
+/// The largest length and coordinate in metres, a million kilometres. The shaders multiply four of them in
+/// `f32`: much larger ones overflow there, and the picture would be empty without a word.
 pub(super) const MAX_METRES: f64 = 1e9;
 
 impl SceneSpec {
-    /// Whether everything that needs no file is possible. A scene file is checked so before flags are laid over it.
+    /// Whether everything that needs no file is possible. A scene file is checked so before flags are laid
+    /// over it.
     ///
     /// # Errors
     ///
@@ -36,13 +38,13 @@ impl SceneSpec {
         self.builder(surfaces)?.build().map(drop)
     }
 
-    /// Reads the files and completes the scene. Relative paths start at the current folder; those of a scene file were
-    /// made to start at its own when it was read.
+    /// Reads the files and completes the scene. Relative paths start at the current folder; those of a scene
+    /// file were made to start at its own when it was read.
     ///
     /// # Errors
     ///
-    /// When there is no height map, a value is out of range, a method is not available, a file cannot be read, or maps and
-    /// picture need more than `max_memory`, which is found out before that memory is taken.
+    /// When there is no height map, a value is out of range, a method is not available, a file cannot be
+    /// read, or maps and picture need more than `max_memory`, which is found out before that memory is taken.
     pub fn load(&self) -> Result<Scene, SceneError> {
         let each = self.each_with_parts()?;
         // Before anything is read all else is known to be possible.

@@ -13,28 +13,31 @@ use relief_shaders::{REFINE, SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy or what a GPU
-/// holds of it.
+/// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy
+/// or what a GPU holds of it.
 const BYTES_PER_HEIGHT: u64 = 4 + 7;
 
-/// Memory that a texel of a height map takes more for each baked map that the surface reads: that map, and what is at hand
-/// while it is baked.
+/// Memory that a texel of a height map takes more for each baked map that the surface reads: that map, and
+/// what is at hand while it is baked.
 const BYTES_PER_BAKED: u64 = 16 + 5 * 4 + 6;
 
-/// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the first part.
+/// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the
+/// first part.
 const NORMAL_BYTES: [u64; 2] = [12, 16];
 
 /// Memory that a texel of a colour map takes.
 const COLOR_BYTES: u64 = 16;
 
-/// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything, in metres.
+/// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything,
+/// in metres.
 const DEFAULT_SCALE_M: f64 = 0.05;
 
-/// The most tiles along an axis, and its inverse the fewest. Beyond it `f32` does not tell the texels of a tile apart, and
-/// much farther it overflows.
+/// The most tiles along an axis, and its inverse the fewest. Beyond it `f32` does not tell the texels of a
+/// tile apart, and much farther it overflows.
 const MAX_TILES: f32 = 1e6;
 
-/// The largest factor on a mesh, and its inverse the smallest: its metres stay within what `f32` can reckon with.
+/// The largest factor on a mesh, and its inverse the smallest: its metres stay within what `f32` can reckon
+/// with.
 const MAX_SIZE: f64 = 1e6;
 
 /// What of a surface needs no file, completed and checked.
@@ -240,8 +243,8 @@ fn check_scale(scale_m: f64) -> Result<(), ValueError> {
     Err(ValueProblem::Number { value: scale_m, must: "from 0 to 1e9 metres" }.of("scale"))
 }
 
-/// The displacement between heights 0 and 1 that gives the relief the proportions that the height map's file states: as
-/// deep to a tile of the mesh as to one of its own.
+/// The displacement between heights 0 and 1 that gives the relief the proportions that the height map's file
+/// states: as deep to a tile of the mesh as to one of its own.
 fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
     let (tile_m, span_m) = map.stated_lengths_m()?;
     let [u, v] = mesh.tile_m();

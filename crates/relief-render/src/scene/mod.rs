@@ -1,8 +1,9 @@
 //! Scenes: everything that a picture is made from.
 //!
-//! * [`Scene`] is complete, loaded and checked; the backends take it. Programs make one with a [`SceneBuilder`].
-//! * [`SceneSpec`] is a description with gaps: a scene file is one, the command line's flags are another, laid over the
-//!   first. [`SceneSpec::load`] reads the files that it names and gives a [`Scene`].
+//! * [`Scene`] is complete, loaded and checked; the backends take it. Programs make one with a
+//!   [`SceneBuilder`].
+//! * [`SceneSpec`] is a description with gaps: a scene file is one, the command line's flags are another,
+//!   laid over the first. [`SceneSpec::load`] reads the files that it names and gives a [`Scene`].
 
 mod builder;
 mod choices;
@@ -43,7 +44,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Starts a scene that shows a surface; everything else has its default, which the builder's functions state.
+    /// Starts a scene that shows a surface; everything else has its default, which the builder's functions
+    /// state.
     pub fn builder(surface: Surface) -> SceneBuilder {
         SceneBuilder::showing(vec![surface])
     }
@@ -93,8 +95,8 @@ impl Scene {
         self.sampling
     }
 
-    /// A builder of a scene that differs from this one. What is not changed is shared with it, so that a renderer that has
-    /// seen this one need not make it ready again.
+    /// A builder of a scene that differs from this one. What is not changed is shared with it, so that a
+    /// renderer that has seen this one need not make it ready again.
     pub fn to_builder(&self) -> SceneBuilder {
         SceneBuilder::of(self)
     }

@@ -7,7 +7,8 @@ use serde::Deserialize;
 
 /// A scene as a scene file or the command line describes it: what is not said is `None` and has a default.
 ///
-/// The keys of a scene file are the fields' names with `-` for `_`, and those are the flags of the command line.
+/// The keys of a scene file are the fields' names with `-` for `_`, and those are the flags of the command
+/// line.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct SceneSpec {
@@ -63,7 +64,8 @@ pub struct LightSpec {
     /// Linear red, green, blue. By default white.
     #[serde(deserialize_with = "numbers")]
     pub color: Option<[f32; 3]>,
-    /// Factor on the colour: irradiance on a surface that faces the light (of a point light, at 1 m). By default 1.
+    /// Factor on the colour: irradiance on a surface that faces the light (of a point light, at 1 m). By
+    /// default 1.
     pub intensity: Option<f32>,
 }
 
@@ -73,11 +75,11 @@ impl SceneSpec {
         Self { surface, ..Self::default() }
     }
 
-    /// This description with everything that `over` says in place of what it said itself. What it says of surfaces holds for
-    /// each of them; surfaces of its own take the place of all.
+    /// This description with everything that `over` says in place of what it said itself. What it says of
+    /// surfaces holds for each of them; surfaces of its own take the place of all.
     ///
-    /// What belongs to something replaced goes with it: of the scene's keys `light` and `lights` each other, of a surface's
-    /// see [`SurfaceSpec::overridden_by`].
+    /// What belongs to something replaced goes with it: of the scene's keys `light` and `lights` each other,
+    /// of a surface's see [`SurfaceSpec::overridden_by`].
     #[must_use]
     pub fn overridden_by(mut self, over: SceneSpec) -> SceneSpec {
         if over.light.is_some() || over.lights.is_some() {

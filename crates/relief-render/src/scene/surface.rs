@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 /// A mesh with a height map on it, its colours, its material, and how its relief is found.
 ///
-/// Maps and mesh are shared, so that clones cost nothing and renderers know what they have seen before: one that is given
-/// the same [`Arc`] again neither uploads nor prepares it again.
+/// Maps and mesh are shared, so that clones cost nothing and renderers know what they have seen before: one
+/// that is given the same [`Arc`] again neither uploads nor prepares it again.
 #[derive(Clone, Debug)]
 pub struct Surface {
     mesh: Arc<Mesh>,
@@ -25,8 +25,8 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// A height map on a mesh that is placed in the world, with its tile factors applied: traced by the method `exact`, light
-    /// grey, seen from its front.
+    /// A height map on a mesh that is placed in the world, with its tile factors applied: traced by the
+    /// method `exact`, light grey, seen from its front.
     pub fn new(mesh: impl Into<Arc<Mesh>>, height_map: impl Into<Arc<HeightMap>>) -> Self {
         let mesh = mesh.into();
         Self {
@@ -54,8 +54,8 @@ impl Surface {
         Self { height_map: height_map.into(), ..self }
     }
 
-    /// The same with a colour picture, which multiplies the material's diffuse colour. It is laid out and wrapped as the
-    /// height map is.
+    /// The same with a colour picture, which multiplies the material's diffuse colour. It is laid out and
+    /// wrapped as the height map is.
     #[must_use]
     pub fn with_color(self, color: impl Into<Arc<Picture>>) -> Self {
         Self { color: Some(color.into()), ..self }
@@ -103,8 +103,9 @@ impl Surface {
         self.color.as_ref()
     }
 
-    /// The normal map, if there is one: in each texel a unit normal in tangent space, `x` along growing `u`, `y` along
-    /// falling `v`, `z` out of the surface, and a 0. Without one, normals are derived from the height map.
+    /// The normal map, if there is one: in each texel a unit normal in tangent space, `x` along growing `u`,
+    /// `y` along falling `v`, `z` out of the surface, and a 0. Without one, normals are derived from the
+    /// height map.
     pub fn normal_map(&self) -> Option<&Arc<Picture>> {
         self.normal_map.as_ref()
     }

@@ -11,7 +11,8 @@ use std::path::PathBuf;
 
 /// A surface as a scene file or a program describes it: what is not said is `None` and has a default.
 ///
-/// The keys of a scene file are the fields' names with `-` for `_`, and for each stage its key with the name of a variant.
+/// The keys of a scene file are the fields' names with `-` for `_`, and for each stage its key with the name
+/// of a variant.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct SurfaceSpec {
@@ -21,8 +22,8 @@ pub struct SurfaceSpec {
     pub channel: Option<String>,
     /// Whether the file holds depth: white is deep. By default it holds height.
     pub depth: Option<bool>,
-    /// The values that become heights 0 and 1. By default integers take 0 and their type's maximum, floats their
-    /// least and greatest value.
+    /// The values that become heights 0 and 1. By default integers take 0 and their type's maximum, floats
+    /// their least and greatest value.
     #[serde(deserialize_with = "numbers")]
     pub range: Option<[f64; 2]>,
     /// Size and byte order of a headerless file, as in `"403x344,le"`.
@@ -33,8 +34,8 @@ pub struct SurfaceSpec {
     /// How the maps go on beyond their edges: `repeat` (default), `clamp` or `mirror`.
     #[serde(deserialize_with = "parsed")]
     pub wrap: Option<Wrap>,
-    /// Metres of displacement between heights 0 and 1. By default in proportion to the mesh's tile where the height map's
-    /// file states metres, else 0.05.
+    /// Metres of displacement between heights 0 and 1. By default in proportion to the mesh's tile where the
+    /// height map's file states metres, else 0.05.
     pub scale: Option<f64>,
     /// Displacement of height 0 in metres. By default minus the scale: the relief is carved into the surface.
     pub bias: Option<f64>,
@@ -57,8 +58,8 @@ pub struct SurfaceSpec {
     /// Degrees by which the mesh is turned about `x`, then about `y`, then about `z`. By default 0 each.
     #[serde(deserialize_with = "numbers")]
     pub rotation: Option<[f64; 3]>,
-    /// How many times as large the mesh is, its tiles with it; the relief's metres stay. By default 1. In a scene file a key
-    /// of `[[surfaces]]` alone, as the scene's own `size` is the picture's.
+    /// How many times as large the mesh is, its tiles with it; the relief's metres stay. By default 1. In a
+    /// scene file a key of `[[surfaces]]` alone, as the scene's own `size` is the picture's.
     pub size: Option<f64>,
     /// The method's name. By default `exact`.
     pub method: Option<String>,
@@ -74,7 +75,8 @@ pub struct SurfaceSpec {
     pub two_sided: Option<bool>,
 }
 
-/// A Blinn-Phong material; what is not said is that of [`Material::default`](crate::material::Material::default).
+/// A Blinn-Phong material; what is not said is that of
+/// [`Material::default`](crate::material::Material::default).
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct MaterialSpec {
@@ -96,9 +98,9 @@ fn is_of_method(key: &str) -> bool {
 impl SurfaceSpec {
     /// This description with everything that `over` says in place of what it said itself.
     ///
-    /// What belongs to something replaced goes with it: another height file drops how the old one was to be read
-    /// (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another method or stage its own
-    /// settings, and a scale without a bias the old bias.
+    /// What belongs to something replaced goes with it: another height file drops how the old one was to be
+    /// read (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another method or
+    /// stage its own settings, and a scale without a bias the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {

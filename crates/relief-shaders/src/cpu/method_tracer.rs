@@ -7,8 +7,9 @@ use crate::{MapError, Selection, SlotMaps};
 
 /// A method, ready to trace rays through a height map: what a shader finds, without a picture.
 ///
-/// A [`Path`] is rounded to `f32`, as shaders have it. How near the answers come to the truth is what the method's
-/// [guarantees](crate::Selection::guarantee) say; [`FastTracer`](relief_core::exact::FastTracer) has the truth.
+/// A [`Path`] is rounded to `f32`, as shaders have it. How near the answers come to the truth is what the
+/// method's [guarantees](crate::Selection::guarantee) say; [`FastTracer`](relief_core::exact::FastTracer) has
+/// the truth.
 ///
 /// ```
 /// use relief_core::{HeightMap, Metric, Path, Wrap};
@@ -26,8 +27,8 @@ use crate::{MapError, Selection, SlotMaps};
 pub struct MethodTracer<'a>(Program<'a>);
 
 impl<'a> MethodTracer<'a> {
-    /// The method over that height map, on a surface of that metric, with the baked maps that it reads. Maps that it does
-    /// not read may be among them.
+    /// The method over that height map, on a surface of that metric, with the baked maps that it reads. Maps
+    /// that it does not read may be among them.
     ///
     /// # Errors
     ///
@@ -41,7 +42,8 @@ impl<'a> MethodTracer<'a> {
         Ok(Self::over(heights, selection, selection.slot_maps(maps, heights, metric)?))
     }
 
-    /// The same over maps that are known to be the right ones: nothing is checked, and wrong maps give wrong answers.
+    /// The same over maps that are known to be the right ones: nothing is checked, and wrong maps give wrong
+    /// answers.
     pub fn over(heights: &'a HeightMap, selection: &Selection, maps: SlotMaps<'a>) -> Self {
         Self(Program::new(&Bound {
             frame: Frame::none(),

@@ -3,7 +3,8 @@
 use super::generated::Resources;
 use super::{Bound, Corner, Entered, Found, Hit, Path, PixelIn, PixelOut, Vec3};
 
-/// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact sampling.
+/// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact
+/// sampling.
 ///
 /// A renderer calls [`Self::shade_pixel`] for every pixel that a triangle covers. Rays without a picture have
 /// [`MethodTracer`](super::MethodTracer).
@@ -23,14 +24,15 @@ impl<'a> Program<'a> {
         [eye.x, eye.y, eye.z]
     }
 
-    /// The direction in which the camera sees a point of the picture, in pixels from its upper left corner. Its component
-    /// along the camera's axis is 1.
+    /// The direction in which the camera sees a point of the picture, in pixels from its upper left corner.
+    /// Its component along the camera's axis is 1.
     #[inline]
     pub fn pixel_direction(&self, point: [f32; 2]) -> Vec3<f32> {
         self.0.pixel_direction(point)
     }
 
-    /// What the stages are given of a point of the picture that a triangle covers. `side` is 1 on its front, -1 on its back.
+    /// What the stages are given of a point of the picture that a triangle covers. `side` is 1 on its front,
+    /// -1 on its back.
     #[inline]
     pub fn pixel_of(&self, corners: [Corner; 3], side: f32, point: [f32; 2]) -> PixelIn {
         let [a, b, c] = corners;

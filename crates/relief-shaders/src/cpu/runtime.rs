@@ -1,4 +1,5 @@
-//! What the translated shaders need at run time: the translator's library, the textures, and a function that it lacks.
+//! What the translated shaders need at run time: the translator's library, the textures, and a function that
+//! it lacks.
 
 pub use naga_rust_rt::*;
 
@@ -13,7 +14,8 @@ pub struct HeightTexture<'a> {
     texels: &'a [f32],
 }
 
-/// A colour or normal map as a texture: four numbers a texel, row by row from the top, in one layer and level.
+/// A colour or normal map as a texture: four numbers a texel, row by row from the top, in one layer and
+/// level.
 #[derive(Clone, Copy, Debug)]
 pub struct ColorTexture<'a> {
     width: i32,

@@ -1,4 +1,5 @@
-//! Refinements: what converges inside a search's bracket. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
+//! Refinements: what converges inside a search's bracket. A new one is a `.wesl` and a `.rs` file here and
+//! its name in the list below.
 
 use relief_core::registry::Entry;
 

@@ -1,4 +1,5 @@
-//! Shadings: what light makes of a hit. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
+//! Shadings: what light makes of a hit. A new one is a `.wesl` and a `.rs` file here and its name in the list
+//! below.
 
 use relief_core::registry::Entry;
 

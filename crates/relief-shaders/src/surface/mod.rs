@@ -1,4 +1,5 @@
-//! Surfaces: what turns a fragment into path segments. A new one is a `.wesl` and a `.rs` file here and its name in the list below.
+//! Surfaces: what turns a fragment into path segments. A new one is a `.wesl` and a `.rs` file here and its
+//! name in the list below.
 
 use relief_core::registry::Entry;
 

@@ -24,8 +24,8 @@ pub struct Brute {
     pub share: f64,
 }
 
-/// Runs the kind's brute force, with those settings, in parallel on texels drawn at random until about `limit_s` has
-/// passed, or on all of them. Nothing for a kind without one.
+/// Runs the kind's brute force, with those settings, in parallel on texels drawn at random until about
+/// `limit_s` has passed, or on all of them. Nothing for a kind without one.
 pub fn time(kind: &str, settings: &Settings, map: &HeightMap, metric: Metric, limit_s: f64) -> Option<Brute> {
     let (tile_m, scale_m, texel_m) = (metric.tile_m, metric.scale_m, metric.texel_m(map));
     let highest = highest(map);
@@ -107,7 +107,8 @@ pub fn time(kind: &str, settings: &Settings, map: &HeightMap, metric: Metric, li
     }
 }
 
-/// Runs a brute force for cones that looks at texels only, not between them, and so does less than the kind promises.
+/// Runs a brute force for cones that looks at texels only, not between them, and so does less than the kind
+/// promises.
 pub fn time_cones_at_texels(settings: &Settings, map: &HeightMap, metric: Metric, limit_s: f64) -> Brute {
     let (texel_m, highest, footprint) = (metric.texel_m(map), highest(map), number(settings, "apex") > 0.0);
     let most = 2 * i64::from(map.width().max(map.height()));
@@ -126,8 +127,8 @@ fn number(settings: &Settings, name: &str) -> f64 {
     settings.iter().find(|setting| setting.0 == name).map_or(0.0, |setting| f64::from(setting.1))
 }
 
-/// The directions of the kind `visibility`: a step in texture coordinates, its rise in heights, and how many steps a ray is
-/// followed.
+/// The directions of the kind `visibility`: a step in texture coordinates, its rise in heights, and how many
+/// steps a ray is followed.
 fn directions(map: &HeightMap, metric: Metric, settings: &Settings) -> Vec<([f64; 2], f64, f64)> {
     let (azimuths, elevations) = (number(settings, "azimuths"), number(settings, "elevations"));
     let size = [f64::from(map.width()), f64::from(map.height())];
@@ -152,7 +153,8 @@ fn whole(work: impl FnOnce()) -> Option<Brute> {
     Some(Brute { seconds: started.elapsed().as_secs_f64(), share: 1.0 })
 }
 
-/// Works on texels drawn at random, in batches that get larger, or on all where the first batch says that there is time.
+/// Works on texels drawn at random, in batches that get larger, or on all where the first batch says that
+/// there is time.
 fn each_texel(map: &HeightMap, limit_s: f64, work: &(dyn Fn([u32; 2]) + Sync)) -> Brute {
     let (width, all) = (map.width(), map.texels().len());
     let at = |texel: u32| [texel % width, texel / width];

@@ -22,10 +22,12 @@ const MOST_RUNS: usize = 10_000;
 /// From how many bytes on the C library of Linux takes memory from the system and gives it back.
 const FRESH: (&str, &str) = ("MALLOC_MMAP_THRESHOLD_", "65536");
 
-/// Runs this program again so that planes are fresh memory in every bake, and gives its exit code; nothing where it runs so.
+/// Runs this program again so that planes are fresh memory in every bake, and gives its exit code; nothing
+/// where it runs so.
 ///
-/// Else the small maps of a series get the memory that the bake before has left, which large ones do not, and time seems to
-/// grow faster than the map. Only the C library's start reads this, so it cannot be set for the program that runs already.
+/// Else the small maps of a series get the memory that the bake before has left, which large ones do not, and
+/// time seems to grow faster than the map. Only the C library's start reads this, so it cannot be set for the
+/// program that runs already.
 ///
 /// # Errors
 ///
@@ -69,8 +71,8 @@ impl Sink for Nowhere {
     }
 }
 
-/// Bakes so many times on the threads of a pool, and until that has taken [`LEAST_S`]; once only where that takes more than
-/// `once_s`.
+/// Bakes so many times on the threads of a pool, and until that has taken [`LEAST_S`]; once only where that
+/// takes more than `once_s`.
 pub fn measure(
     kind: &Kind,
     map: &HeightMap,

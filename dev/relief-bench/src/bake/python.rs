@@ -1,4 +1,5 @@
-//! `distance` beside PyPI's edt, and `horizon` beside PyPI's topocalc: the same map, the same session, one thread each.
+//! `distance` beside PyPI's edt, and `horizon` beside PyPI's topocalc: the same map, the same session, one
+//! thread each.
 
 use std::fs;
 use std::path::Path;

@@ -29,12 +29,13 @@ pub const SUBJECTS: &[Subject] = &[
     Subject { name: "jacksboro", origin: Origin::Sample("jacksboro.png") },
 ];
 
-/// Height of an octave over that of the one before, which is twice as coarse: above a half, so that slopes grow with
-/// resolution, as those of natural ground do.
+/// Height of an octave over that of the one before, which is twice as coarse: above a half, so that slopes
+/// grow with resolution, as those of natural ground do.
 const ROUGHNESS: f32 = 0.55;
 
 impl Subject {
-    /// The map, with heights that are multiples of 1/65535: what a 16-bit picture holds, and so what every program sees.
+    /// The map, with heights that are multiples of 1/65535: what a 16-bit picture holds, and so what every
+    /// program sees.
     pub fn map(&self) -> Result<HeightMap, String> {
         let map = match self.origin {
             Origin::Ground(side) => {

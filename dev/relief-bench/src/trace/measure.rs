@@ -1,4 +1,5 @@
-//! Rays a second by processor time: a thread that is kept from running on a shared machine does not count as slow.
+//! Rays a second by processor time: a thread that is kept from running on a shared machine does not count as
+//! slow.
 
 use std::hint::black_box;
 use std::ops::Range;
@@ -10,7 +11,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::samples::Samples;
 
-/// Rays between two looks at the clock. Fewer and looking costs time; more and the slowest tracer overruns its turn.
+/// Rays between two looks at the clock. Fewer and looking costs time; more and the slowest tracer overruns
+/// its turn.
 const CHUNK: usize = 1024;
 
 /// A pool of that many threads.
@@ -23,9 +25,9 @@ pub fn pool(threads: usize) -> Result<ThreadPool, String> {
 pub struct Cursor(AtomicUsize);
 
 impl Cursor {
-    /// The next chunk of `count` rays. Successive chunks are as far apart as the golden ratio puts them, so that any number
-    /// of them is spread evenly over the picture: a slow tracer that gets to a part of the rays only is given as
-    /// many near and far, hard and easy ones as a fast one.
+    /// The next chunk of `count` rays. Successive chunks are as far apart as the golden ratio puts them, so
+    /// that any number of them is spread evenly over the picture: a slow tracer that gets to a part of the
+    /// rays only is given as many near and far, hard and easy ones as a fast one.
     fn next_chunk(&self, count: usize) -> Range<usize> {
         let chunks = count.div_ceil(CHUNK).max(1);
         let turn = self.0.fetch_add(1, Ordering::Relaxed) % chunks;
@@ -50,8 +52,8 @@ fn stride(chunks: usize) -> usize {
     step
 }
 
-/// Rays a second of processor time, summed over the threads of the pool: on each of them `trace` gets chunk after chunk of
-/// `count` rays until its time is over, and returns what it found.
+/// Rays a second of processor time, summed over the threads of the pool: on each of them `trace` gets chunk
+/// after chunk of `count` rays until its time is over, and returns what it found.
 pub fn rays_per_second(
     pool: &ThreadPool,
     count: usize,
@@ -78,7 +80,8 @@ pub fn rays_per_second(
 /// Texels that one measurement of a set-up goes over, in as many copies as that takes.
 const SETUP_TEXELS: usize = 1 << 22;
 
-/// Texels of a map from which on the memory of what is built from it can be told from the allocator's reserves.
+/// Texels of a map from which on the memory of what is built from it can be told from the allocator's
+/// reserves.
 const MEMORY_TEXELS: usize = 1 << 24;
 
 /// What it takes to build something from a map.

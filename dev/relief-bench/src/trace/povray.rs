@@ -40,7 +40,8 @@ pub struct Statistics {
     pub parse_s: f64,
     /// Tracing, in seconds from beginning to end.
     pub trace_s: f64,
-    /// Tracing, in seconds of processor time over all threads: without the waits in which the program hands out work.
+    /// Tracing, in seconds of processor time over all threads: without the waits in which the program hands
+    /// out work.
     pub trace_cpu_s: f64,
     /// Shadow rays.
     pub shadow_rays: usize,
@@ -104,14 +105,15 @@ fn console(output: &Output) -> String {
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// The scene in POV-Ray's language. Its coordinates are left-handed, but a camera given by all of its vectors, and a height
-/// field that is scaled into place, are where the numbers say.
+/// The scene in POV-Ray's language. Its coordinates are left-handed, but a camera given by all of its
+/// vectors, and a height field that is scaled into place, are where the numbers say.
 fn description(map: &HeightMap) -> Result<String, String> {
     let camera = camera().map_err(|error| error.to_string())?;
     let [width, height] = SIZE.map(f64::from);
     let tall = 2.0 * (camera.fov_degrees().to_radians() / 2.0).tan();
     let [across, along] = Ground::of(map).sides;
-    // 65535 of 65536 is the highest level of a 16-bit picture. Its bottom row lies at z = 0, ours at the greatest z.
+    // 65535 of 65536 is the highest level of a 16-bit picture. Its bottom row lies at z = 0, ours at the
+    // greatest z.
     let up = SCALE_M * 65536.0 / 65535.0;
     let vector = |v: DVec3| format!("<{:.17}, {:.17}, {:.17}>", v.x, v.y, v.z);
     Ok(format!(

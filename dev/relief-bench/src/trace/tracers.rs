@@ -34,8 +34,8 @@ const SCATTERED: usize = 1 << 18;
 /// Angles between scattered view rays and the normal, in degrees: from steep to grazing.
 const SCATTERED_DEGREES: [f64; 2] = [5.0, 80.0];
 
-/// Rays in both forms: as paths, and as parry3d takes them. Which are the same rays for view rays; shadow rays begin
-/// where the respective program was hit.
+/// Rays in both forms: as paths, and as parry3d takes them. Which are the same rays for view rays; shadow
+/// rays begin where the respective program was hit.
 pub struct Rays {
     /// Their name in tables.
     pub name: &'static str,

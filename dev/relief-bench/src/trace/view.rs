@@ -1,7 +1,8 @@
 //! What is looked at, and from where: one geometry for every program.
 //!
-//! The relief stands on the built-in plane, `y` from 0 to [`SCALE_M`]. Other programs span their height fields between the
-//! first and the last texel, so everything here ends at the centres of the outermost texels, half a texel inside of the plane.
+//! The relief stands on the built-in plane, `y` from 0 to [`SCALE_M`]. Other programs span their height
+//! fields between the first and the last texel, so everything here ends at the centres of the outermost
+//! texels, half a texel inside of the plane.
 
 use glam::DVec3;
 use relief_core::{HeightMap, Path, PathMetric};
@@ -13,7 +14,8 @@ pub const SCALE_M: f64 = 0.1;
 /// Columns and rows of the picture.
 pub const SIZE: [u32; 2] = [1000, 750];
 
-/// The eye is above the relief, so that no ray comes in from a side, where this program's relief is solid and others' is not.
+/// The eye is above the relief, so that no ray comes in from a side, where this program's relief is solid and
+/// others' is not.
 const EYE: DVec3 = DVec3::new(0.0, 0.3, 0.4);
 const TARGET: DVec3 = DVec3::new(0.0, 0.0, -0.05);
 const FOV_DEGREES: f64 = 40.0;
@@ -21,8 +23,8 @@ const FOV_DEGREES: f64 = 40.0;
 /// Where the sun is: 15 degrees above the horizon, so that there are shadows.
 const TOWARDS_SUN: DVec3 = DVec3::new(0.8, 0.25, -0.5);
 
-/// How far above a hit its shadow ray begins, in metres: more than an `f32` rounds a place by, so that no program finds the
-/// surface that it starts from, and less than a tenth of a texel of the finest map.
+/// How far above a hit its shadow ray begins, in metres: more than an `f32` rounds a place by, so that no
+/// program finds the surface that it starts from, and less than a tenth of a texel of the finest map.
 pub const SHADOW_LIFT_M: f64 = 1e-5;
 
 /// How far below the lowest level paths end, in metres, so that rounding does not end one above it.
@@ -55,8 +57,8 @@ impl Ground {
         Self { sides, low: -half - DVec3::Y * BELOW_M, high: half + DVec3::Y * SCALE_M }
     }
 
-    /// The part of a ray inside the box as a path; `None` when it passes by. The path's parameter is the ray's, less what
-    /// lies before the box.
+    /// The part of a ray inside the box as a path; `None` when it passes by. The path's parameter is the
+    /// ray's, less what lies before the box.
     #[inline]
     pub fn path(&self, origin: DVec3, direction: DVec3) -> Option<Path> {
         let inverse = direction.recip();

@@ -20,10 +20,10 @@ fn apexes(footprint: bool, height: &dyn Fn([f64; 2]) -> f64) -> Vec<Apex> {
     places.into_iter().map(|at| Apex { at, height: height(at) }).collect()
 }
 
-/// The slope of the steepest rise to a texel's centre from the centre of a texel, or with `footprint` from any of the eight apexes on
-/// its rim, in heights per metre of `texel_m`: without the edges and the insides of cells, and so a little less than a safe cone needs,
-/// but quick. Texels are looked at ring by ring, up to `most` rings, until even `highest`, the map's highest texel, would not be
-/// steeper.
+/// The slope of the steepest rise to a texel's centre from the centre of a texel, or with `footprint` from
+/// any of the eight apexes on its rim, in heights per metre of `texel_m`: without the edges and the insides
+/// of cells, and so a little less than a safe cone needs, but quick. Texels are looked at ring by ring, up to
+/// `most` rings, until even `highest`, the map's highest texel, would not be steeper.
 pub fn vertex_slope(
     map: &HeightMap,
     texel_m: [f64; 2],
@@ -62,12 +62,12 @@ pub fn vertex_slope(
     best2.sqrt()
 }
 
-/// The slope of the steepest rise of the bilinear surface from any apex of a texel, in heights per metre of `texel_m`: from
-/// its square with `footprint`, else from its centre. Cells beyond the ring in which nothing steeper can be, as `highest` is the map's
-/// highest texel, are left out.
+/// The slope of the steepest rise of the bilinear surface from any apex of a texel, in heights per metre of
+/// `texel_m`: from its square with `footprint`, else from its centre. Cells beyond the ring in which nothing
+/// steeper can be, as `highest` is the map's highest texel, are left out.
 ///
-/// Good to 1e-7 relatively (tops are flat). Uses no closed form but the gradient's; that apexes inside of the square need not be looked
-/// at is checked by [`crate::probes::cone`].
+/// Good to 1e-7 relatively (tops are flat). Uses no closed form but the gradient's; that apexes inside of the
+/// square need not be looked at is checked by [`crate::probes::cone`].
 pub fn slope(map: &HeightMap, texel_m: [f64; 2], footprint: bool, texel: [i64; 2], highest: f64) -> f64 {
     let centre = texel.map(|k| k as f64);
     let surface = |x: f64, y: f64| {
@@ -138,7 +138,8 @@ fn own_gradient(map: &HeightMap, texel_m: [f64; 2], footprint: bool, texel: [i64
     best
 }
 
-/// The steepest slope from the ends of the rim to the cell, and from the rim between them to the cell's corners.
+/// The steepest slope from the ends of the rim to the cell, and from the rim between them to the cell's
+/// corners.
 fn cell_slope(offset: [i64; 2], heights: [f64; 4], texel_m: [f64; 2], ends: &[Apex], mut best: f64) -> f64 {
     let [h00, h10, h01, h11] = heights;
     let top = heights.iter().copied().fold(0.0, f64::max);
@@ -159,7 +160,8 @@ fn cell_slope(offset: [i64; 2], heights: [f64; 4], texel_m: [f64; 2], ends: &[Ap
             let top = h00 * (1.0 - u) * (1.0 - v) + h10 * u * (1.0 - v) + h01 * (1.0 - u) * v + h11 * u * v;
             rise(apex.at, apex.height, [corner[0] + u, corner[1] + v], top)
         };
-        // On a line along `v` the slope has one maximum where it is positive; across the lines it may have several.
+        // On a line along `v` the slope has one maximum where it is positive; across the lines it may have
+        // several.
         let is_around = |axis: usize| apex.at[axis] > corner[axis] && apex.at[axis] < corner[axis] + 1.0;
         if is_around(0) && is_around(1) {
             // The patch holds the apex: the steepest is the gradient, or on the rim.

@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 use relief_core::HeightMap;
 
-/// The distance from every texel centre at height `level` (1 is `scale_m` high) to the nearest box, in metres, row by row; all
-/// in parallel.
+/// The distance from every texel centre at height `level` (1 is `scale_m` high) to the nearest box, in
+/// metres, row by row; all in parallel.
 pub fn boxes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, level: f64) -> Vec<f64> {
     let [width, height] = [i64::from(map.width()), i64::from(map.height())];
     (0..width * height)
@@ -13,10 +13,11 @@ pub fn boxes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, level: f64) -> Vec
         .collect()
 }
 
-/// The distance from the centre of one texel at height `level` (1 is `scale_m` high) to the nearest box, in metres.
+/// The distance from the centre of one texel at height `level` (1 is `scale_m` high) to the nearest box, in
+/// metres.
 ///
-/// A box stands on each dual cell and reaches up to the highest of its four corners. The search goes outward and ends where
-/// nothing nearer can be.
+/// A box stands on each dual cell and reaches up to the highest of its four corners. The search goes outward
+/// and ends where nothing nearer can be.
 pub fn to_boxes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, level: f64, from: [i64; 2]) -> f64 {
     let texel = [tile_m[0] / f64::from(map.width()), tile_m[1] / f64::from(map.height())];
     let squared = |away: [i64; 2]| {
@@ -48,8 +49,8 @@ struct Part {
     high: [f64; 2],
 }
 
-/// The distance in metres from a point above the relief, in texture coordinates and height, to the bilinear surface: too long by
-/// a thousandth at most.
+/// The distance in metres from a point above the relief, in texture coordinates and height, to the bilinear
+/// surface: too long by a thousandth at most.
 ///
 /// Cells are searched outward and divided until none can hold a nearer point.
 pub fn to_surface(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, from: [f64; 3]) -> f64 {

@@ -14,8 +14,8 @@ pub struct LeastSlope {
     pub touches: Option<Place>,
 }
 
-/// Where a diagonal that touches its frustum where it begins is probed: so near to there that it is passed if the slope is
-/// lowered by a hundred times that share.
+/// Where a diagonal that touches its frustum where it begins is probed: so near to there that it is passed if
+/// the slope is lowered by a hundred times that share.
 const NEAR: f64 = 1e-7;
 
 /// The highest texel of a map.
@@ -23,8 +23,8 @@ pub fn highest(map: &HeightMap) -> f64 {
     f64::from(map.texels().iter().copied().fold(0.0, f32::max))
 }
 
-/// The least slope of a cell in a quadrant, from every texel up to `most` texels ahead and every cell on the diagonal; stops where
-/// nothing farther can matter.
+/// The least slope of a cell in a quadrant, from every texel up to `most` texels ahead and every cell on the
+/// diagonal; stops where nothing farther can matter.
 pub fn least_slope(
     map: &HeightMap,
     highest: f64,

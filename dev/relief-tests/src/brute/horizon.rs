@@ -12,7 +12,8 @@ pub struct HorizonRay {
 }
 
 impl HorizonRay {
-    /// The ray at an angle from `+u` towards `+v` that is measured in metres, for texels of that size in metres.
+    /// The ray at an angle from `+u` towards `+v` that is measured in metres, for texels of that size in
+    /// metres.
     pub fn new(angle: f64, texel_m: [f64; 2]) -> Self {
         let exact = |x: f64| if x.abs() < 1e-12 { 0.0 } else { x };
         let along = [exact(angle.cos()) / texel_m[0], exact(angle.sin()) / texel_m[1]];
@@ -22,9 +23,9 @@ impl HorizonRay {
     }
 }
 
-/// The greatest slope, in heights a step, under which the centre of a texel sees a point of the bilinear surface that
-/// is at most `reach` steps away along the ray; `highest` is the map's highest texel. Exact, in `f64`; ends early
-/// where even the highest texel could not raise it.
+/// The greatest slope, in heights a step, under which the centre of a texel sees a point of the bilinear
+/// surface that is at most `reach` steps away along the ray; `highest` is the map's highest texel. Exact, in
+/// `f64`; ends early where even the highest texel could not raise it.
 pub fn slope(map: &HeightMap, texel: [u32; 2], ray: &HorizonRay, reach: f64, highest: f64) -> f64 {
     let start = texel.map(i64::from);
     let own = f64::from(map.texel(start[0], start[1]));

@@ -6,7 +6,8 @@ use relief_core::HeightMap;
 /// A slope along `u` and along `v`, metres up for a metre along.
 pub type Slope = [f64; 2];
 
-/// The slopes of the four patches that meet at a texel centre, left above, right above, left below, right below.
+/// The slopes of the four patches that meet at a texel centre, left above, right above, left below, right
+/// below.
 pub fn patch_slopes(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, [i, j]: [i64; 2]) -> [Slope; 4] {
     let texel = [tile_m[0] / f64::from(map.width()), tile_m[1] / f64::from(map.height())];
     let height = |i, j| f64::from(map.texel(i, j)) * scale_m;
@@ -44,8 +45,8 @@ pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
     cross.iter().map(|x| x * x).sum::<f64>().sqrt().atan2(dot)
 }
 
-/// The mean slope and its central second moments `uu`, `uv`, `vv` over the texels of each node of a mip level of a map whose
-/// sides are powers of two, row by row, from all of the texels.
+/// The mean slope and its central second moments `uu`, `uv`, `vv` over the texels of each node of a mip level
+/// of a map whose sides are powers of two, row by row, from all of the texels.
 pub fn level(map: &HeightMap, tile_m: [f64; 2], scale_m: f64, level: u32) -> Vec<(Slope, [f64; 3])> {
     let size = [map.width(), map.height()].map(|side| i64::from((side >> level).max(1)));
     let covered = [i64::from(map.width()) / size[0], i64::from(map.height()) / size[1]];

@@ -2,11 +2,11 @@
 
 use relief_core::HeightMap;
 
-/// The steepest slope, in heights a metre of `texel_m`, from an apex to a sampled point of the surface over which it falls along
-/// the ray from there: no cone of a smaller slope is left after one entry at most, and the least that is lies above by what is
-/// between samples, of which each patch has `samples + 1` along either side. The apex is the surface so many texels from the
-/// texel's centre. Cells are looked at ring by ring, up to `most` rings, until even `highest`, the map's highest texel,
-/// would not be steeper.
+/// The steepest slope, in heights a metre of `texel_m`, from an apex to a sampled point of the surface over
+/// which it falls along the ray from there: no cone of a smaller slope is left after one entry at most, and
+/// the least that is lies above by what is between samples, of which each patch has `samples + 1` along
+/// either side. The apex is the surface so many texels from the texel's centre. Cells are looked at ring by
+/// ring, up to `most` rings, until even `highest`, the map's highest texel, would not be steeper.
 pub fn slope(
     map: &HeightMap,
     texel_m: [f64; 2],
@@ -37,7 +37,8 @@ pub fn slope(
     best
 }
 
-/// The steepest slope to a sampled point of the cell at that offset at which the surface falls, or `best` if that is steeper.
+/// The steepest slope to a sampled point of the cell at that offset at which the surface falls, or `best` if
+/// that is steeper.
 fn patch_slope(
     map: &HeightMap,
     texel_m: [f64; 2],

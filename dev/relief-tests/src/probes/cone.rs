@@ -13,7 +13,8 @@ pub struct Contact {
     pub apex: [f64; 2],
     /// The point, likewise.
     pub point: [f64; 2],
-    /// The widest ratio that keeps the point out, in metres per height; infinite where the point is not above the apex.
+    /// The widest ratio that keeps the point out, in metres per height; infinite where the point is not above
+    /// the apex.
     pub limit: f64,
 }
 
@@ -102,8 +103,9 @@ impl Iterator for Probes<'_> {
     }
 }
 
-/// How many of `count` probes find a point inside the cone of their texel, and the contact that comes nearest to it: the one
-/// with the least limit over ratio. `ratio` is asked for the ratio that a search would use at an apex of a texel.
+/// How many of `count` probes find a point inside the cone of their texel, and the contact that comes nearest
+/// to it: the one with the least limit over ratio. `ratio` is asked for the ratio that a search would use at
+/// an apex of a texel.
 pub fn attack(probes: Probes<'_>, count: usize, ratio: impl Fn(&Contact) -> f64) -> (usize, Option<Contact>) {
     let mut violations = 0;
     let mut tightest: Option<(f64, Contact)> = None;

@@ -1,4 +1,5 @@
-//! Attacks on distance fields: points from which a point of the surface is nearer than the fetched value says.
+//! Attacks on distance fields: points from which a point of the surface is nearer than the fetched value
+//! says.
 
 use relief_core::HeightMap;
 
@@ -57,8 +58,9 @@ impl Field<'_> {
         Contact { from, surface, slack_m: squared.sqrt() - self.fetch(from) }
     }
 
-    /// Probes `count` contacts. Surface points lie anywhere, on edges and at corners of dual cells; they are looked at along
-    /// their normal, straight from above, at random, and from voxel centres near by. Finds room in metres.
+    /// Probes `count` contacts. Surface points lie anywhere, on edges and at corners of dual cells; they are
+    /// looked at along their normal, straight from above, at random, and from voxel centres near by. Finds
+    /// room in metres.
     pub fn attack(&self, count: usize, seed: u64) -> Found<Contact> {
         let mut rng = Rng::new(seed);
         let mut found = Found::default();

@@ -5,8 +5,8 @@
 pub struct Found<T> {
     /// Probes that broke the bound.
     pub violations: usize,
-    /// The least room that was left, and where; negative room, or for ratios room below 1, is a violation. `None` before the
-    /// first probe.
+    /// The least room that was left, and where; negative room, or for ratios room below 1, is a violation.
+    /// `None` before the first probe.
     pub tightest: Option<(f64, T)>,
 }
 

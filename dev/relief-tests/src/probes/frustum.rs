@@ -6,8 +6,8 @@ use super::Found;
 use super::place::{Place, ROUNDING};
 use crate::rng::Rng;
 
-/// The empty space over a rectangle of cells in one quadrant: `top`, and from the rectangle's edges on `slope` heights a texel
-/// of Chebyshev distance.
+/// The empty space over a rectangle of cells in one quadrant: `top`, and from the rectangle's edges on
+/// `slope` heights a texel of Chebyshev distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frustum {
     /// Height of the top.
@@ -53,8 +53,9 @@ pub struct Contact {
     pub place: Place,
 }
 
-/// Probes so many places ahead of cells: at every distance up to three tiles, more of the near ones, on the diagonal and beside it
-/// as often as elsewhere. `read` is the frustum for a ray over a cell, not wrapped, in a quadrant. Finds room in heights.
+/// Probes so many places ahead of cells: at every distance up to three tiles, more of the near ones, on the
+/// diagonal and beside it as often as elsewhere. `read` is the frustum for a ray over a cell, not wrapped, in
+/// a quadrant. Finds room in heights.
 pub fn attack(
     map: &HeightMap,
     read: impl Fn([i64; 2], [bool; 2]) -> Frustum,

@@ -4,8 +4,8 @@ use relief_core::HeightMap;
 
 use crate::rng::Rng;
 
-/// By how much the surface may seem to pass a bound that it touches, in heights: a bilinear height in `f64` goes through
-/// six roundings of numbers of at most 1.
+/// By how much the surface may seem to pass a bound that it touches, in heights: a bilinear height in `f64`
+/// goes through six roundings of numbers of at most 1.
 pub const ROUNDING: f64 = 1e-15;
 
 /// A place on the surface: a dual cell, not wrapped, and where in it, from 0 to 1 along both axes.
@@ -18,8 +18,8 @@ pub struct Place {
 }
 
 impl Place {
-    /// A place that a bound may have forgotten: corners, edges and diagonals of cells as often as their insides, up to two
-    /// tiles outside of the map.
+    /// A place that a bound may have forgotten: corners, edges and diagonals of cells as often as their
+    /// insides, up to two tiles outside of the map.
     pub fn draw(rng: &mut Rng, map: &HeightMap) -> Self {
         let cell = [map.width(), map.height()].map(|side| {
             let tile = if rng.below(2) == 0 { i64::from(rng.below(5)) - 2 } else { 0 };

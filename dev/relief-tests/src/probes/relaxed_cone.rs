@@ -15,8 +15,8 @@ pub struct Exit {
     pub heights: [f64; 2],
     /// That place, in texels.
     pub place: [f64; 2],
-    /// The widest ratio whose cone the ray leaves before, in metres per height; infinite where it never comes out above
-    /// the apex.
+    /// The widest ratio whose cone the ray leaves before, in metres per height; infinite where it never comes
+    /// out above the apex.
     pub limit: f64,
 }
 
@@ -129,7 +129,8 @@ impl Iterator for Probes<'_> {
             2 => aim[self.rng.below(2) as usize] = apex[0].round(),
             _ => {}
         }
-        // Through a point at or barely under the surface, hardly falling: so a ray cuts off the top of a peak.
+        // Through a point at or barely under the surface, hardly falling: so a ray cuts off the top of a
+        // peak.
         let to = self.surface(aim) - self.rng.pick(&[1e-9, 1e-6, 1e-4, 1e-2]);
         let ground = self.surface(apex);
         let fall = match self.rng.below(3) {

@@ -15,8 +15,8 @@ use crate::maps;
 /// The kinds that are attacked.
 pub const KINDS: [&str; 6] = ["cone", "relaxed-cone", "frustum", "distance", "pyramid", "dilation-erosion"];
 
-/// The maps that are attacked, each in a wrap, so that every wrap meets several kinds of maps and both odd sizes and powers
-/// of two.
+/// The maps that are attacked, each in a wrap, so that every wrap meets several kinds of maps and both odd
+/// sizes and powers of two.
 pub const MAPS: [(&str, Wrap); 8] = [
     ("white noise 37x53", Wrap::Repeat),
     ("natural 128x128", Wrap::Mirror),
@@ -58,8 +58,8 @@ pub struct Case {
 pub struct Outcome {
     /// Probes that broke the promise.
     pub violations: usize,
-    /// The least room that a probe found: of cones the ratio that would have been safe over the stored one, else how far the
-    /// surface stayed inside, in the unit.
+    /// The least room that a probe found: of cones the ratio that would have been safe over the stored one,
+    /// else how far the surface stayed inside, in the unit.
     pub room: f64,
     /// The unit of the room.
     pub unit: &'static str,
@@ -74,8 +74,8 @@ pub fn cases(kind: &'static str, bits: u32) -> Vec<Case> {
     maps.flat_map(|map| apexes.clone().map(move |apex| Case { kind, map, bits, apex })).collect()
 }
 
-/// Runs `count` probes, in parallel; the outcome does not depend on the number of threads. `done` is told of probes as they
-/// are done.
+/// Runs `count` probes, in parallel; the outcome does not depend on the number of threads. `done` is told of
+/// probes as they are done.
 ///
 /// # Errors
 ///

@@ -51,7 +51,8 @@ pub fn ratios(texture: &CollectedTexture) -> Vec<f64> {
     texture.levels[0][0].iter().map(|&value| encoding::cone::decode(value, half)).collect()
 }
 
-/// The least ratio above `limit` that a cone map of so many bits in that metric can store, in metres per height.
+/// The least ratio above `limit` that a cone map of so many bits in that metric can store, in metres per
+/// height.
 pub fn ratio_above(limit: f64, metric: &Metric, bits: u32) -> f64 {
     let half = encoding::cone::half_ratio(metric);
     let most = f64::from((1u32 << bits) - 1);

@@ -5,7 +5,8 @@ use relief_core::{HeightMap, Path};
 use super::{CellRay, Searched, first_root};
 use crate::probes::frustum::Frustum;
 
-/// The first hit of a path with a finite exit; `read` is the frustum for a ray over a cell, not wrapped, in a quadrant.
+/// The first hit of a path with a finite exit; `read` is the frustum for a ray over a cell, not wrapped, in a
+/// quadrant.
 pub fn search(map: &HeightMap, path: &Path, read: impl Fn([i64; 2], [bool; 2]) -> Frustum) -> Searched {
     let ray = CellRay::new(map, path);
     let (forward, end) = (ray.forward(), path.exit);
@@ -45,7 +46,8 @@ pub fn search(map: &HeightMap, path: &Path, read: impl Fn([i64; 2], [bool; 2]) -
         if next >= end {
             return CellRay::miss(steps);
         }
-        // Rounding may see the ray on the near side of a line that it has just crossed: it has left the cell all the same.
+        // Rounding may see the ray on the near side of a line that it has just crossed: it has left the cell
+        // all the same.
         let own = ray.leaves(cell.map(|at| at as f64), cell.map(|at| at as f64 + 1.0));
         for axis in 0..2 {
             let onward = if forward[axis] { 1 } else { -1 };

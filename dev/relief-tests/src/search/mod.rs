@@ -1,5 +1,5 @@
-//! Searches that use baked maps, in `f64`, as plainly as they can be written: what a map promises is put to use here and
-//! its answers are held against the exact tracers.
+//! Searches that use baked maps, in `f64`, as plainly as they can be written: what a map promises is put to
+//! use here and its answers are held against the exact tracers.
 
 pub mod frustum;
 pub mod pyramid;
@@ -92,7 +92,8 @@ fn first_root([c0, c1, c2]: [f64; 3], length: f64) -> Option<f64> {
         return Some(0.0);
     }
     let disc = c1 * c1 - 4.0 * c0 * c2;
-    // Of the two forms of the first positive root, the one in which nothing cancels; none where there is no such root.
+    // Of the two forms of the first positive root, the one in which nothing cancels; none where there is no
+    // such root.
     let root = if c1 <= 0.0 { 2.0 * c0 / (disc.sqrt() - c1) } else { (c1 + disc.sqrt()) / (-2.0 * c2) };
     if root >= 0.0 && root <= length {
         return Some(root);

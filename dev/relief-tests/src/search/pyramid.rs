@@ -1,6 +1,6 @@
-//! The search through a maximum pyramid: quadtree traversal that passes over a node above its maximum, goes down into a node that it
-//! dips into, and up again where it leaves the parent (Tevs, Ihrke and Seidel 2008; Szirmay-Kalos and Umenhoffer 2008,
-//! section 4.3.3).
+//! The search through a maximum pyramid: quadtree traversal that passes over a node above its maximum, goes
+//! down into a node that it dips into, and up again where it leaves the parent (Tevs, Ihrke and Seidel 2008;
+//! Szirmay-Kalos and Umenhoffer 2008, section 4.3.3).
 
 use relief_core::{HeightMap, MaxPyramid, Path, Wrap};
 

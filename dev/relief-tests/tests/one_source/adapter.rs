@@ -4,8 +4,8 @@ use std::sync::OnceLock;
 
 use relief_render::gpu::{AdapterChoice, Gpu, GpuRenderer, Prober};
 
-/// A software GPU; hardware may contract and reorder arithmetic, which these tests do not allow. Without one a test says that
-/// it skips, unless the environment variable `RELIEF_REQUIRE_GPU` is 1: then it fails.
+/// A software GPU; hardware may contract and reorder arithmetic, which these tests do not allow. Without one
+/// a test says that it skips, unless the environment variable `RELIEF_REQUIRE_GPU` is 1: then it fails.
 fn open() -> Option<Gpu> {
     match Gpu::new(AdapterChoice::Software) {
         Ok(gpu) => Some(gpu),

@@ -11,8 +11,9 @@ use relief_tests::baked::{in_slots, maps_in, slots};
 use relief_tests::maps::NamedMap;
 use relief_tests::rng::Rng;
 
-/// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves a shader's
-/// loops after 65,535 turns, all loops counted together; search and refinement must stay below that.
+/// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves
+/// a shader's loops after 65,535 turns, all loops counted together; search and refinement must stay below
+/// that.
 const LONGEST_LOOP: f32 = 16_384.0;
 
 /// A map and the settings of a search and a refinement.
@@ -104,7 +105,8 @@ fn surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> Jo
     }
 }
 
-/// The stages over a ray whose path lies `higher` heights above the ray's own, as the probe shader writes them down.
+/// The stages over a ray whose path lies `higher` heights above the ray's own, as the probe shader writes
+/// them down.
 pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
     let at = program.surface(*ray);
     if at.valid == 0 {

@@ -8,11 +8,13 @@ use crate::cases::{Case, probe};
 /// Of so many rays fewer than one may have other bits.
 const RAYS_PER_DIFFERENCE: usize = 10_000;
 
-/// How far a ray whose bits differ may be from the decision that came out differently, in heights. It must be as large as
-/// the rounding of a few operations on heights near 1; larger would excuse answers that are wrong.
+/// How far a ray whose bits differ may be from the decision that came out differently, in heights. It must be
+/// as large as the rounding of a few operations on heights near 1; larger would excuse answers that are
+/// wrong.
 const MARGIN: f64 = ROUNDINGS as f64 * f32::EPSILON as f64;
 
-/// The roundings of a height near 1 by which a path is moved, at most, to find the other side of a decision: the margin.
+/// The roundings of a height near 1 by which a path is moved, at most, to find the other side of a decision:
+/// the margin.
 const ROUNDINGS: i8 = 16;
 
 /// Relative difference that rounding makes in a path or an interval.
@@ -75,7 +77,8 @@ impl Comparison {
     }
 }
 
-/// The bits of an answer, with one sign of zero, which shaders need not keep (WGSL, section "Floating point accuracy").
+/// The bits of an answer, with one sign of zero, which shaders need not keep (WGSL, section "Floating point
+/// accuracy").
 fn bits(probe: &Probe) -> [u8; Probe::SIZE] {
     let mut probe = *probe;
     let floats = [
@@ -111,7 +114,8 @@ fn is_explained(case: &Case, program: &Program, ray: &PixelIn, gpu: &Probe) -> b
         return alike.iter().flatten().any(|near| same_miss(near, gpu));
     }
     let path = Path::from(&program.surface(*ray).path);
-    // Where the path runs along the surface, paths that barely differ end far apart, with all of the surface between.
+    // Where the path runs along the surface, paths that barely differ end far apart, with all of the surface
+    // between.
     let between = alike.windows(2).any(|pair| match pair {
         [Some(a), Some(b)] => {
             (a.t.min(b.t)..=a.t.max(b.t)).contains(&gpu.t) && on_surface(case, &path, [a, b, gpu])

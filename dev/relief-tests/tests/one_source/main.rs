@@ -1,7 +1,8 @@
-//! One source, two backends: what a GPU makes of the shaders and what their translation to Rust makes of the same input.
+//! One source, two backends: what a GPU makes of the shaders and what their translation to Rust makes of the
+//! same input.
 //!
-//! The stages are given the same rays and must give the same bits; pictures must agree to rounding. The GPU is a software
-//! adapter, which computes as IEEE 754 says.
+//! The stages are given the same rays and must give the same bits; pictures must agree to rounding. The GPU
+//! is a software adapter, which computes as IEEE 754 says.
 
 mod adapter;
 mod cases;

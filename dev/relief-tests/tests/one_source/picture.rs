@@ -11,8 +11,9 @@ use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, SurfaceSettin
 use relief_tests::baked::{in_slots, maps_for, slots};
 use relief_tests::maps;
 
-/// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds corners to a
-/// 256th of a pixel, which on the small triangles here is less than this. Larger would excuse more pixels.
+/// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds
+/// corners to a 256th of a pixel, which on the small triangles here is less than this. Larger would excuse
+/// more pixels.
 const EDGE: f64 = 2e-3;
 
 /// A tile of relief above a floor, and a triangle that shows its back, seen by a camera at a slant.
@@ -97,8 +98,8 @@ impl Picture {
         &self.job.surfaces[0]
     }
 
-    /// What a pixel may be by the translated shaders: one answer, or several where the ray passes near an edge. An
-    /// answer of nothing stands for a pixel that nothing covers.
+    /// What a pixel may be by the translated shaders: one answer, or several where the ray passes near an
+    /// edge. An answer of nothing stands for a pixel that nothing covers.
     fn expected(&self, x: u32, y: u32) -> Vec<Option<PixelOut>> {
         let program = self.surface().program(self.job.frame);
         let point = [x as f32 + 0.5, y as f32 + 0.5];
@@ -129,8 +130,8 @@ impl Picture {
         Rendering { width, height, pixels }
     }
 
-    /// Whether a rendering is this picture: every pixel one of its answers to rounding, few of them doubtful, and nearly
-    /// all of them to the bit. The error says where not.
+    /// Whether a rendering is this picture: every pixel one of its answers to rounding, few of them doubtful,
+    /// and nearly all of them to the bit. The error says where not.
     pub fn check(&self, rendering: &Rendering) -> Result<(), String> {
         let (mut doubtful, mut inexact, mut covered) = (0, 0, 0);
         for (at, pixel) in rendering.pixels.iter().enumerate() {

@@ -1,9 +1,9 @@
-//! The bits of pictures and baked maps, held to those that were recorded: a change that is to change none of them is seen
-//! to change none.
+//! The bits of pictures and baked maps, held to those that were recorded: a change that is to change none of
+//! them is seen to change none.
 //!
 //! What is recorded are hashes of values, not of files. They are kept beside this file and written anew with
-//! `RELIEF_RECORD=1 cargo test --release --test recorded`, by a change that means to change them. Maps are keyed by the
-//! revision of their kind, which such a change raises.
+//! `RELIEF_RECORD=1 cargo test --release --test recorded`, by a change that means to change them. Maps are
+//! keyed by the revision of their kind, which such a change raises.
 
 mod bakes;
 mod hash;
@@ -12,8 +12,8 @@ mod record;
 
 use record::Record;
 
-/// Whether the bits recorded are those of this machine: cosines and the like come from the system's library, which is
-/// another one elsewhere.
+/// Whether the bits recorded are those of this machine: cosines and the like come from the system's library,
+/// which is another one elsewhere.
 fn is_recorded_here() -> bool {
     let here = cfg!(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"));
     if !here {

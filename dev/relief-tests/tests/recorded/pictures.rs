@@ -1,4 +1,5 @@
-//! The shipped scenes by every method, on the CPU: colours, and every channel of numbers that a picture can be written as.
+//! The shipped scenes by every method, on the CPU: colours, and every channel of numbers that a picture can
+//! be written as.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -14,7 +14,8 @@ impl Record {
         Self { path: PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/recorded").join(name) }
     }
 
-    /// Holds the values found, by key, to those recorded; records them instead where the environment asks for it.
+    /// Holds the values found, by key, to those recorded; records them instead where the environment asks for
+    /// it.
     pub fn settle(&self, found: &BTreeMap<String, String>) {
         if std::env::var_os("RELIEF_RECORD").is_some_and(|value| value == "1") {
             let lines: String = found.iter().map(|(key, value)| format!("{key}: {value}\n")).collect();

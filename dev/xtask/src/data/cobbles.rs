@@ -67,8 +67,8 @@ fn texel(stones: &[Stone], u: f64, v: f64) -> (f64, [f64; 3]) {
     let own = (0..stones.len())
         .min_by(|&a, &b| power(a).total_cmp(&power(b)))
         .expect("the first stone always fits");
-    // Distance to the cell's border, with its corners rounded: the inverse fourth powers of the distances to all sides
-    // are added, so that where two sides are near, the border seems nearer than either.
+    // Distance to the cell's border, with its corners rounded: the inverse fourth powers of the distances to
+    // all sides are added, so that where two sides are near, the border seems nearer than either.
     let mut closeness = 0.0;
     for other in (0..stones.len()).filter(|&other| other != own) {
         let (ax, ay) = (offsets[own][0] - offsets[other][0], offsets[own][1] - offsets[other][1]);

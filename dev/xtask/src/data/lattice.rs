@@ -28,7 +28,8 @@ pub fn mix_colour(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
     [mix(a[0], b[0], t), mix(a[1], b[1], t), mix(a[2], b[2], t)]
 }
 
-/// A smooth random field with values about `[-1, 1]` and features of size `1 / period`; it repeats in the unit square.
+/// A smooth random field with values about `[-1, 1]` and features of size `1 / period`; it repeats in the
+/// unit square.
 pub fn gradient_noise(u: f64, v: f64, period: u32, seed: u32) -> f64 {
     let (x, y) = (u * f64::from(period), v * f64::from(period));
     let (x0, y0) = (x.floor(), y.floor());

@@ -10,7 +10,8 @@ const WORD_WIDTH: f64 = 0.74;
 const HALF_STROKE: f64 = 0.13;
 /// Left and right end of the word with its strokes, in x-heights.
 const ENDS: [f64; 2] = [-0.13, 5.21];
-/// What is in the middle of the tile: half-way between the base line and the tops of the tall letters, by eye.
+/// What is in the middle of the tile: half-way between the base line and the tops of the tall letters, by
+/// eye.
 const MIDDLE: f64 = 0.72;
 
 /// Height of the frame, where the letters are 1 and the panel is 0.

@@ -56,8 +56,8 @@ impl Grid<[f64; 3]> {
     }
 }
 
-/// The bytes of a PNG file. Where a file that shows the same picture is there already, its bytes: another version of the
-/// compressor then changes nothing.
+/// The bytes of a PNG file. Where a file that shows the same picture is there already, its bytes: another
+/// version of the compressor then changes nothing.
 pub fn encoded(path: &Path, image: &DynamicImage) -> Result<Vec<u8>, ImageError> {
     if let Ok(bytes) = std::fs::read(path)
         && image::load_from_memory_with_format(&bytes, ImageFormat::Png).is_ok_and(|there| there == *image)

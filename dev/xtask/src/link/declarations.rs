@@ -1,5 +1,6 @@
-//! Every declaration of the modules as it is written, with its comment and the names that it uses: what the library
-//! assembles shaders from. The linker drops comments; this reads the sources, and is held to what the linker makes of them.
+//! Every declaration of the modules as it is written, with its comment and the names that it uses: what the
+//! library assembles shaders from. The linker drops comments; this reads the sources, and is held to what the
+//! linker makes of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -69,7 +70,8 @@ fn of_module(path: &str, source: &str, all: &mut Vec<Declaration>) -> Result<(),
     Ok(())
 }
 
-/// The text of a declaration without its `@if`, and what that says of the sampling. None for another condition.
+/// The text of a declaration without its `@if`, and what that says of the sampling. None for another
+/// condition.
 fn without_condition(
     declaration: &GlobalDeclaration,
     source: &str,
@@ -109,7 +111,8 @@ fn comment_before(before: &str) -> String {
     })
 }
 
-/// Whether the declarations are those that the linker makes of the modules, for a linked program in one sampling.
+/// Whether the declarations are those that the linker makes of the modules, for a linked program in one
+/// sampling.
 pub fn check(declarations: &[Declaration], linked: &TranslationUnit, fast: bool) -> Result<(), String> {
     let chosen = declarations.iter().filter(|declaration| declaration.fast.is_none_or(|of| of == fast));
     let texts: BTreeMap<&str, &str> =
@@ -171,8 +174,10 @@ fn head(source: &str) -> String {
 mod tests {
     use super::*;
 
-    const SOURCE: &str = "// The head.\n\nimport package::other::helper;\n\n// A number.\nconst ONE = 1.0;\n\n\
-        // Doubled.\n// Twice.\n@if(fast)\nfn twice(at: Pair) -> f32 {\n    // not helper\n    return at.ONE * 2.0;\n}\n\n\
+    const SOURCE: &str =
+        "// The head.\n\nimport package::other::helper;\n\n// A number.\nconst ONE = 1.0;\n\n\
+        // Doubled.\n// Twice.\n@if(fast)\nfn twice(at: Pair) -> f32 {\n // not helper\n return at.ONE *
+        // 2.0;\n}\n\n\
         @if(!fast)\nfn twice(at: Pair) -> f32 {\n    return helper(at.x) + ONE;\n}\n";
 
     #[test]

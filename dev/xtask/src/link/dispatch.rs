@@ -1,7 +1,8 @@
-//! The dispatch modules, one a stage, written from the registry's table of stages: a `switch` over the variants. A stage
-//! may call another one's without a circle of modules.
+//! The dispatch modules, one a stage, written from the registry's table of stages: a `switch` over the
+//! variants. A stage may call another one's without a circle of modules.
 //!
-//! That is for the CPU. For GPUs the library assembles programs in which a stage calls the chosen variant and no other.
+//! That is for the CPU. For GPUs the library assembles programs in which a stage calls the chosen variant and
+//! no other.
 
 use std::fmt::Write as _;
 

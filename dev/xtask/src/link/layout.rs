@@ -1,12 +1,13 @@
-//! The structs that the GPU shares with the host, as Rust: their bytes, from the offsets that the shader's rules give.
+//! The structs that the GPU shares with the host, as Rust: their bytes, from the offsets that the shader's
+//! rules give.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use naga::{AddressSpace, Handle, Module, ScalarKind, Type, TypeInner};
 
-/// A Rust module with the bytes of every struct in a uniform or storage buffer of the modules. Structs of the names in
-/// `translated` exist already; the others are declared.
+/// A Rust module with the bytes of every struct in a uniform or storage buffer of the modules. Structs of the
+/// names in `translated` exist already; the others are declared.
 pub fn write(modules: &[&Module], translated: &BTreeSet<String>) -> Result<String, String> {
     let mut text = String::from(
         "// Host-shared structs and their bytes on the GPU. Written by `cargo xtask link`; do not edit.\n\n\

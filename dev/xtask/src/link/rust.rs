@@ -10,7 +10,8 @@ use relief_shaders::MapSlot;
 /// Where the generated code finds the run-time library; shortened to `rt` afterwards.
 const RUNTIME: &str = "crate::cpu::runtime";
 
-/// How the translator declares a texture, after its name: any reader, behind a pointer that is called for each texel.
+/// How the translator declares a texture, after its name: any reader, behind a pointer that is called for
+/// each texel.
 const ANY_READER: &str = "<&'g dyn rt::texture::Read<Coordinates = rt::Vec2<i32>, Component = f32>>";
 
 /// The translation, as the text of a Rust module.
@@ -60,7 +61,8 @@ fn bound(module: &Module) -> String {
     )
 }
 
-/// Gives each texture its concrete type, which lets reads be inlined and the resources be shared between threads.
+/// Gives each texture its concrete type, which lets reads be inlined and the resources be shared between
+/// threads.
 fn concrete_textures(module: &Module, text: &str) -> Result<String, String> {
     let mut text = text.to_owned();
     for (_, global) in module.global_variables.iter() {

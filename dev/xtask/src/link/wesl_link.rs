@@ -7,8 +7,8 @@ use wgsl_parse::syntax::{GlobalDeclaration, TranslationUnit};
 use super::modules::{Modules, module_path};
 use super::names::{identifiers, name_of};
 
-/// Links a root module, of which the named declarations are kept, or its entry points. Names are kept as written. Comments
-/// do not survive.
+/// Links a root module, of which the named declarations are kept, or its entry points. Names are kept as
+/// written. Comments do not survive.
 pub fn link(modules: &Modules, root: &str, keep: &[&str], fast: bool) -> Result<TranslationUnit, String> {
     let mut linker = wesl::Wesl::new_barebones().set_custom_resolver(modules.resolver());
     linker
@@ -25,8 +25,8 @@ pub fn link(modules: &Modules, root: &str, keep: &[&str], fast: bool) -> Result<
     Ok(stripped(linked.syntax, keep))
 }
 
-/// A program without the declarations that neither its entry points nor the names to keep reach. The linker's own stripping
-/// leaves what other unreached declarations use.
+/// A program without the declarations that neither its entry points nor the names to keep reach. The linker's
+/// own stripping leaves what other unreached declarations use.
 fn stripped(mut unit: TranslationUnit, keep: &[&str]) -> TranslationUnit {
     let texts: BTreeMap<String, String> = unit
         .global_declarations
@@ -50,8 +50,8 @@ fn stripped(mut unit: TranslationUnit, keep: &[&str]) -> TranslationUnit {
     unit
 }
 
-/// A linked program as text. The linker's order of declarations changes from run to run: they are sorted into what a reader
-/// expects. Twice the same name is an error.
+/// A linked program as text. The linker's order of declarations changes from run to run: they are sorted into
+/// what a reader expects. Twice the same name is an error.
 pub fn ordered(unit: &TranslationUnit) -> Result<String, String> {
     let mut declarations: Vec<(u8, String, String)> = Vec::new();
     for declaration in &unit.global_declarations {

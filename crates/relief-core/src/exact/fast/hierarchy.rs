@@ -26,7 +26,8 @@ pub(super) struct Tile {
     texels: [f32; TILE_TEXELS * TILE_TEXELS],
 }
 
-/// Tiles of texels, and level by level the maxima of 4 x 4 nodes of the level below; the nodes of level 0 are the tiles.
+/// Tiles of texels, and level by level the maxima of 4 x 4 nodes of the level below; the nodes of level 0 are
+/// the tiles.
 #[derive(Clone, Debug)]
 pub(super) struct Hierarchy {
     tiles: Vec<Tile>,
@@ -36,7 +37,8 @@ pub(super) struct Hierarchy {
 
 /// The maxima of one level. Both sides are multiples of 4; nodes without a tile are minus infinity.
 ///
-/// They are kept twice: block by block for the way down, and row by row for windows that do not begin at a block.
+/// They are kept twice: block by block for the way down, and row by row for windows that do not begin at a
+/// block.
 #[derive(Clone, Debug)]
 pub(super) struct MaximaLevel {
     /// Columns and rows of nodes.
@@ -68,8 +70,8 @@ impl Tile {
 }
 
 impl Hierarchy {
-    /// Tiles stand on cells `first`, `first + 4` and so on. Where the last ones reach beyond the domain they hold the map's
-    /// continuation, so that what is found there is true.
+    /// Tiles stand on cells `first`, `first + 4` and so on. Where the last ones reach beyond the domain they
+    /// hold the map's continuation, so that what is found there is true.
     pub fn new(map: &HeightMap, domain: Domain) -> Self {
         let [columns, rows] = domain.cells.map(|cells| cells.div_ceil(BLOCK));
         let mut tiles = vec![Tile { texels: [0.0; TILE_TEXELS * TILE_TEXELS] }; columns * rows];

@@ -1,11 +1,12 @@
 //! The exact hit at rendering speed.
 //!
-//! Fast where rounding can be made harmless, and exact where it cannot: the search through the hierarchy of maxima runs
-//! in `f32`, sixteen nodes at a time, on nodes that are grown by more than the rounding error; the one or two cells that
-//! are left of a path are solved in `f64`.
+//! Fast where rounding can be made harmless, and exact where it cannot: the search through the hierarchy of
+//! maxima runs in `f32`, sixteen nodes at a time, on nodes that are grown by more than the rounding error;
+//! the one or two cells that are left of a path are solved in `f64`.
 //!
-//! The maximum hierarchy is that of Tevs, Ihrke and Seidel 2008, over dual cells, with sixteen branches in place of four
-//! so that a block is four vectors, all of whose nodes are tested against the ray at once without a branch.
+//! The maximum hierarchy is that of Tevs, Ihrke and Seidel 2008, over dual cells, with sixteen branches in
+//! place of four so that a block is four vectors, all of whose nodes are tested against the ray at once
+//! without a branch.
 
 mod hierarchy;
 mod ray;
@@ -21,26 +22,26 @@ use traverse::CellHit;
 ///
 /// # Guarantee
 ///
-/// The answer is exact up to rounding in `f64`, like that of [`cell_walk`](super::cell_walk). With [`Self::ERROR`] as `e`,
-/// for paths within 4096 cells of the origin of the texture (in proportion beyond):
+/// The answer is exact up to rounding in `f64`, like that of [`cell_walk`](super::cell_walk). With
+/// [`Self::ERROR`] as `e`, for paths within 4096 cells of the origin of the texture (in proportion beyond):
 ///
 /// * at a hit `|H(t) - f(u, v)| <= e`, unless the path begins below the surface,
 /// * no point before the hit, or of a path that misses, is deeper than `e` below the surface.
 ///
-/// So `t` is wrong by at most `e / |g'(t)|` to first order, and hit and miss are taken for each other only where the
-/// least gap of the path is within `e` of 0.
+/// So `t` is wrong by at most `e / |g'(t)|` to first order, and hit and miss are taken for each other only
+/// where the least gap of the path is within `e` of 0.
 ///
-/// Where that comes from: the search runs in `f32`, but on nodes that are grown and raised by more than the rounding of
-/// places and heights can amount to, so that no node is passed over that the path touches; a needless visit is all that
-/// rounding can cause. The cells that are left are solved in `f64` by the formula of the cell walk, between limits that
-/// neighbouring cells compute alike. What remains is the rounding of a place in cells, `2⁻⁵³` times its distance from
-/// the origin, on a surface that rises by at most 1 a cell.
+/// Where that comes from: the search runs in `f32`, but on nodes that are grown and raised by more than the
+/// rounding of places and heights can amount to, so that no node is passed over that the path touches; a
+/// needless visit is all that rounding can cause. The cells that are left are solved in `f64` by the formula
+/// of the cell walk, between limits that neighbouring cells compute alike. What remains is the rounding of a
+/// place in cells, `2⁻⁵³` times its distance from the origin, on a surface that rises by at most 1 a cell.
 ///
 /// # Cost
 ///
-/// [`Self::new`] is one parallel pass over the map. The tracer owns what it needs, 6.8 bytes a texel: tiles of
-/// 5 x 5 heights for 4 x 4 cells, which are read as one piece, and the maxima of tiles and of 4 x 4 such nodes, level by
-/// level. Tracing does not allocate. A read is a block of sixteen nodes or a cell.
+/// [`Self::new`] is one parallel pass over the map. The tracer owns what it needs, 6.8 bytes a texel: tiles
+/// of 5 x 5 heights for 4 x 4 cells, which are read as one piece, and the maxima of tiles and of 4 x 4 such
+/// nodes, level by level. Tracing does not allocate. A read is a block of sixteen nodes or a cell.
 #[derive(Clone, Debug)]
 pub struct FastTracer {
     hierarchy: Hierarchy,
@@ -93,8 +94,9 @@ impl FastTracer {
         }
     }
 
-    /// Whether anything is in the way: whether [`Self::trace`] finds a hit. For shadow rays, which must begin off the
-    /// surface by more than [`Self::ERROR`] so as not to hit where they begin. A path that is given up is not blocked.
+    /// Whether anything is in the way: whether [`Self::trace`] finds a hit. For shadow rays, which must begin
+    /// off the surface by more than [`Self::ERROR`] so as not to hit where they begin. A path that is given
+    /// up is not blocked.
     pub fn is_blocked(&self, path: &Path) -> bool {
         matches!(self.search(path, &mut 0), Outcome::Hit { .. })
     }
@@ -111,7 +113,8 @@ impl FastTracer {
         if h0 > self.highest && h1 >= 0.0 {
             return Outcome::Miss;
         }
-        // The part between the map's lowest and highest texel. For a level path both are infinite, of opposite sign.
+        // The part between the map's lowest and highest texel. For a level path both are infinite, of
+        // opposite sign.
         let per_height = 1.0 / h1;
         let top = (self.highest + Self::MARGIN - h0) * per_height;
         let bottom = (self.lowest - Self::MARGIN - h0) * per_height;
@@ -200,7 +203,8 @@ impl FastTracer {
         }
     }
 
-    /// The tile that holds two places on an axis with that many texels, if one does and its texels are not mirrored.
+    /// The tile that holds two places on an axis with that many texels, if one does and its texels are not
+    /// mirrored.
     #[inline(always)]
     fn common_tile(&self, a: f64, b: f64, side: f64) -> Option<f64> {
         let (low, high) = (lesser(a, b) - self.first_edge, greater(a, b) - self.first_edge);
@@ -233,7 +237,8 @@ impl FastTracer {
         }
     }
 
-    /// Searches the tiles of the texture that a ray goes through, one after the other. `s` is `t - origin` in that unit.
+    /// Searches the tiles of the texture that a ray goes through, one after the other. `s` is `t - origin` in
+    /// that unit.
     #[inline(never)]
     fn search_tiles(&self, path: &Path, ray: &TileRay, [origin, unit]: [f64; 2], reads: &mut u32) -> Outcome {
         let mut axes = [0, 1].map(|k| Axis::at(self.wrap, self.sides[k], ray.start[k]));

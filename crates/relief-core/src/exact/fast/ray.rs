@@ -4,8 +4,8 @@ use crate::Wrap;
 
 /// A piece of a path on which the height only falls or only rises.
 ///
-/// Its parameter `s` is the path's, from the piece's start and divided by the power of two at or below its length, so
-/// that no number overflows in `f32` whatever the unit of `t` is.
+/// Its parameter `s` is the path's, from the piece's start and divided by the power of two at or below its
+/// length, so that no number overflows in `f32` whatever the unit of `t` is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TileRay {
     /// Cells from the domain's corner at `s = 0`.
@@ -20,8 +20,8 @@ pub(super) struct TileRay {
     pub length: f64,
 }
 
-/// Stands for the infinite reciprocal of a step of 0 without making `0 * inf`. A ray is shorter than 2, so moving by one
-/// cell in so many units of `s` is as good as standing still.
+/// Stands for the infinite reciprocal of a step of 0 without making `0 * inf`. A ray is shorter than 2, so
+/// moving by one cell in so many units of `s` is as good as standing still.
 const MOST_PER_CELL: f64 = (1u64 << 62) as f64;
 
 /// The lesser of two numbers, the second if one is NaN: a single instruction, which `f64::min` is not.
@@ -96,8 +96,9 @@ pub(super) struct Axis {
 }
 
 impl Axis {
-    /// Where tile 0 begins, in cells. It ends as many cells later as there are texels. For clamp and mirror tiles run
-    /// from edge to edge of the texels, half a cell before their centres, and the domain's first cell is the half cell there.
+    /// Where tile 0 begins, in cells. It ends as many cells later as there are texels. For clamp and mirror
+    /// tiles run from edge to edge of the texels, half a cell before their centres, and the domain's first
+    /// cell is the half cell there.
     pub fn first_edge(wrap: Wrap) -> f64 {
         if wrap == Wrap::Repeat { 0.0 } else { -0.5 }
     }
@@ -145,8 +146,8 @@ impl Axis {
         self.place_tile();
     }
 
-    /// The map's cell, not wrapped, of a cell of the domain. Where the place decides, because the tile has no cells of its
-    /// own, it is the place of the hit.
+    /// The map's cell, not wrapped, of a cell of the domain. Where the place decides, because the tile has no
+    /// cells of its own, it is the place of the hit.
     pub fn cell(&self, domain_cell: i64, place: f64) -> i64 {
         let tile = self.tile as i64;
         let side = self.side as i64;

@@ -21,8 +21,8 @@ pub(super) struct CellHit {
 
 /// How far nodes are grown, as a share of the window's side. Smaller values lose hits, larger ones cost time.
 ///
-/// Every place goes through 3 roundings and 2 more a level, of which there are at most 11, and none is further from the
-/// ray's start than the window's side: so it is wrong by less than `25 · 2⁻²⁴` of that side.
+/// Every place goes through 3 roundings and 2 more a level, of which there are at most 11, and none is
+/// further from the ray's start than the window's side: so it is wrong by less than `25 · 2⁻²⁴` of that side.
 const GROWTH: f32 = 1.0 / (1 << 18) as f32;
 
 /// How far nodes are raised. Smaller values lose hits, larger ones cost time.
@@ -111,7 +111,8 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
     fn new(hierarchy: &'a Hierarchy, ray: &'a TileRay) -> Self {
         let travel = (ray.length * greater(ray.step[0].abs(), ray.step[1].abs())) as f32;
         let top = hierarchy.levels().len() - 1;
-        // The finest level at which a window of 4 x 4 nodes holds the whole ray, wherever in its node it begins.
+        // The finest level at which a window of 4 x 4 nodes holds the whole ray, wherever in its node it
+        // begins.
         let mut start_level = 0;
         let mut node = BLOCK as f32;
         while start_level < top && travel > (BLOCK - 1) as f32 * node {
@@ -214,8 +215,8 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
         [corner(0), corner(1)]
     }
 
-    /// Which of 4 x 4 nodes, `size` cells wide and with those edges, the ray touches. Column `c` of row `r` is bit
-    /// `4 r + c`, or `4 (3 - r) + c` for a crosswise ray.
+    /// Which of 4 x 4 nodes, `size` cells wide and with those edges, the ray touches. Column `c` of row `r`
+    /// is bit `4 r + c`, or `4 (3 - r) + c` for a crosswise ray.
     #[inline(always)]
     fn touched(&self, maxima: &[Vec4; BLOCK], edges: &Edges, size: f32) -> u32 {
         let near_and_far = |k: usize| {
@@ -250,8 +251,9 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
 
     /// Takes the node that the ray comes to first out of a mask: its column and row in the block.
     ///
-    /// A ray that goes right and down comes to the nodes in the order of their bits, and one that goes left and up in the
-    /// reverse order; for crosswise rays the rows of the mask are upside down, so that the same holds.
+    /// A ray that goes right and down comes to the nodes in the order of their bits, and one that goes left
+    /// and up in the reverse order; for crosswise rays the rows of the mask are upside down, so that the same
+    /// holds.
     #[inline(always)]
     fn take_first(&self, mask: &mut u32) -> [u32; 2] {
         let bit = if self.backward { 31 - mask.leading_zeros() } else { mask.trailing_zeros() };
