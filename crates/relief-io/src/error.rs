@@ -12,7 +12,7 @@ use crate::RawLayout;
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {problem}", path.display())]
 pub struct ReadError {
-    /// The file.
+    /// The file's path, or the name given with its bytes.
     pub path: PathBuf,
     /// What is wrong with it and what to do about it.
     pub problem: ReadProblem,
@@ -171,10 +171,6 @@ pub enum ReadProblem {
 }
 
 impl ReadProblem {
-    pub(crate) fn at(self, path: &Path) -> ReadError {
-        ReadError { path: path.to_owned(), problem: self }
-    }
-
     pub(crate) fn damaged(format: &'static str, what: impl ToString) -> Self {
         Self::Damaged { format, what: what.to_string() }
     }

@@ -7,8 +7,7 @@ mod dwa;
 mod header;
 mod part;
 
-use std::fs::File;
-use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::io::{Read, Seek, SeekFrom};
 
 use exr::block::UncompressedBlock;
 use exr::block::chunk::{
@@ -23,15 +22,16 @@ use self::part::{ExrChannel, Part};
 use crate::ReadProblem;
 use crate::input::{Input, io_problem, zeros};
 use crate::layout::{Channel, Format, Layout, SampleType, Sink, Span};
+use crate::source::SourceReader;
 
-pub(crate) struct ExrFile {
-    file: BufReader<File>,
+pub(crate) struct ExrFile<'a> {
+    file: SourceReader<'a>,
     header: FileHeader,
     layout: Layout,
 }
 
-impl ExrFile {
-    pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
+impl<'a> ExrFile<'a> {
+    pub(crate) fn open(mut input: Input<'a>) -> Result<Self, ReadProblem> {
         let header = FileHeader::read(&mut input.file, input.file_len)?;
         let [width, height] = header.parts[0].size;
         let mut channels = Vec::new();
@@ -119,7 +119,7 @@ impl ExrFile {
 
 /// Reads the compressed bytes of one chunk, which has to be the one expected.
 fn read_chunk(
-    file: &mut BufReader<File>,
+    file: &mut SourceReader<'_>,
     header: &FileHeader,
     index: usize,
     offset: u64,

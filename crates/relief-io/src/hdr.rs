@@ -5,12 +5,12 @@
 //! exactly comes back exactly.) Scan lines are flat, run-length encoded by repeats (1, 1, 1, count), or, from 8 to 32767
 //! texels, component by component.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, Read};
 
 use crate::ReadProblem;
 use crate::input::{Input, io_problem, zeros};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::source::SourceReader;
 
 /// The longest line of a header; longer ones are no header.
 const MAX_LINE: u64 = 4096;
@@ -21,15 +21,15 @@ const MAX_LINES: usize = 1024;
 /// Widths that can be stored component by component.
 const COMPONENT_WIDTHS: std::ops::RangeInclusive<usize> = 8..=0x7fff;
 
-pub(crate) struct HdrFile {
-    file: BufReader<File>,
+pub(crate) struct HdrFile<'a> {
+    file: SourceReader<'a>,
     layout: Layout,
     bottom_up: bool,
     right_to_left: bool,
 }
 
-impl HdrFile {
-    pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
+impl<'a> HdrFile<'a> {
+    pub(crate) fn open(mut input: Input<'a>) -> Result<Self, ReadProblem> {
         let mut lines = 0;
         loop {
             let line = read_line(&mut input.file)?;
@@ -88,7 +88,7 @@ impl HdrFile {
     }
 }
 
-fn read_line(file: &mut BufReader<File>) -> Result<String, ReadProblem> {
+fn read_line(file: &mut SourceReader<'_>) -> Result<String, ReadProblem> {
     let mut line = Vec::new();
     file.take(MAX_LINE).read_until(b'\n', &mut line).map_err(problem)?;
     match line.pop() {
@@ -97,7 +97,7 @@ fn read_line(file: &mut BufReader<File>) -> Result<String, ReadProblem> {
     }
 }
 
-fn read_scan_line(file: &mut BufReader<File>, texels: &mut [[u8; 4]]) -> Result<(), ReadProblem> {
+fn read_scan_line(file: &mut SourceReader<'_>, texels: &mut [[u8; 4]]) -> Result<(), ReadProblem> {
     let mut first = [0; 4];
     file.read_exact(&mut first).map_err(problem)?;
     let by_component = [2, 2, (texels.len() >> 8) as u8, texels.len() as u8];
@@ -110,7 +110,7 @@ fn read_scan_line(file: &mut BufReader<File>, texels: &mut [[u8; 4]]) -> Result<
 
 /// One component of a scan line: a count up to 128 and as many bytes, or 128 plus a count and one byte for all.
 fn read_component(
-    file: &mut BufReader<File>,
+    file: &mut SourceReader<'_>,
     texels: &mut [[u8; 4]],
     component: usize,
 ) -> Result<(), ReadProblem> {
@@ -136,7 +136,7 @@ fn read_component(
 
 /// A scan line of whole texels, where (1, 1, 1, count) repeats the last one; several in a row make a longer count.
 fn read_repeats(
-    file: &mut BufReader<File>,
+    file: &mut SourceReader<'_>,
     texels: &mut [[u8; 4]],
     first: [u8; 4],
 ) -> Result<(), ReadProblem> {
@@ -165,7 +165,7 @@ fn read_repeats(
     Ok(())
 }
 
-fn bytes<const N: usize>(file: &mut BufReader<File>) -> Result<[u8; N], ReadProblem> {
+fn bytes<const N: usize>(file: &mut SourceReader<'_>) -> Result<[u8; N], ReadProblem> {
     let mut bytes = [0; N];
     file.read_exact(&mut bytes).map_err(problem)?;
     Ok(bytes)

@@ -1,7 +1,6 @@
 //! From a file to a [`HeightMap`]: choice of the channel, holes, range and convention.
 
 use std::fmt;
-use std::path::Path;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
@@ -11,7 +10,7 @@ use crate::fill::fill_holes;
 use crate::image_file::ImageFile;
 use crate::layout::Layout;
 use crate::samples::{Samples, Selection};
-use crate::{HeightNote, RawLayout, ReadError, ReadProblem};
+use crate::{HeightNote, RawLayout, ReadError, ReadProblem, Source};
 
 /// What white means in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -92,7 +91,7 @@ impl Default for HeightOptions {
 /// marks.
 pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 
-/// Reads a height map of texels in `[0, 1]`, 1 highest.
+/// Reads a height map of texels in `[0, 1]`, 1 highest, from a file or from the bytes of one.
 ///
 /// The format (PNG, JPEG, EXR, TIFF and GeoTIFF, Radiance HDR, PGM, headerless raw) is recognised by the file's content.
 /// Samples are taken as stored: no gamma or colour profile is applied. Which raw values become 0 and 1:
@@ -113,20 +112,24 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 ///
 /// When the file cannot be read, is damaged, too large or not a picture; when the channel is unknown or none stands out;
 /// when texels have no value and `fill` is not set, or no texel has one; when values lie outside the range given.
-pub fn read_height(path: &Path, options: &HeightOptions) -> Result<HeightMap, ReadError> {
-    read(path, options).map_err(|problem| problem.at(path))
+pub fn read_height<'a>(
+    source: impl Into<Source<'a>>,
+    options: &HeightOptions,
+) -> Result<HeightMap, ReadError> {
+    let source = source.into();
+    read(source, options).map_err(|problem| source.error(problem))
 }
 
-fn read(path: &Path, options: &HeightOptions) -> Result<HeightMap, ReadProblem> {
+fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadProblem> {
     if let Some(range) = options.range
         && !(range[0] < range[1] && (range[1] - range[0]).is_finite())
     {
         return Err(ReadProblem::BadRange { range });
     }
-    let file = ImageFile::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
+    let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
     let selection = select(file.layout(), options.channel.as_deref())?;
     let Layout { format, width, height, full_scale, texel_size_m, .. } = *file.layout();
-    let note = HeightNote::of_file(path, format);
+    let note = HeightNote::of_file(source, format);
     let samples = Samples::read(file, &selection)?;
     let mut map = height_map(samples, full_scale, options)?;
     if let (Some(note), Some(range)) = (note, map.physical_range()) {

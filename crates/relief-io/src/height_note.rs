@@ -1,9 +1,7 @@
 //! What a height map's file that Relief wrote says of its size in the world.
 
-use std::path::Path;
-
 use crate::layout::Format;
-use crate::{Metadata, WriteProblem, read_metadata};
+use crate::{Metadata, Source, WriteProblem, read_metadata};
 
 /// The kind that such a file names.
 const KIND: &str = "height";
@@ -40,11 +38,11 @@ impl HeightNote {
     }
 
     /// What a file says, if it is one that says so. Numbers that cannot be are as good as none.
-    pub(crate) fn of_file(path: &Path, format: Format) -> Option<Self> {
+    pub(crate) fn of_file(source: Source<'_>, format: Format) -> Option<Self> {
         if !matches!(format, Format::Png | Format::Exr) {
             return None;
         }
-        Self::of(&read_metadata(path).ok()?)
+        Self::of(&read_metadata(source).ok()?)
     }
 
     fn of(metadata: &Metadata) -> Option<Self> {

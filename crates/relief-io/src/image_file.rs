@@ -1,8 +1,6 @@
 //! A file that has been recognised and whose header has been checked: what it holds, and its samples row by row.
 
-use std::fs::File;
-use std::io::{BufReader, Read, Seek, SeekFrom};
-use std::path::Path;
+use std::io::{Read, Seek};
 
 use crate::exr::ExrFile;
 use crate::hdr::HdrFile;
@@ -13,51 +11,39 @@ use crate::pgm::PgmFile;
 use crate::png::PngFile;
 use crate::raw::RawFile;
 use crate::tiff::TiffFile;
-use crate::{RawLayout, ReadProblem};
+use crate::{RawLayout, ReadProblem, Source};
 
 /// A recognised file. Its header is checked; no memory has been taken for samples.
-pub(crate) enum ImageFile {
-    Png(Box<PngFile>),
-    Jpeg(JpegFile),
-    Exr(ExrFile),
-    Tiff(Box<TiffFile>),
-    Hdr(HdrFile),
-    Pgm(PgmFile),
-    Raw(RawFile),
+pub(crate) enum ImageFile<'a> {
+    Png(Box<PngFile<'a>>),
+    Jpeg(JpegFile<'a>),
+    Exr(ExrFile<'a>),
+    Tiff(Box<TiffFile<'a>>),
+    Hdr(HdrFile<'a>),
+    Pgm(PgmFile<'a>),
+    Raw(RawFile<'a>),
 }
 
 /// The largest of the formats' signatures.
 const SIGNATURE_LEN: u64 = 16;
 
-impl ImageFile {
-    /// Opens a file and recognises it by its content; with a raw layout it is read as raw, whatever it holds.
+impl<'a> ImageFile<'a> {
+    /// Opens a source and recognises it by its content; with a raw layout it is read as raw, whatever it
+    /// holds.
     ///
     /// `bytes_per_texel` is what the caller will hold for each texel; it and the decoder's own buffers must stay
     /// within `max_bytes`.
     pub(crate) fn open(
-        path: &Path,
+        source: Source<'a>,
         raw: Option<RawLayout>,
         bytes_per_texel: u64,
         max_bytes: u64,
     ) -> Result<Self, ReadProblem> {
-        let kind = std::fs::metadata(path)?;
-        if kind.is_dir() {
-            return Err(ReadProblem::Folder);
-        }
-        // A pipe would block, a device has no length: formats are told apart by what can be read twice.
-        if !kind.is_file() {
-            return Err(ReadProblem::NoFile);
-        }
-        let mut file = File::open(path)?;
-        let file_len = file.metadata()?.len();
-        if file_len == 0 {
-            return Err(ReadProblem::Empty);
-        }
+        let (mut file, file_len) = source.open()?;
         let mut signature = Vec::with_capacity(SIGNATURE_LEN as usize);
         file.by_ref().take(SIGNATURE_LEN).read_to_end(&mut signature)?;
-        file.seek(SeekFrom::Start(0))?;
-        let input =
-            Input { path: path.to_owned(), file: BufReader::new(file), file_len, bytes_per_texel, max_bytes };
+        file.rewind()?;
+        let input = Input { file, file_len, bytes_per_texel, max_bytes };
         if let Some(layout) = raw {
             return Ok(Self::Raw(RawFile::open(input, layout)?));
         }
@@ -69,7 +55,7 @@ impl ImageFile {
             Some(Format::Hdr) => Ok(Self::Hdr(HdrFile::open(input)?)),
             Some(Format::Pgm) => Ok(Self::Pgm(PgmFile::open(input)?)),
             Some(Format::Raw) | None => {
-                let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+                let extension = source.name().extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
                 match extension.as_deref() {
                     Some("raw" | "r16" | "bin") => Err(ReadProblem::NeedsRawLayout),
                     _ => Err(ReadProblem::Unrecognised),

@@ -1,24 +1,22 @@
-//! An opened file before its header is read, and what all decoders do with it.
+//! An opened source before its header is read, and what all decoders do with it.
 
-use std::fs::File;
-use std::io::{self, BufReader};
-use std::path::PathBuf;
+use std::io;
 
 use relief_core::HeightMap;
 
 use crate::ReadProblem;
 use crate::layout::Format;
+use crate::source::SourceReader;
 
-/// An opened file with what is known of it before its header is read.
-pub(crate) struct Input {
-    pub path: PathBuf,
-    pub file: BufReader<File>,
+/// An opened source with what is known of it before its header is read.
+pub(crate) struct Input<'a> {
+    pub file: SourceReader<'a>,
     pub file_len: u64,
     pub bytes_per_texel: u64,
     pub max_bytes: u64,
 }
 
-impl Input {
+impl Input<'_> {
     /// Refuses sizes that no height map has, that need too much memory, or that a file of this length cannot hold.
     ///
     /// `decoder_bytes` is what the decoder itself holds at its peak, and `least_file_bytes` the length of the

@@ -1,12 +1,10 @@
 //! What a file holds, without judging it.
 
-use std::path::Path;
-
 use crate::height::{BYTES_PER_TEXEL, HeightOptions, select};
 use crate::image_file::ImageFile;
 use crate::layout::{Channel, Format};
 use crate::samples::{Samples, Selection};
-use crate::{HeightNote, ReadError, ReadProblem};
+use crate::{HeightNote, ReadError, ReadProblem, Source};
 
 /// Bins of [`Values::histogram`].
 pub const HISTOGRAM_BINS: usize = 64;
@@ -71,21 +69,23 @@ pub struct Tiling {
 /// 1.8 and far more.
 pub const SEAM_LIMIT: f64 = 1.25;
 
-/// Reads a file and says what it holds. Options are used as in [`crate::read_height`]: `channel`, `raw` and `max_bytes`.
+/// Reads a file, or the bytes of one, and says what it holds. Options are used as in [`crate::read_height`]:
+/// `channel`, `raw` and `max_bytes`.
 ///
 /// Texels without a value are counted, not an error; nor is a picture in colour, of which `values` are not given.
 ///
 /// # Errors
 ///
 /// When the file cannot be read, is damaged, too large or not a picture, or when the channel is unknown.
-pub fn inspect(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadError> {
-    read(path, options).map_err(|problem| problem.at(path))
+pub fn inspect<'a>(source: impl Into<Source<'a>>, options: &HeightOptions) -> Result<SourceInfo, ReadError> {
+    let source = source.into();
+    read(source, options).map_err(|problem| source.error(problem))
 }
 
-fn read(path: &Path, options: &HeightOptions) -> Result<SourceInfo, ReadProblem> {
-    let file = ImageFile::open(path, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
+fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadProblem> {
+    let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
     let layout = file.layout().clone();
-    let note = HeightNote::of_file(path, layout.format);
+    let note = HeightNote::of_file(source, layout.format);
     let values = match select(&layout, options.channel.as_deref()) {
         Ok(selection) => {
             let first = match selection {

@@ -4,8 +4,7 @@
 //! it is decoded) and takes a cut-off file for a complete one, so the file's segments are walked first: size and
 //! components are known, and the end is there, before memory is taken.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Seek};
+use std::io::{BufRead, Read, Seek};
 
 use image::codecs::jpeg::JpegDecoder;
 use image::{ImageDecoder, ImageError};
@@ -13,14 +12,15 @@ use image::{ImageDecoder, ImageError};
 use crate::ReadProblem;
 use crate::input::{Input, io_problem, zeros};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::source::SourceReader;
 
-pub(crate) struct JpegFile {
-    file: BufReader<File>,
+pub(crate) struct JpegFile<'a> {
+    file: SourceReader<'a>,
     layout: Layout,
 }
 
-impl JpegFile {
-    pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
+impl<'a> JpegFile<'a> {
+    pub(crate) fn open(mut input: Input<'a>) -> Result<Self, ReadProblem> {
         let frame = Frame::read(&mut input.file)?;
         let texels = u64::from(frame.width) * u64::from(frame.height);
         let components = u64::from(frame.components);
@@ -71,7 +71,7 @@ struct Frame {
 
 impl Frame {
     /// Walks all segments to the end of the picture (ITU T.81, B.1.1).
-    fn read(file: &mut BufReader<File>) -> Result<Self, ReadProblem> {
+    fn read(file: &mut SourceReader<'_>) -> Result<Self, ReadProblem> {
         let mut frame = None;
         bytes::<2>(file)?;
         loop {
@@ -119,7 +119,7 @@ impl Frame {
 }
 
 /// Skips to the next marker: over entropy-coded data, in which a zero byte follows each ff that is none.
-fn next_marker(file: &mut BufReader<File>) -> Result<u8, ReadProblem> {
+fn next_marker(file: &mut SourceReader<'_>) -> Result<u8, ReadProblem> {
     loop {
         let buffer = file.fill_buf().map_err(io)?;
         if buffer.is_empty() {
@@ -145,7 +145,7 @@ fn next_marker(file: &mut BufReader<File>) -> Result<u8, ReadProblem> {
     }
 }
 
-fn bytes<const N: usize>(file: &mut BufReader<File>) -> Result<[u8; N], ReadProblem> {
+fn bytes<const N: usize>(file: &mut SourceReader<'_>) -> Result<[u8; N], ReadProblem> {
     let mut bytes = [0; N];
     file.read_exact(&mut bytes).map_err(io)?;
     Ok(bytes)

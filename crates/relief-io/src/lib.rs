@@ -10,6 +10,8 @@
 //! | PGM (PPM) | content | 8 and 16 bit, plain and binary | |
 //! | raw | [`RawLayout`] given | 16 bit | |
 //!
+//! Every reader takes a [`Source`]: a file's path, or the bytes of a file that are in memory already.
+//!
 //! # Memory
 //!
 //! Headers are checked against [`HeightOptions::max_bytes`] and against the file's length before memory is taken for what
@@ -18,6 +20,8 @@
 //! file's length. An EXR or TIFF *block* (tile, strip, or the 16 to 256 rows of a compressed EXR block, all channels) is
 //! held two or three times: where the whole picture is one block, as a TIFF with a single strip, that is up to three times
 //! its uncompressed size.
+//!
+//! Bytes in memory are decoded where they are. Only the decoder of JPEG copies them whole, as it does a file's.
 
 mod convention;
 mod error;
@@ -38,6 +42,7 @@ mod picture;
 mod png;
 mod raw;
 mod samples;
+mod source;
 mod texture;
 mod tiff;
 mod write;
@@ -52,5 +57,6 @@ pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as};
 pub use raw::{BadRawLayout, ByteOrder, RawLayout};
+pub use source::Source;
 pub use texture::{Metadata, PngTexture, Row, RowSource, read_metadata, write_exr_rows, write_png_rows};
 pub use write::{PngColour, write_atomically, write_exr, write_png8, write_png16};

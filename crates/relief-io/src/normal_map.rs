@@ -1,7 +1,6 @@
 //! Tangent-space normal maps.
 
 use std::fmt;
-use std::path::Path;
 use std::str::FromStr;
 
 use relief_core::registry::UnknownName;
@@ -9,7 +8,7 @@ use relief_core::registry::UnknownName;
 use crate::image_file::ImageFile;
 use crate::layout::{Layout, SampleKind};
 use crate::picture::collect;
-use crate::{ReadError, ReadProblem};
+use crate::{ReadError, ReadProblem, Source};
 
 /// Which way the green channel of a normal map points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -116,7 +115,8 @@ impl NormalVectors {
     }
 }
 
-/// Reads a normal map from the channels red, green and blue (or `x`, `y` and `z`), whose `green` points as told.
+/// Reads a normal map, from a file or from the bytes of one: from the channels red, green and blue (or `x`,
+/// `y` and `z`), whose `green` points as told.
 ///
 /// Vectors are those of [`read_normal_vectors`]. They are then scaled to length 1; a texel without a direction becomes
 /// `(0, 0, 1)` and is counted. At most `max_bytes` of memory are taken, 12 bytes a texel.
@@ -124,8 +124,12 @@ impl NormalVectors {
 /// # Errors
 ///
 /// When the file cannot be read, is damaged, too large, not a picture, or has no red, green and blue.
-pub fn read_normal_map(path: &Path, green: GreenSign, max_bytes: u64) -> Result<NormalMap, ReadError> {
-    let NormalVectors { width, height, vectors: mut normals, .. } = read_normal_vectors(path, max_bytes)?;
+pub fn read_normal_map<'a>(
+    source: impl Into<Source<'a>>,
+    green: GreenSign,
+    max_bytes: u64,
+) -> Result<NormalMap, ReadError> {
+    let NormalVectors { width, height, vectors: mut normals, .. } = read_normal_vectors(source, max_bytes)?;
     let mut degenerate = 0;
     for normal in &mut normals {
         let [x, y, z] = *normal;
@@ -141,7 +145,8 @@ pub fn read_normal_map(path: &Path, green: GreenSign, max_bytes: u64) -> Result<
     Ok(NormalMap { width, height, normals, degenerate })
 }
 
-/// Reads what the texels of a normal map stand for, from the channels red, green and blue, or `x`, `y` and `z`.
+/// Reads what the texels of a normal map stand for, from a file or from the bytes of one: from the channels
+/// red, green and blue, or `x`, `y` and `z`.
 ///
 /// Unsigned integers of up to 16 bit stand for `2 s / maximum - 1` (glTF 2.0, 3.9.3). Floats are taken as they are where
 /// the channels are `x`, `y` and `z` or any value is negative; otherwise as they are or as `2 s - 1`, whichever gives lengths
@@ -150,12 +155,16 @@ pub fn read_normal_map(path: &Path, green: GreenSign, max_bytes: u64) -> Result<
 /// # Errors
 ///
 /// When the file cannot be read, is damaged, too large, not a picture, or has none of these channels.
-pub fn read_normal_vectors(path: &Path, max_bytes: u64) -> Result<NormalVectors, ReadError> {
-    read(path, max_bytes).map_err(|problem| problem.at(path))
+pub fn read_normal_vectors<'a>(
+    source: impl Into<Source<'a>>,
+    max_bytes: u64,
+) -> Result<NormalVectors, ReadError> {
+    let source = source.into();
+    read(source, max_bytes).map_err(|problem| source.error(problem))
 }
 
-fn read(path: &Path, max_bytes: u64) -> Result<NormalVectors, ReadProblem> {
-    let file = ImageFile::open(path, None, NORMAL_BYTES_PER_TEXEL, max_bytes)?;
+fn read(source: Source<'_>, max_bytes: u64) -> Result<NormalVectors, ReadProblem> {
+    let file = ImageFile::open(source, None, NORMAL_BYTES_PER_TEXEL, max_bytes)?;
     let layout = file.layout().clone();
     let (channels, are_vectors) = normal_channels(&layout)?;
     let scale = layout.full_scale.unwrap_or(1.0);

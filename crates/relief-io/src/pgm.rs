@@ -1,21 +1,21 @@
 //! Netpbm grey and colour maps, plain and binary, 8 and 16 bit: P2, P3, P5, P6. Samples are divided by the file's maxval.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, Read};
 
 use crate::ReadProblem;
 use crate::input::{Input, io_problem, zeros};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::source::SourceReader;
 
-pub(crate) struct PgmFile {
-    file: BufReader<File>,
+pub(crate) struct PgmFile<'a> {
+    file: SourceReader<'a>,
     layout: Layout,
     plain: bool,
     maxval: u16,
 }
 
-impl PgmFile {
-    pub(crate) fn open(mut input: Input) -> Result<Self, ReadProblem> {
+impl<'a> PgmFile<'a> {
+    pub(crate) fn open(mut input: Input<'a>) -> Result<Self, ReadProblem> {
         let mut magic = [0; 2];
         input.file.read_exact(&mut magic).map_err(problem)?;
         let plain = matches!(magic[1], b'2' | b'3');
@@ -79,7 +79,7 @@ impl PgmFile {
 
 /// The next decimal number, after white space and comments (`#` to the end of the line); with it goes the one
 /// separator after it.
-fn number(file: &mut BufReader<File>) -> Result<u32, ReadProblem> {
+fn number(file: &mut SourceReader<'_>) -> Result<u32, ReadProblem> {
     let mut value: Option<u32> = None;
     let mut comment = false;
     loop {

@@ -1,10 +1,8 @@
 //! Colour pictures for shading, in linear light.
 
-use std::path::Path;
-
 use crate::image_file::ImageFile;
 use crate::layout::{Layout, SampleKind, Span};
-use crate::{ReadError, ReadProblem};
+use crate::{ReadError, ReadProblem, Source};
 
 /// A picture in linear light (BT.709 primaries where the file is sRGB), row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,28 +28,34 @@ pub enum Curve {
     Linear,
 }
 
-/// Reads a picture whose integers are sRGB; as [`read_picture_as`].
+/// Reads a picture whose integers are sRGB from a file or from the bytes of one; as [`read_picture_as`].
 ///
 /// # Errors
 ///
 /// As [`read_picture_as`].
-pub fn read_picture(path: &Path, max_bytes: u64) -> Result<Picture, ReadError> {
-    read_picture_as(path, Curve::Srgb, max_bytes)
+pub fn read_picture<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<Picture, ReadError> {
+    read_picture_as(source, Curve::Srgb, max_bytes)
 }
 
-/// Reads a picture: integers of up to 16 bit are decoded by the curve, floats are linear as they are. Grey becomes three
-/// equal channels. At most `max_bytes` of memory are taken, 16 bytes a texel.
+/// Reads a picture from a file or from the bytes of one: integers of up to 16 bit are decoded by the curve,
+/// floats are linear as they are. Grey becomes three equal channels. At most `max_bytes` of memory are taken,
+/// 16 bytes a texel.
 ///
 /// # Errors
 ///
 /// When the file cannot be read, is damaged, too large, not a picture, has channels that make no colour, or holds a NaN
 /// or an infinite value.
-pub fn read_picture_as(path: &Path, curve: Curve, max_bytes: u64) -> Result<Picture, ReadError> {
-    read(path, curve, max_bytes).map_err(|problem| problem.at(path))
+pub fn read_picture_as<'a>(
+    source: impl Into<Source<'a>>,
+    curve: Curve,
+    max_bytes: u64,
+) -> Result<Picture, ReadError> {
+    let source = source.into();
+    read(source, curve, max_bytes).map_err(|problem| source.error(problem))
 }
 
-fn read(path: &Path, curve: Curve, max_bytes: u64) -> Result<Picture, ReadProblem> {
-    let file = ImageFile::open(path, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
+fn read(source: Source<'_>, curve: Curve, max_bytes: u64) -> Result<Picture, ReadProblem> {
+    let file = ImageFile::open(source, None, PICTURE_BYTES_PER_TEXEL, max_bytes)?;
     let layout = file.layout().clone();
     let channels = colour_channels(&layout)?;
     let transfer = Transfer::of(&layout, channels[0], curve)?;
@@ -74,7 +78,7 @@ fn read(path: &Path, curve: Curve, max_bytes: u64) -> Result<Picture, ReadProble
 
 /// Reads every texel's chosen channels and keeps what `texel` makes of them.
 pub(crate) fn collect<T: Copy>(
-    file: ImageFile,
+    file: ImageFile<'_>,
     channels: &[usize],
     empty: T,
     texel: impl Fn(&[f64]) -> T,

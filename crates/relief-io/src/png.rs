@@ -2,14 +2,12 @@
 //!
 //! Samples are the stored ones: gamma, sRGB and colour profile chunks are not applied.
 
-use std::fs::File;
-use std::io::BufReader;
-
 use png::{BitDepth, ColorType, Decoder, DecodingError, Limits, Reader, Transformations};
 
 use crate::ReadProblem;
 use crate::input::{Input, io_problem};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::source::SourceReader;
 
 /// What the decoder may take for chunks other than image data; a row of the widest height map needs half of it.
 const DECODER_BYTES: usize = 16 << 20;
@@ -21,15 +19,15 @@ const DEFLATE_RATIO: u64 = 1032;
 const ADAM7: [[u32; 4]; 7] =
     [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]];
 
-pub(crate) struct PngFile {
-    reader: Reader<BufReader<File>>,
+pub(crate) struct PngFile<'a> {
+    reader: Reader<SourceReader<'a>>,
     layout: Layout,
     /// What the decoder has multiplied samples of less than 8 bit by, to fill 8 bit.
     expansion: u8,
 }
 
-impl PngFile {
-    pub(crate) fn open(input: Input) -> Result<Self, ReadProblem> {
+impl<'a> PngFile<'a> {
+    pub(crate) fn open(input: Input<'a>) -> Result<Self, ReadProblem> {
         // The decoder owns the file, and the size has to be known before the decoder goes on: so the header is read
         // twice, first by hand. Its place is fixed: signature, then the IHDR chunk (PNG specification, 5.6).
         let (input, header) = Header::read(input)?;
@@ -121,7 +119,7 @@ struct Header {
 }
 
 impl Header {
-    fn read(mut input: Input) -> Result<(Input, Self), ReadProblem> {
+    fn read(mut input: Input<'_>) -> Result<(Input<'_>, Self), ReadProblem> {
         use std::io::{Read, Seek};
         let mut bytes = [0; 26];
         input.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Png, error))?;

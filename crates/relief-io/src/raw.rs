@@ -1,13 +1,13 @@
 //! Headerless 16-bit samples, as Unity, Unreal and World Machine exchange them (`.raw`, `.r16`).
 
 use std::fmt;
-use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::Read;
 use std::str::FromStr;
 
 use crate::ReadProblem;
 use crate::input::{Input, io_problem, zeros};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
+use crate::source::SourceReader;
 
 /// Which byte of a 16-bit sample comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,14 +65,14 @@ impl fmt::Display for RawLayout {
     }
 }
 
-pub(crate) struct RawFile {
-    file: BufReader<File>,
+pub(crate) struct RawFile<'a> {
+    file: SourceReader<'a>,
     layout: Layout,
     order: ByteOrder,
 }
 
-impl RawFile {
-    pub(crate) fn open(input: Input, raw: RawLayout) -> Result<Self, ReadProblem> {
+impl<'a> RawFile<'a> {
+    pub(crate) fn open(input: Input<'a>, raw: RawLayout) -> Result<Self, ReadProblem> {
         let size = [raw.width, raw.height];
         let expected = u64::from(raw.width) * u64::from(raw.height) * 2;
         if input.file_len != expected {

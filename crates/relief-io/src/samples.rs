@@ -34,7 +34,7 @@ pub(crate) enum Selection {
 }
 
 impl Samples {
-    pub(crate) fn read(file: ImageFile, selection: &Selection) -> Result<Self, ReadProblem> {
+    pub(crate) fn read(file: ImageFile<'_>, selection: &Selection) -> Result<Self, ReadProblem> {
         let layout = file.layout();
         let names = layout.channel_names();
         let (channels, sample) = match selection {

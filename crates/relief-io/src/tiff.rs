@@ -5,15 +5,25 @@
 //! zeros where it has none.
 
 mod geo;
+mod stored;
 
 use tiff_reader::{Ifd, OpenOptions, ParseBudgets, TiffError};
 
+use self::stored::Stored;
 use crate::ReadProblem;
 use crate::input::Input;
 use crate::layout::{Channel, Format, Layout, SampleKind, SampleType, Sink, Span};
 
 /// What the file's tags may take; the tables of the largest height map, a strip a row, need 16 MiB.
 const MAX_TAG_BYTES: usize = 20 << 20;
+
+/// What all headers of a file may take.
+const PARSE_BUDGETS: ParseBudgets = ParseBudgets {
+    max_ifds: 256,
+    max_ifd_entries: 1024,
+    max_tag_value_bytes: MAX_TAG_BYTES,
+    max_metadata_value_bytes: MAX_TAG_BYTES,
+};
 
 /// A block of more texels is handed on in several pieces, each out of the cache.
 const WINDOW_TEXELS: u32 = 1 << 16;
@@ -26,8 +36,9 @@ const WHITE_IS_ZERO: u16 = 0;
 const BLACK_IS_ZERO: u16 = 1;
 const RGB: u16 = 2;
 
-pub(crate) struct TiffFile {
-    file: tiff_reader::TiffFile,
+pub(crate) struct TiffFile<'a> {
+    stored: Stored<'a>,
+    decoder: tiff_reader::TiffFile,
     ifd: usize,
     layout: Layout,
     /// Samples are stored with 0 as white.
@@ -45,12 +56,14 @@ struct Blocks {
     planar: bool,
 }
 
-impl TiffFile {
-    pub(crate) fn open(input: Input) -> Result<Self, ReadProblem> {
-        // The cache is sized by the blocks, which are known only once the file is open: it is opened twice.
-        let probe = open(&input, 0)?;
-        let ifd = full_resolution(&probe)?;
-        let header = probe.ifd(ifd).map_err(problem)?;
+impl<'a> TiffFile<'a> {
+    pub(crate) fn open(input: Input<'a>) -> Result<Self, ReadProblem> {
+        // The decoder's cache is sized by the blocks, so that the headers are needed before there is a
+        // decoder.
+        let stored = Stored::of(&input)?;
+        let pictures = stored.pictures(PARSE_BUDGETS).map_err(problem)?;
+        let ifd = full_resolution(&pictures)?;
+        let header = &pictures[ifd];
         let raster = header.raster_layout().map_err(problem)?;
         let size = [header.width(), header.height()];
         let sample = sample_type(raster.sample_format, raster.bits_per_sample)?;
@@ -85,9 +98,9 @@ impl TiffFile {
         };
         let offsets = if header.is_tiled() { header.tile_offsets() } else { header.strip_offsets() };
         let offsets = offsets.ok_or_else(|| ReadProblem::damaged("TIFF", "it has no blocks"))?;
-        let file = open(&input, usize::try_from(cache_bytes).unwrap_or(usize::MAX))?;
+        let decoder = stored.decoder(options(cache_bytes)).map_err(problem)?;
         let blocks = Blocks { columns, rows, offsets, planar };
-        Ok(Self { file, ifd, layout, inverted: photometric == WHITE_IS_ZERO, blocks })
+        Ok(Self { stored, decoder, ifd, layout, inverted: photometric == WHITE_IS_ZERO, blocks })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
@@ -127,10 +140,17 @@ impl TiffFile {
                 continue;
             }
             let place = (top as usize, left as usize);
-            let bytes = self
-                .file
-                .read_band_window_bytes(self.ifd, channel, place.0, place.1, rows_len, columns_len)
-                .map_err(problem)?;
+            let read = || {
+                self.decoder.read_band_window_bytes(
+                    self.ifd,
+                    channel,
+                    place.0,
+                    place.1,
+                    rows_len,
+                    columns_len,
+                )
+            };
+            let bytes = self.stored.lending(read).map_err(problem)?;
             spread(self.layout.channels[channel].sample, &bytes, slots)?;
         }
         if let (true, Some(white)) = (self.inverted, self.layout.full_scale) {
@@ -154,29 +174,23 @@ impl TiffFile {
     }
 }
 
-fn open(input: &Input, cache_bytes: usize) -> Result<tiff_reader::TiffFile, ReadProblem> {
-    let parse_budgets = ParseBudgets {
-        max_ifds: 256,
-        max_ifd_entries: 1024,
-        max_tag_value_bytes: MAX_TAG_BYTES,
-        max_metadata_value_bytes: MAX_TAG_BYTES,
-    };
-    let options = OpenOptions {
+fn options(cache_bytes: u64) -> OpenOptions {
+    let cache_bytes = usize::try_from(cache_bytes).unwrap_or(usize::MAX);
+    OpenOptions {
         block_cache_bytes: cache_bytes,
         block_cache_slots: 16,
-        parse_budgets,
+        parse_budgets: PARSE_BUDGETS,
         decode_output_bytes: cache_bytes.max(16 * WINDOW_TEXELS as usize),
-    };
-    tiff_reader::TiffFile::open_with_options(&input.path, options).map_err(problem)
+    }
 }
 
 /// The first picture that is neither a reduced copy nor a mask (TIFF 6.0, NewSubfileType).
-fn full_resolution(file: &tiff_reader::TiffFile) -> Result<usize, ReadProblem> {
+fn full_resolution(pictures: &[Ifd]) -> Result<usize, ReadProblem> {
     let reduced_or_mask = |ifd: &Ifd| {
         let kind = ifd.tag(TAG_NEW_SUBFILE_TYPE).and_then(|tag| tag.value.as_u32()).unwrap_or(0);
         kind & 0b101 != 0
     };
-    file.ifds()
+    pictures
         .iter()
         .position(|ifd| !reduced_or_mask(ifd))
         .ok_or_else(|| ReadProblem::damaged("TIFF", "it holds no picture at full resolution"))

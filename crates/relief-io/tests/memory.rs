@@ -12,16 +12,18 @@ use common::files::{Scan, hdr, jpeg, png};
 use common::tiff_file::Tiff;
 use common::{Folder, exr_file, landscape};
 use png::{BitDepth, ColorType};
-use relief_io::{HeightOptions, read_height};
+use relief_io::{HeightOptions, Source, read_height};
 
 const SIDE: u32 = 2600;
 const TEXELS: u64 = SIDE as u64 * SIDE as u64;
 const MIB: u64 = 1 << 20;
 const BUDGET: u64 = 32 * MIB + 8 * TEXELS;
 
-/// The file that the child process reads, and the channel.
+/// The file that the child process reads, the channel, and whether it reads the file's bytes, which it has in
+/// memory.
 const FILE: &str = "RELIEF_IO_MEMORY_FILE";
 const CHANNEL: &str = "RELIEF_IO_MEMORY_CHANNEL";
+const BYTES: &str = "RELIEF_IO_MEMORY_BYTES";
 
 fn peak() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").expect("Linux has it");
@@ -40,20 +42,23 @@ fn child() {
     let raw = channel.as_deref().and_then(|name| name.parse().ok());
     let channel = if raw.is_some() { None } else { channel };
     let options = HeightOptions { channel, raw, fill: true, ..HeightOptions::default() };
+    let bytes = std::env::var_os(BYTES).map(|_| std::fs::read(&file).expect("the file is there"));
+    let source = bytes.as_ref().map_or(Source::from(&file), |bytes| Source::bytes(&file, bytes));
     let idle = peak();
-    let read = read_height(Path::new(&file), &options);
+    let read = read_height(source, &options);
     println!("peak {} read {}", peak() - idle, read.is_ok());
 }
 
 /// The peak above the idle process while reading, and whether a map came back.
 fn measure(path: &Path, channel: &str) -> (u64, bool) {
-    let program = std::env::current_exe().expect("the test knows its program");
-    let output = Command::new(program)
-        .args(["--exact", "child", "--nocapture", "--test-threads=1"])
-        .env(FILE, path)
-        .env(CHANNEL, channel)
-        .output()
-        .expect("the test can run itself");
+    measure_in(|program| program.env(FILE, path).env(CHANNEL, channel))
+}
+
+/// The same of a process that is told what to read.
+fn measure_in(tell: impl Fn(&mut Command) -> &mut Command) -> (u64, bool) {
+    let mut program = Command::new(std::env::current_exe().expect("the test knows its program"));
+    program.args(["--exact", "child", "--nocapture", "--test-threads=1"]);
+    let output = tell(&mut program).output().expect("the test can run itself");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let line = text.lines().find_map(|line| line.split_once("peak ")).map(|(_, rest)| rest);
     let words: Vec<&str> = line.expect("the child reports").split_ascii_whitespace().collect();
@@ -135,6 +140,27 @@ fn hdr_pgm_and_raw() {
     assert_within("map.pgm", &pgm, "", BUDGET);
     let wide: Vec<u8> = grey.iter().flat_map(|&h| [h, h]).collect();
     assert_within("map.r16", &wide, &format!("{SIDE}x{SIDE},le"), BUDGET);
+}
+
+#[test]
+fn bytes_in_memory_are_read_where_they_are() {
+    let folder = Folder::new();
+    let values: Vec<f64> = heights().iter().map(|&h| f64::from(h)).collect();
+    let wide: Vec<u8> = heights().iter().flat_map(|&h| [h, h]).collect();
+    let mut pgm = format!("P5 {SIDE} {SIDE} 65535\n").into_bytes();
+    pgm.extend(&wide);
+    let exr = exr_file::exr([SIDE; 2], None, Compression::Uncompressed, &[("Y", ExrSample::F32, &values)]);
+    let files =
+        [("map.tif", Tiff::grey(SIDE, SIDE, 64, 3).bytes(&values)), ("map.pgm", pgm), ("map.exr", exr)];
+    for (name, bytes) in files {
+        let path = folder.file(name, &bytes);
+        let (from_file, _) = measure(&path, "");
+        let (from_bytes, read) = measure_in(|program| program.env(FILE, &path).env(BYTES, ""));
+        println!("{name}: {from_bytes} bytes, of the file {from_file}");
+        assert!(read && from_bytes >= 4 * TEXELS, "{name}: {from_bytes} bytes");
+        let length = bytes.len() as u64;
+        assert!(from_bytes < from_file + length / 2, "{name}: {from_bytes} bytes, of the file {from_file}");
+    }
 }
 
 #[test]

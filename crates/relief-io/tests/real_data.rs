@@ -4,7 +4,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{channel, real_data};
+use common::{channel, read, real_data};
 use relief_core::HeightMap;
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, Format, GreenSign, HeightOptions, ReadProblem, detect, inspect,
@@ -20,10 +20,6 @@ fn elevations(data: &Path) -> Vec<f64> {
     assert_eq!(bytes.len(), 2 * WIDTH * HEIGHT);
     let (samples, _) = bytes.as_chunks::<2>();
     samples.iter().map(|&b| (236.0 + f64::from(u16::from_le_bytes(b)) / 65535.0 * 840.0).round()).collect()
-}
-
-fn read(path: &Path, options: &HeightOptions) -> HeightMap {
-    read_height(path, options).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The greatest error in metres where texel 0 and 1 stand for `range`, of the texels that are not skipped.

@@ -4,8 +4,7 @@
 //! and value, an empty name at the end; multi-part files have several headers and an empty one at the end. Then one
 //! table of chunk offsets a part.
 
-use std::fs::File;
-use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::io::{Read, Seek, SeekFrom};
 
 use exr::prelude::{Compression, SampleType as ExrSample};
 use relief_core::{HeightMap, MAX_SIDE};
@@ -14,6 +13,7 @@ use super::part::{ExrChannel, Part};
 use crate::ReadProblem;
 use crate::input::{io_problem, zeros};
 use crate::layout::Format;
+use crate::source::SourceReader;
 
 /// Names are at most that long in files with the flag for long names.
 const MAX_NAME: usize = 255;
@@ -44,7 +44,7 @@ pub(super) struct FileHeader {
 }
 
 impl FileHeader {
-    pub(super) fn read(file: &mut BufReader<File>, file_len: u64) -> Result<Self, ReadProblem> {
+    pub(super) fn read(file: &mut SourceReader<'_>, file_len: u64) -> Result<Self, ReadProblem> {
         let mut reader = AttributeReader { file, file_len, position: 0 };
         reader.bytes::<4>()?;
         let version = u32::from_le_bytes(reader.bytes()?);
@@ -84,7 +84,7 @@ impl FileHeader {
     pub(super) fn offset_table(
         &self,
         index: usize,
-        file: &mut BufReader<File>,
+        file: &mut SourceReader<'_>,
     ) -> Result<Vec<u64>, ReadProblem> {
         let before = self.parts[..index].iter().map(|part| part.table_len).sum::<u64>();
         let problem = |error| io_problem(Format::Exr, error);
@@ -111,13 +111,13 @@ struct PartAttributes {
     chunk_count: Option<u64>,
 }
 
-struct AttributeReader<'a> {
-    file: &'a mut BufReader<File>,
+struct AttributeReader<'a, 'b> {
+    file: &'a mut SourceReader<'b>,
     file_len: u64,
     position: u64,
 }
 
-impl AttributeReader<'_> {
+impl AttributeReader<'_, '_> {
     fn bytes<const N: usize>(&mut self) -> Result<[u8; N], ReadProblem> {
         let mut bytes = [0; N];
         self.file.read_exact(&mut bytes).map_err(|error| io_problem(Format::Exr, error))?;

@@ -1,8 +1,6 @@
 //! Reading, of files from anywhere.
 
-use std::fs::File;
-use std::io::{BufReader, Read, Seek, SeekFrom};
-use std::path::Path;
+use std::io::{Read, Seek, SeekFrom};
 
 use ktx2::{Header, KeyValueDataIterator, LevelIndex, MAGIC, SupercompressionScheme};
 use relief_core::MAX_SIDE;
@@ -10,8 +8,9 @@ use ruzstd::decoding::StreamingDecoder;
 
 use super::{TexelFormat, blocks, full_chain, level_size};
 use crate::input::zeros;
+use crate::source::SourceReader;
 use crate::texture::Metadata;
-use crate::{ReadError, ReadProblem};
+use crate::{ReadError, ReadProblem, Source};
 
 /// The format's name in messages.
 const NAME: &str = "KTX2";
@@ -47,8 +46,8 @@ pub struct Ktx2Level {
     pub planes: Vec<Vec<f32>>,
 }
 
-/// Reads a KTX2 file of one of the [`TexelFormat`]s: 2-D textures and volumes with their mip levels, uncompressed or with
-/// Zstandard; no arrays and no cube maps.
+/// Reads a texture of one of the [`TexelFormat`]s from a KTX2 file or from the bytes of one: 2-D textures and
+/// volumes with their mip levels, uncompressed or with Zstandard; no arrays and no cube maps.
 ///
 /// Peak memory is 4 bytes a value, a row, and with Zstandard up to 8 MiB.
 ///
@@ -56,22 +55,18 @@ pub struct Ktx2Level {
 ///
 /// When the file cannot be read, is no KTX2 file, is damaged, holds something else than the above, or when its texels
 /// would take more than `max_bytes` of memory, which is found before any is taken.
-pub fn read_ktx2(path: &Path, max_bytes: u64) -> Result<Ktx2File, ReadError> {
-    read(path, max_bytes).map_err(|problem| problem.at(path))
+pub fn read_ktx2<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<Ktx2File, ReadError> {
+    let source = source.into();
+    read(source, max_bytes).map_err(|problem| source.error(problem))
 }
 
-fn read(path: &Path, max_bytes: u64) -> Result<Ktx2File, ReadProblem> {
-    let file = File::open(path)?;
-    let about = file.metadata()?;
-    if about.is_dir() {
-        return Err(ReadProblem::Folder);
-    }
-    let mut file = BufReader::new(file);
+fn read(source: Source<'_>, max_bytes: u64) -> Result<Ktx2File, ReadProblem> {
+    let (mut file, file_len) = source.open()?;
     let header = header(&mut file)?;
     let layout = Layout::of(&header)?;
-    let metadata = metadata_of(&header, &mut file, about.len())?;
+    let metadata = metadata_of(&header, &mut file, file_len)?;
     layout.check_memory(max_bytes)?;
-    let index = layout.index(&mut file, about.len())?;
+    let index = layout.index(&mut file, file_len)?;
     let mut levels = Vec::new();
     for (level, place) in (0..).zip(index) {
         levels.push(layout.level(level, place, &mut file)?);
@@ -80,12 +75,12 @@ fn read(path: &Path, max_bytes: u64) -> Result<Ktx2File, ReadProblem> {
 }
 
 /// The key/value data of a file and nothing else.
-pub(crate) fn metadata(file: &mut BufReader<File>, file_len: u64) -> Result<Metadata, ReadProblem> {
+pub(crate) fn metadata(file: &mut SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadProblem> {
     let header = header(file)?;
     metadata_of(&header, file, file_len)
 }
 
-fn header(file: &mut BufReader<File>) -> Result<Header, ReadProblem> {
+fn header(file: &mut SourceReader<'_>) -> Result<Header, ReadProblem> {
     let mut bytes = [0; Header::LENGTH];
     let mut read = 0;
     while read < bytes.len() {
@@ -93,9 +88,6 @@ fn header(file: &mut BufReader<File>) -> Result<Header, ReadProblem> {
             0 => break,
             count => read += count,
         }
-    }
-    if read == 0 {
-        return Err(ReadProblem::Empty);
     }
     if !bytes.starts_with(&MAGIC) {
         return Err(unsupported("another format than KTX2"));
@@ -106,7 +98,7 @@ fn header(file: &mut BufReader<File>) -> Result<Header, ReadProblem> {
     Header::from_bytes(&bytes).map_err(damaged)
 }
 
-fn metadata_of(header: &Header, file: &mut BufReader<File>, file_len: u64) -> Result<Metadata, ReadProblem> {
+fn metadata_of(header: &Header, file: &mut SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadProblem> {
     let (offset, length) = (u64::from(header.index.kvd_byte_offset), u64::from(header.index.kvd_byte_length));
     if offset + length > file_len {
         return Err(damaged("its metadata lie beyond its end"));
@@ -177,7 +169,7 @@ impl Layout {
     }
 
     /// The places of the levels, checked against the header and the file's length.
-    fn index(&self, file: &mut BufReader<File>, file_len: u64) -> Result<Vec<LevelIndex>, ReadProblem> {
+    fn index(&self, file: &mut SourceReader<'_>, file_len: u64) -> Result<Vec<LevelIndex>, ReadProblem> {
         file.seek(SeekFrom::Start(Header::LENGTH as u64)).map_err(io_problem)?;
         let mut index = Vec::new();
         for level in 0..self.levels {
@@ -205,7 +197,7 @@ impl Layout {
         &self,
         level: u32,
         place: LevelIndex,
-        file: &mut BufReader<File>,
+        file: &mut SourceReader<'_>,
     ) -> Result<Ktx2Level, ReadProblem> {
         let size = level_size(self.size, level);
         file.seek(SeekFrom::Start(place.byte_offset)).map_err(io_problem)?;

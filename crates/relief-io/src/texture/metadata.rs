@@ -1,12 +1,11 @@
 //! Names and values inside texture files.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
-use std::path::Path;
+use std::io::{BufRead, Read, Seek, SeekFrom};
 
 use crate::input::{io_problem, zeros};
 use crate::layout::Format;
-use crate::{ReadError, ReadProblem, WriteProblem};
+use crate::source::SourceReader;
+use crate::{ReadError, ReadProblem, Source, WriteProblem};
 
 /// The attribute of EXR files that holds the metadata, a line each.
 pub(super) const EXR_ATTRIBUTE: &str = "relief";
@@ -73,24 +72,20 @@ impl Metadata {
     }
 }
 
-/// Reads the metadata of a PNG, EXR or KTX2 file that this crate has written, and nothing else of it. Files without any
-/// give none.
+/// Reads the metadata of a PNG, EXR or KTX2 file that this crate has written, or of the bytes of one, and
+/// nothing else of it. Files without any give none.
 ///
 /// # Errors
 ///
 /// When the file cannot be read, is none of those formats, is damaged before the end of its metadata, or holds more than
 /// 1 MiB of them.
-pub fn read_metadata(path: &Path) -> Result<Metadata, ReadError> {
-    read(path).map_err(|problem| problem.at(path))
+pub fn read_metadata<'a>(source: impl Into<Source<'a>>) -> Result<Metadata, ReadError> {
+    let source = source.into();
+    read(source).map_err(|problem| source.error(problem))
 }
 
-fn read(path: &Path) -> Result<Metadata, ReadProblem> {
-    let file = File::open(path)?;
-    if file.metadata()?.is_dir() {
-        return Err(ReadProblem::Folder);
-    }
-    let file_len = file.metadata()?.len();
-    let mut file = BufReader::new(file);
+fn read(source: Source<'_>) -> Result<Metadata, ReadProblem> {
+    let (mut file, file_len) = source.open()?;
     let mut signature = Vec::new();
     file.by_ref().take(12).read_to_end(&mut signature)?;
     file.seek(SeekFrom::Start(0))?;
@@ -102,7 +97,7 @@ fn read(path: &Path) -> Result<Metadata, ReadProblem> {
     }
 }
 
-fn of_png(file: BufReader<File>) -> Result<Metadata, ReadProblem> {
+fn of_png(file: SourceReader<'_>) -> Result<Metadata, ReadProblem> {
     let problem = |error| match error {
         png::DecodingError::IoError(error) => io_problem(Format::Png, error),
         other => ReadProblem::damaged(Format::Png.name(), other),
@@ -118,7 +113,7 @@ fn of_png(file: BufReader<File>) -> Result<Metadata, ReadProblem> {
 }
 
 /// Walks the attributes of the first header ("OpenEXR File Layout", openexr.com) up to ours.
-fn of_exr(mut file: BufReader<File>, file_len: u64) -> Result<Metadata, ReadProblem> {
+fn of_exr(mut file: SourceReader<'_>, file_len: u64) -> Result<Metadata, ReadProblem> {
     let problem = |error| io_problem(Format::Exr, error);
     let damaged = |what: &str| ReadProblem::damaged(Format::Exr.name(), what);
     file.seek(SeekFrom::Start(8)).map_err(problem)?;
@@ -149,7 +144,7 @@ fn of_exr(mut file: BufReader<File>, file_len: u64) -> Result<Metadata, ReadProb
 }
 
 /// A name of at most 255 bytes that ends with a zero byte.
-fn exr_name(file: &mut BufReader<File>) -> Result<Vec<u8>, ReadProblem> {
+fn exr_name(file: &mut SourceReader<'_>) -> Result<Vec<u8>, ReadProblem> {
     let mut name = Vec::new();
     file.by_ref().take(256).read_until(0, &mut name).map_err(|error| io_problem(Format::Exr, error))?;
     match name.pop() {

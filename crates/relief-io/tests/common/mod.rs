@@ -11,7 +11,7 @@ pub mod tiff_file;
 use std::path::{Path, PathBuf};
 
 use relief_core::HeightMap;
-use relief_io::{HeightOptions, read_height};
+use relief_io::{HeightOptions, Source, read_height};
 
 /// A folder of its own for one test, removed at the end.
 pub struct Folder(tempfile::TempDir);
@@ -94,9 +94,18 @@ fn raw_values(map: &HeightMap) -> Vec<f64> {
     map.texels().iter().map(|&texel| zero + f64::from(texel) * (one - zero)).collect()
 }
 
-/// Fails unless the file is read as these raw values.
-pub fn assert_reads(path: &Path, options: &HeightOptions, expected: &[f64], tolerance: f64) {
+/// Reads a file that holds a map, and its bytes, which give the same map.
+pub fn read(path: &Path, options: &HeightOptions) -> HeightMap {
     let map = read_height(path, options).unwrap_or_else(|error| panic!("{error}"));
+    let bytes = std::fs::read(path).expect("it has just been read");
+    let from_bytes = read_height(Source::bytes(path, &bytes), options);
+    assert!(from_bytes.is_ok_and(|from_bytes| from_bytes == map), "{}: its bytes differ", path.display());
+    map
+}
+
+/// Fails unless the file, and its bytes, are read as these raw values.
+pub fn assert_reads(path: &Path, options: &HeightOptions, expected: &[f64], tolerance: f64) {
+    let map = read(path, options);
     assert_eq!(map.texels().len(), expected.len(), "{}", path.display());
     for (at, (value, expected)) in raw_values(&map).iter().zip(expected).enumerate() {
         assert!(

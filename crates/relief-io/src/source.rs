@@ -1,0 +1,144 @@
+//! Where a file's bytes come from, and how they are read.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use crate::{ReadError, ReadProblem};
+
+/// What a reader reads: a file by its path, or the bytes of one that are in memory.
+///
+/// Every reader takes either. A reference to anything that is a path becomes a source by itself:
+///
+/// ```no_run
+/// # fn main() -> Result<(), relief_io::ReadError> {
+/// use relief_io::{HeightOptions, Source, read_height};
+///
+/// let from_disk = read_height("rock.png", &HeightOptions::default())?;
+/// # let downloaded: Vec<u8> = Vec::new();
+/// let from_memory = read_height(Source::bytes("rock.png", &downloaded), &HeightOptions::default())?;
+/// # Ok(())
+/// # }
+/// ```
+///
+/// Bytes stay where they are: they are decoded row by row or block by block, as files are.
+#[derive(Clone, Copy)]
+pub struct Source<'a> {
+    /// A file's path, or the name given with bytes.
+    name: &'a Path,
+    bytes: Option<&'a [u8]>,
+}
+
+impl<'a> Source<'a> {
+    /// The bytes of a whole file, under a name that errors show.
+    ///
+    /// Formats are recognised by content. The name serves where there is none to recognise: bytes that a name
+    /// as `terrain.r16` says to be headerless need their layout.
+    pub fn bytes(name: &'a (impl AsRef<Path> + ?Sized), bytes: &'a [u8]) -> Self {
+        Self { name: name.as_ref(), bytes: Some(bytes) }
+    }
+
+    /// The file's path, or the name given with its bytes.
+    pub fn name(&self) -> &'a Path {
+        self.name
+    }
+
+    /// The error of this problem with it.
+    pub(crate) fn error(self, problem: ReadProblem) -> ReadError {
+        ReadError { path: self.name.to_owned(), problem }
+    }
+
+    /// Opens it, and gives its length in bytes, which is not 0.
+    pub(crate) fn open(self) -> Result<(SourceReader<'a>, u64), ReadProblem> {
+        let (reader, len) = match self.bytes {
+            Some(bytes) => (SourceReader::Memory(Cursor::new(bytes)), bytes.len() as u64),
+            None => {
+                let kind = std::fs::metadata(self.name)?;
+                if kind.is_dir() {
+                    return Err(ReadProblem::Folder);
+                }
+                // A pipe would block, a device has no length: formats are told apart by what can be read
+                // twice.
+                if !kind.is_file() {
+                    return Err(ReadProblem::NoFile);
+                }
+                let file = File::open(self.name)?;
+                let len = file.metadata()?.len();
+                (SourceReader::File(BufReader::new(file)), len)
+            }
+        };
+        if len == 0 {
+            return Err(ReadProblem::Empty);
+        }
+        Ok((reader, len))
+    }
+}
+
+impl<'a, P: AsRef<Path> + ?Sized> From<&'a P> for Source<'a> {
+    fn from(path: &'a P) -> Self {
+        Self { name: path.as_ref(), bytes: None }
+    }
+}
+
+impl fmt::Debug for Source<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let len = self.bytes.map(<[u8]>::len);
+        f.debug_struct("Source").field("name", &self.name).field("len", &len).finish()
+    }
+}
+
+/// An opened source. Bytes in memory need no buffer.
+pub(crate) enum SourceReader<'a> {
+    File(BufReader<File>),
+    Memory(Cursor<&'a [u8]>),
+}
+
+impl Read for SourceReader<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        match self {
+            Self::File(file) => file.read(buffer),
+            Self::Memory(bytes) => bytes.read(buffer),
+        }
+    }
+
+    fn read_exact(&mut self, buffer: &mut [u8]) -> io::Result<()> {
+        match self {
+            Self::File(file) => file.read_exact(buffer),
+            Self::Memory(bytes) => bytes.read_exact(buffer),
+        }
+    }
+}
+
+impl BufRead for SourceReader<'_> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        match self {
+            Self::File(file) => file.fill_buf(),
+            Self::Memory(bytes) => bytes.fill_buf(),
+        }
+    }
+
+    fn consume(&mut self, count: usize) {
+        match self {
+            Self::File(file) => file.consume(count),
+            Self::Memory(bytes) => bytes.consume(count),
+        }
+    }
+}
+
+impl Seek for SourceReader<'_> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        match self {
+            Self::File(file) => file.seek(to),
+            Self::Memory(bytes) => bytes.seek(to),
+        }
+    }
+
+    /// Keeps what a file's buffer holds.
+    fn seek_relative(&mut self, by: i64) -> io::Result<()> {
+        match self {
+            Self::File(file) => file.seek_relative(by),
+            Self::Memory(bytes) => bytes.seek_relative(by),
+        }
+    }
+}
