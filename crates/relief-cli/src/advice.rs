@@ -2,6 +2,7 @@
 
 use std::io::ErrorKind;
 
+use relief_io::ReadProblem;
 use relief_render::scene::SceneError;
 use relief_render::{Reason, RenderError};
 
@@ -11,6 +12,26 @@ pub fn with(error: &impl ToString, advice: Option<&str>) -> String {
     advice.map_or(text.clone(), |advice| format!("{text}: {advice}"))
 }
 
+/// What lets a height map be read.
+pub fn of_read(problem: &ReadProblem) -> Option<&'static str> {
+    match problem {
+        ReadProblem::Unrecognised => Some("--raw WxH,le (or be) gives it"),
+        ReadProblem::NeedsRawLayout => Some("--raw 1024x1024,le (or be) gives them"),
+        ReadProblem::RawSize { .. } => Some("--raw gives them"),
+        ReadProblem::ChooseChannel { .. } | ReadProblem::NotGrey { .. } => Some("--channel NAME does"),
+        ReadProblem::Holes { .. } => Some("--fill does"),
+        _ => of_picture(problem),
+    }
+}
+
+/// What lets a picture or a normal map be read. How their files are read cannot be chosen.
+pub fn of_picture(problem: &ReadProblem) -> Option<&'static str> {
+    match problem {
+        ReadProblem::TooMuchMemory { .. } => Some("--max-memory raises it"),
+        _ => None,
+    }
+}
+
 /// What mends a scene.
 pub fn of_scene(error: &SceneError) -> Option<&'static str> {
     match error {
@@ -18,6 +39,7 @@ pub fn of_scene(error: &SceneError) -> Option<&'static str> {
         SceneError::TooMuchMemory { .. } | SceneError::TooMuchToTrace { .. } => {
             Some("--max-memory raises it")
         }
+        SceneError::Read(error) => of_read(&error.problem),
         SceneError::Io { source, .. }
             if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>
         {

@@ -3,6 +3,10 @@
 use std::io;
 use std::process::ExitCode;
 
+use relief_io::ReadError;
+
+use crate::advice;
+
 /// Why a command did not do its work.
 #[derive(Debug)]
 pub enum Failure {
@@ -23,6 +27,16 @@ impl Failure {
     /// Work that failed.
     pub fn work(message: impl ToString) -> Self {
         Failure::Work(message.to_string())
+    }
+
+    /// A height map that cannot be read.
+    pub fn of_map(error: ReadError) -> Self {
+        Failure::Work(advice::with(&error, advice::of_read(&error.problem)))
+    }
+
+    /// A picture or a normal map that cannot be read.
+    pub fn of_picture(error: ReadError) -> Self {
+        Failure::Work(advice::with(&error, advice::of_picture(&error.problem)))
     }
 
     /// A command line that clap refused: what is wrong, without the advice on how the command is used.

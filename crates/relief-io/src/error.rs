@@ -1,4 +1,4 @@
-//! What can go wrong with a file, and what the user can do about it.
+//! What can go wrong with a file, and what can be done about it.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -35,15 +35,15 @@ pub enum ReadProblem {
     Empty,
     /// The content is none of the formats that are read.
     #[error(
-        "is not a PNG, JPEG, EXR, TIFF, Radiance HDR or PGM file: convert it, or give --raw WxH,le (or be) for headerless 16-bit samples"
+        "is not a PNG, JPEG, EXR, TIFF, Radiance HDR or PGM file: convert it, or give the layout of headerless 16-bit samples"
     )]
     Unrecognised,
     /// A headerless file, by its name, without its layout.
-    #[error("holds samples without a header: give its size and byte order, as in --raw 1024x1024,le (or be)")]
+    #[error("holds samples without a header: give its size and byte order")]
     NeedsRawLayout,
     /// The length of a headerless file is not that of its layout.
     #[error(
-        "holds {actual} bytes, but --raw {layout} needs {expected}: check width, height and that samples are 16 bit"
+        "holds {actual} bytes, but {layout} needs {expected}: check width, height and that samples are 16 bit"
     )]
     RawSize {
         /// The layout given.
@@ -58,7 +58,7 @@ pub enum ReadProblem {
     Map(#[from] HeightMapError),
     /// Reading would take more memory than allowed.
     #[error(
-        "{width}x{height} texels need {} MiB of memory, {} MiB are allowed: make the file smaller or raise --max-memory",
+        "{width}x{height} texels need {} MiB of memory, {} MiB are allowed: make the file smaller or raise the limit",
         needed.div_ceil(1 << 20),
         limit >> 20
     )]
@@ -98,14 +98,14 @@ pub enum ReadProblem {
     #[error("{0}")]
     UnknownChannel(UnknownName),
     /// There are several channels and none was chosen.
-    #[error("has the channels {}: choose one with --channel", relief_core::registry::listed(channels))]
+    #[error("has the channels {}: choose one", relief_core::registry::listed(channels))]
     ChooseChannel {
         /// The channels.
         channels: Vec<String>,
     },
     /// The three channels of the picture differ, so that none of them is clearly the height.
     #[error(
-        "is a picture in colour (texel ({column}, {row}) is not grey); its channels are {}: choose one with --channel",
+        "is a picture in colour (texel ({column}, {row}) is not grey); its channels are {}: choose one",
         relief_core::registry::listed(channels)
     )]
     NotGrey {
@@ -126,7 +126,7 @@ pub enum ReadProblem {
     },
     /// Texels without a value.
     #[error(
-        "{} of its texels have no value ({not_finite} NaN or infinite, {nodata} marked as nodata), the first at ({column}, {row}): give --fill to fill them from their surroundings",
+        "{} of its texels have no value ({not_finite} NaN or infinite, {nodata} marked as nodata), the first at ({column}, {row}): fill them from their surroundings",
         not_finite + nodata
     )]
     Holes {

@@ -186,7 +186,7 @@ impl<'a> Job<'a> {
         let stem =
             stem.ok_or_else(|| Failure::usage("the height map's name is not UTF-8: rename it"))?.to_owned();
         let options = arguments.reading.options(arguments.max_memory);
-        let map = read_height(&arguments.height, &options).map_err(Failure::work)?;
+        let map = read_height(&arguments.height, &options).map_err(Failure::of_map)?;
         let metric = metric(arguments, &map)?;
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
         let source_hash = map.heights_hash().to_string();

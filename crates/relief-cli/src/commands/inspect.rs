@@ -45,7 +45,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let (info, detection) = {
         let _reading = Progress::spinner("reading", arguments.json);
-        let info = inspect(&arguments.file, &options).map_err(Failure::work)?;
+        let info = inspect(&arguments.file, &options).map_err(Failure::of_map)?;
         (info, arguments.normal.as_deref().map(|path| detection(arguments, &options, path)).transpose()?)
     };
     let mut out = io::stdout().lock();
@@ -59,9 +59,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// What the height map, read as it stands, and its normal map say of each other.
 fn detection(arguments: &Arguments, options: &HeightOptions, normal: &Path) -> Result<Detection, Failure> {
-    let height = read_height(&arguments.file, options).map_err(Failure::work)?;
+    let height = read_height(&arguments.file, options).map_err(Failure::of_map)?;
     let left = options.max_bytes.saturating_sub(4 * u64::from(height.width()) * u64::from(height.height()));
-    let normals = read_normal_map(normal, GreenSign::PlusY, left).map_err(Failure::work)?;
+    let normals = read_normal_map(normal, GreenSign::PlusY, left).map_err(Failure::of_picture)?;
     Ok(detect(&height, &normals))
 }
 

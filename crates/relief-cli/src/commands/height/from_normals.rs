@@ -80,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let output = Output::new("--output", &arguments.output, &[path])?;
     let NormalVectors { width, height, vectors, .. } = {
         let _reading = Progress::spinner("reading", common.json);
-        read_normal_vectors(path, common.max_bytes()).map_err(Failure::work)?.with_zero_centred()
+        read_normal_vectors(path, common.max_bytes()).map_err(Failure::of_picture)?.with_zero_centred()
     };
     common.check_memory([width, height], BYTES_PER_TEXEL)?;
     let from_bake = FromBake::of(read_metadata(path).ok());

@@ -14,6 +14,7 @@ use relief_io::{Metadata, Picture, linear_to_srgb, read_picture_as};
 use super::lights::Lights;
 use super::output::{Content, Format, Output, Staged, is_same};
 use super::{Common, Relief, WRITTEN, cancelled, catch_interrupts, of_integration, of_photos};
+use crate::advice;
 use crate::failure::Failure;
 use crate::progress::Progress;
 
@@ -187,7 +188,8 @@ impl Arguments {
 
 fn read_photo(lights: &Lights, photo: usize, max_bytes: u64) -> Result<Picture, Failure> {
     let file = &lights.photos[photo].file;
-    read_picture_as(file, lights.curve, max_bytes).map_err(|error| lights.of_photo(photo, &error.to_string()))
+    read_picture_as(file, lights.curve, max_bytes)
+        .map_err(|error| lights.of_photo(photo, &advice::with(&error, advice::of_picture(&error.problem))))
 }
 
 /// The size of all photographs, and each one's brightness.
