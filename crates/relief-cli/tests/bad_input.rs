@@ -1,5 +1,5 @@
-//! Whatever is wrong with what the command is given, it says so in one paragraph, ends with the right code, and leaves
-//! nothing behind.
+//! Whatever is wrong with what the command is given, it says so in one paragraph, ends with the right code,
+//! and leaves nothing behind.
 
 mod common;
 
@@ -283,7 +283,8 @@ impl Random {
     }
 }
 
-/// Renders or inspects a file that may be damaged, and fails if that ends in anything but an error or both outputs.
+/// Renders or inspects a file that may be damaged, and fails if that ends in anything but an error or both
+/// outputs.
 fn survives(folder: &Folder, sample: &Sample, render_it: bool) -> bool {
     folder.write(&sample.name, &sample.bytes);
     let map = format!("{} {}", sample.name, sample.flags);

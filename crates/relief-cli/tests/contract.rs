@@ -1,4 +1,5 @@
-//! What the numbers of `--aov` mean, against a camera, a bilinear surface and a ray march written down here a second time.
+//! What the numbers of `--aov` mean, against a camera, a bilinear surface and a ray march written down here a
+//! second time.
 
 mod common;
 
@@ -8,7 +9,8 @@ use common::maps::{self, Map};
 use common::reference::{Continuation, Relief, View};
 use glam::{DVec2, DVec3};
 
-/// How far positions may lie off, in metres: `f32` at coordinates about 1, times what a grazing ray makes of it.
+/// How far positions may lie off, in metres: `f32` at coordinates about 1, times what a grazing ray makes of
+/// it.
 const TOLERANCE_M: f64 = 2e-5;
 
 const VIEW: View = View {
@@ -59,8 +61,8 @@ const NOTHING: Pixel = Pixel {
     reads: 0.0,
 };
 
-/// Fails where a pixel is wrong in itself, or where more than one in 200 shows another point than the march found: at
-/// points that a ray only touches either may be right.
+/// Fails where a pixel is wrong in itself, or where more than one in 200 shows another point than the march
+/// found: at points that a ray only touches either may be right.
 fn assert_true(aov: &Aov, view: &View, relief: &Relief) -> [usize; 2] {
     assert_eq!([aov.width, aov.height], view.size);
     let (mut hits, mut misses, mut disagree) = (0, 0, 0);

@@ -1,8 +1,8 @@
-//! The command's peak of resident memory. Reading peaks at 8 bytes a texel and 32 MiB above the idle process, a refused
-//! header at 32 MiB; rendering and integrating keep to what they count against `--max-memory`.
+//! The command's peak of resident memory. Reading peaks at 8 bytes a texel and 32 MiB above the idle process,
+//! a refused header at 32 MiB; rendering and integrating keep to what they count against `--max-memory`.
 //!
-//! The system counts the parent's memory against a child until the child's program has started, so the files are written
-//! row by row, and the tests run one after the other.
+//! The system counts the parent's memory against a child until the child's program has started, so the files
+//! are written row by row, and the tests run one after the other.
 
 mod common;
 
@@ -156,7 +156,8 @@ fn reading_and_rendering_large_maps() {
         render("map.png", "exact", EXACT_BYTES);
         render("map.exr", "exact", EXACT_BYTES);
         render("map.png", "relief", METHOD_BYTES);
-        // What is refused for its memory does not take it: the picture's and 8 bytes a texel would fit, 11 would not.
+        // What is refused for its memory does not take it: the picture's and 8 bytes a texel would fit, 11
+        // would not.
         let tight = "render --backend cpu --size 8x8 -o a.png --height map.pgm --max-memory";
         assert_within(folder, idle, &format!("{tight} 100MiB"), 1, 0, FIXED);
         assert_within(folder, idle, &format!("{tight} 170MiB"), 1, 0, FIXED + READ_BYTES * TEXELS);

@@ -1,4 +1,5 @@
-//! Height or depth, green up or down: what a height map and the normal map that belongs to it say of each other.
+//! Height or depth, green up or down: what a height map and the normal map that belongs to it say of each
+//! other.
 
 use relief_core::HeightMap;
 
@@ -13,17 +14,18 @@ pub struct Detection {
     pub convention_confidence: f64,
     /// Which way green pointed in the normal map's file, if it was read as [`GreenSign::PlusY`].
     pub green: GreenSign,
-    /// How sure that is: the lesser of the correlations along `u` and `v`, from 0 to 1, since both signs decide it.
+    /// How sure that is: the lesser of the correlations along `u` and `v`, from 0 to 1, since both signs
+    /// decide it.
     pub green_confidence: f64,
 }
 
-/// Compares the slopes of a normal map, read as [`GreenSign::PlusY`], with the gradient of a height map, read as
-/// [`Convention::Height`].
+/// Compares the slopes of a normal map, read as [`GreenSign::PlusY`], with the gradient of a height map, read
+/// as [`Convention::Height`].
 ///
-/// The normal of a height field leans against its slope: `x` falls with `∂h/∂u`, and `y`, which points along falling `v`,
-/// rises with `∂h/∂v`. The correlation of `-x` with `∂h/∂u` is positive for heights and negative for depths; that of `y`
-/// with `∂h/∂v` has the same sign if green points up and the other if it points down. The sizes of the maps may differ:
-/// heights are taken at the normals' texel centres.
+/// The normal of a height field leans against its slope: `x` falls with `∂h/∂u`, and `y`, which points along
+/// falling `v`, rises with `∂h/∂v`. The correlation of `-x` with `∂h/∂u` is positive for heights and negative
+/// for depths; that of `y` with `∂h/∂v` has the same sign if green points up and the other if it points down.
+/// The sizes of the maps may differ: heights are taken at the normals' texel centres.
 pub fn detect(height: &HeightMap, normals: &NormalMap) -> Detection {
     let (mut along_u, mut along_v) = (Correlation::default(), Correlation::default());
     let (du, dv) = (1.0 / f64::from(normals.width), 1.0 / f64::from(normals.height));

@@ -1,7 +1,8 @@
-//! EXR, block by block: f16, f32 and u32 channels of flat scan line and tiled parts, all compressions but HTJ2K.
+//! EXR, block by block: f16, f32 and u32 channels of flat scan line and tiled parts, all compressions but
+//! HTJ2K.
 //!
-//! The header is parsed here ([`header`]): the `exr` crate takes memory by what an unchecked header claims. Chunks are
-//! found and checked here too; the crate only decompresses them.
+//! The header is parsed here ([`header`]): the `exr` crate takes memory by what an unchecked header claims.
+//! Chunks are found and checked here too; the crate only decompresses them.
 
 mod dwa;
 mod header;
@@ -152,7 +153,8 @@ fn read_chunk(
     let length = number()?;
     let [_, [columns, rows]] = part.block_rectangle(place);
     let most = u64::from(columns) * u64::from(rows) * part.bytes_per_texel();
-    // Writers store a block as it is where compressing would make it longer, so that no chunk is longer than its texels.
+    // Writers store a block as it is where compressing would make it longer, so that no chunk is longer than
+    // its texels.
     match u64::try_from(length) {
         Ok(length) if length <= most && length >= part.least_bytes(most) && length <= header.file_len => {
             let mut bytes = zeros(length as usize)?;

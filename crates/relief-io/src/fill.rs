@@ -1,10 +1,11 @@
 //! Texels without a value, filled smoothly from their surroundings.
 //!
-//! The fill solves Laplace's equation over the holes (each filled texel is the mean of its four neighbours) with the
-//! valid texels around as boundary: no new extremes, no creases. It is solved by cascadic multigrid (Bornemann and
-//! Deuflhard, "The cascadic multigrid method for elliptic problems", 1996): a pyramid of means of valid texels, then from
-//! coarse to fine bilinear interpolation and Gauss-Seidel sweeps, more of them where they are cheap. One order of texels, so the same bits
-//! every time. It takes 2.7 bytes a texel besides the map.
+//! The fill solves Laplace's equation over the holes (each filled texel is the mean of its four neighbours)
+//! with the valid texels around as boundary: no new extremes, no creases. It is solved by cascadic multigrid
+//! (Bornemann and Deuflhard, "The cascadic multigrid method for elliptic problems", 1996): a pyramid of means
+//! of valid texels, then from coarse to fine bilinear interpolation and Gauss-Seidel sweeps, more of them
+//! where they are cheap. One order of texels, so the same bits every time. It takes 2.7 bytes a texel besides
+//! the map.
 
 use relief_core::Wrap;
 
@@ -90,7 +91,8 @@ impl FillLevel {
 
 /// The coarser level, bilinear, at the centre of a texel of the finer one.
 fn interpolate(coarser: &FillLevel, column: u32, row: u32, wrap: Wrap) -> f32 {
-    // The finer texel's centre lies a quarter of a coarse texel before or behind the centre of the coarse texel over it.
+    // The finer texel's centre lies a quarter of a coarse texel before or behind the centre of the coarse
+    // texel over it.
     let near = [i64::from(column / 2), i64::from(row / 2)];
     let far = [near[0] + 2 * i64::from(column % 2) - 1, near[1] + 2 * i64::from(row % 2) - 1];
     0.5625 * coarser.at(near[0], near[1], wrap)
@@ -99,7 +101,8 @@ fn interpolate(coarser: &FillLevel, column: u32, row: u32, wrap: Wrap) -> f32 {
         + 0.0625 * coarser.at(far[0], far[1], wrap)
 }
 
-/// Fills the NaN of a map that has at least one other value. Neighbours across the edges are those of the wrap.
+/// Fills the NaN of a map that has at least one other value. Neighbours across the edges are those of the
+/// wrap.
 pub(crate) fn fill_holes(width: u32, height: u32, values: &mut Vec<f32>, wrap: Wrap) {
     let mut levels = vec![FillLevel { width, height, values: std::mem::take(values) }];
     while let Some(last) = levels.last()

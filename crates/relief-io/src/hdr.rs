@@ -1,9 +1,9 @@
 //! Radiance pictures (`.hdr`, RGBE), scan line by scan line.
 //!
-//! Format: Ward, "Real Pixels", Graphics Gems II (1991): three mantissas share an exponent, `mantissa 2^(exponent - 136)`,
-//! exponent 0 is black. (Radiance itself adds ½ to a mantissa, most programs do not: without it, what the format can hold
-//! exactly comes back exactly.) Scan lines are flat, run-length encoded by repeats (1, 1, 1, count), or, from 8 to 32767
-//! texels, component by component.
+//! Format: Ward, "Real Pixels", Graphics Gems II (1991): three mantissas share an exponent,
+//! `mantissa 2^(exponent - 136)`, exponent 0 is black. (Radiance itself adds ½ to a mantissa, most programs
+//! do not: without it, what the format can hold exactly comes back exactly.) Scan lines are flat, run-length
+//! encoded by repeats (1, 1, 1, count), or, from 8 to 32767 texels, component by component.
 
 use std::io::{BufRead, Read};
 
@@ -108,7 +108,8 @@ fn read_scan_line(file: &mut SourceReader<'_>, texels: &mut [[u8; 4]]) -> Result
     }
 }
 
-/// One component of a scan line: a count up to 128 and as many bytes, or 128 plus a count and one byte for all.
+/// One component of a scan line: a count up to 128 and as many bytes, or 128 plus a count and one byte for
+/// all.
 fn read_component(
     file: &mut SourceReader<'_>,
     texels: &mut [[u8; 4]],
@@ -134,7 +135,8 @@ fn read_component(
     Ok(())
 }
 
-/// A scan line of whole texels, where (1, 1, 1, count) repeats the last one; several in a row make a longer count.
+/// A scan line of whole texels, where (1, 1, 1, count) repeats the last one; several in a row make a longer
+/// count.
 fn read_repeats(
     file: &mut SourceReader<'_>,
     texels: &mut [[u8; 4]],

@@ -54,9 +54,9 @@ pub const DEFAULT_MAX_BYTES: u64 = 4 << 30;
 /// How to read a height map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightOptions {
-    /// The channel to read, by its name in any case (`r`, `g`, `b`, `a`, `y`, or a name in an EXR file; `luminance` and
-    /// `height` stand for `y`). None: the only channel; of grey with alpha the grey; of red, green and blue that are
-    /// equal everywhere that grey.
+    /// The channel to read, by its name in any case (`r`, `g`, `b`, `a`, `y`, or a name in an EXR file;
+    /// `luminance` and `height` stand for `y`). None: the only channel; of grey with alpha the grey; of red,
+    /// green and blue that are equal everywhere that grey.
     pub channel: Option<String>,
     /// Whether white is high or deep.
     pub convention: Convention,
@@ -87,31 +87,34 @@ impl Default for HeightOptions {
     }
 }
 
-/// What reading a height map holds for a texel at its peak: the values, and in filling a pyramid of a third more and
-/// marks.
+/// What reading a height map holds for a texel at its peak: the values, and in filling a pyramid of a third
+/// more and marks.
 pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 
 /// Reads a height map of texels in `[0, 1]`, 1 highest, from a file or from the bytes of one.
 ///
-/// The format (PNG, JPEG, EXR, TIFF and GeoTIFF, Radiance HDR, PGM, headerless raw) is recognised by the file's content.
-/// Samples are taken as stored: no gamma or colour profile is applied. Which raw values become 0 and 1:
+/// The format (PNG, JPEG, EXR, TIFF and GeoTIFF, Radiance HDR, PGM, headerless raw) is recognised by the
+/// file's content. Samples are taken as stored: no gamma or colour profile is applied. Which raw values
+/// become 0 and 1:
 ///
 /// * the ends of [`HeightOptions::range`] where it is given;
 /// * 0 and the type's maximum for unsigned integers of up to 16 bit (255, 65535, a PGM's maxval);
-/// * the least and the greatest value for floats, and for signed and 32 and 64-bit integers, whose type's maximum says
-///   nothing of what they hold. A constant map becomes 0.
+/// * the least and the greatest value for floats, and for signed and 32 and 64-bit integers, whose type's
+///   maximum says nothing of what they hold. A constant map becomes 0.
 ///
-/// [`HeightMap::physical_range`] keeps those raw values, of texel 0 and of texel 1 (with the depth convention the first is
-/// the greater). [`HeightMap::texel_size_m`] comes from a GeoTIFF's georeference. Where the file has a
-/// [`HeightNote`](crate::HeightNote), both are what it says, in metres, and its values are fractions of their type's maximum
-/// or, in floats, as they are.
+/// [`HeightMap::physical_range`] keeps those raw values, of texel 0 and of texel 1 (with the depth convention
+/// the first is the greater). [`HeightMap::texel_size_m`] comes from a GeoTIFF's georeference. Where the file
+/// has a [`HeightNote`](crate::HeightNote), both are what it says, in metres, and its values are fractions of
+/// their type's maximum or, in floats, as they are.
 ///
-/// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation for the exceptions.
+/// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation for the
+/// exceptions.
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is damaged, too large or not a picture; when the channel is unknown or none stands out;
-/// when texels have no value and `fill` is not set, or no texel has one; when values lie outside the range given.
+/// When the file cannot be read, is damaged, too large or not a picture; when the channel is unknown or none
+/// stands out; when texels have no value and `fill` is not set, or no texel has one; when values lie outside
+/// the range given.
 pub fn read_height<'a>(
     source: impl Into<Source<'a>>,
     options: &HeightOptions,

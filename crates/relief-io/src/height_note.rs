@@ -6,9 +6,9 @@ use crate::{Metadata, Source, WriteProblem, read_metadata};
 /// The kind that such a file names.
 const KIND: &str = "height";
 
-/// The size in the world of a height map whose texels are in `[0, 1]`, as metadata of its file: `relief.kind` is `height`,
-/// `relief.tile_m` is the tile's length along `u` and `v`, `relief.scale_m` the displacement of 1 above 0 and `relief.bias_m`
-/// that of 0.
+/// The size in the world of a height map whose texels are in `[0, 1]`, as metadata of its file: `relief.kind`
+/// is `height`, `relief.tile_m` is the tile's length along `u` and `v`, `relief.scale_m` the displacement of
+/// 1 above 0 and `relief.bias_m` that of 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeightNote {
     /// Length of the tile along `u` and `v` in metres.

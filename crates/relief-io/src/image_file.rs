@@ -1,4 +1,5 @@
-//! A file that has been recognised and whose header has been checked: what it holds, and its samples row by row.
+//! A file that has been recognised and whose header has been checked: what it holds, and its samples row by
+//! row.
 
 use std::io::{Read, Seek};
 
@@ -31,8 +32,8 @@ impl<'a> ImageFile<'a> {
     /// Opens a source and recognises it by its content; with a raw layout it is read as raw, whatever it
     /// holds.
     ///
-    /// `bytes_per_texel` is what the caller will hold for each texel; it and the decoder's own buffers must stay
-    /// within `max_bytes`.
+    /// `bytes_per_texel` is what the caller will hold for each texel; it and the decoder's own buffers must
+    /// stay within `max_bytes`.
     pub(crate) fn open(
         source: Source<'a>,
         raw: Option<RawLayout>,

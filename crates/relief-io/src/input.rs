@@ -17,7 +17,8 @@ pub(crate) struct Input<'a> {
 }
 
 impl Input<'_> {
-    /// Refuses sizes that no height map has, that need too much memory, or that a file of this length cannot hold.
+    /// Refuses sizes that no height map has, that need too much memory, or that a file of this length cannot
+    /// hold.
     ///
     /// `decoder_bytes` is what the decoder itself holds at its peak, and `least_file_bytes` the length of the
     /// shortest file that can hold such a picture.

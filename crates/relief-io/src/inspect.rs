@@ -35,7 +35,8 @@ pub struct SourceInfo {
 pub struct Values {
     /// The channel; of grey stored as red, green and blue, the first of them.
     pub channel: String,
-    /// The raw values that [`crate::read_height`] makes 0 and 1 if no range is given; none where no texel has a value.
+    /// The raw values that [`crate::read_height`] makes 0 and 1 if no range is given; none where no texel has
+    /// a value.
     pub normalised_range: Option<[f64; 2]>,
     /// Least and greatest value; none where no texel has one.
     pub range: Option<[f64; 2]>,
@@ -53,10 +54,10 @@ pub struct Values {
 
 /// Whether a map goes on smoothly across its edges.
 ///
-/// The step between the last and the first column is compared with the steps inside the map: `seam` is its mean absolute
-/// difference over all rows, divided by the greatest such mean of two neighbouring columns (of rows, for `v`). A map made
-/// to tile has a step there as any other; one that is cut out of something larger has a multiple. A side of one texel
-/// tiles.
+/// The step between the last and the first column is compared with the steps inside the map: `seam` is its
+/// mean absolute difference over all rows, divided by the greatest such mean of two neighbouring columns (of
+/// rows, for `v`). A map made to tile has a step there as any other; one that is cut out of something larger
+/// has a multiple. A side of one texel tiles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tiling {
     /// The ratio along `u` and `v`; 0 for constant maps.
@@ -65,14 +66,15 @@ pub struct Tiling {
     pub tiles: [bool; 2],
 }
 
-/// The largest seam of a map that tiles. Real tiling maps have at most 0.9, since the seam is one of many steps, cut-outs
-/// 1.8 and far more.
+/// The largest seam of a map that tiles. Real tiling maps have at most 0.9, since the seam is one of many
+/// steps, cut-outs 1.8 and far more.
 pub const SEAM_LIMIT: f64 = 1.25;
 
 /// Reads a file, or the bytes of one, and says what it holds. Options are used as in [`crate::read_height`]:
 /// `channel`, `raw` and `max_bytes`.
 ///
-/// Texels without a value are counted, not an error; nor is a picture in colour, of which `values` are not given.
+/// Texels without a value are counted, not an error; nor is a picture in colour, of which `values` are not
+/// given.
 ///
 /// # Errors
 ///

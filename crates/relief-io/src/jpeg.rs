@@ -1,8 +1,9 @@
-//! JPEG, 8 bit, grey and colour. Samples are the decoded ones; orientation and colour profiles are not applied.
+//! JPEG, 8 bit, grey and colour. Samples are the decoded ones; orientation and colour profiles are not
+//! applied.
 //!
-//! The decoder gives the whole picture at once (1 or 3 bytes a texel; a progressive file takes twice as much again while
-//! it is decoded) and takes a cut-off file for a complete one, so the file's segments are walked first: size and
-//! components are known, and the end is there, before memory is taken.
+//! The decoder gives the whole picture at once (1 or 3 bytes a texel; a progressive file takes twice as much
+//! again while it is decoded) and takes a cut-off file for a complete one, so the file's segments are walked
+//! first: size and components are known, and the end is there, before memory is taken.
 
 use std::io::{BufRead, Read, Seek};
 

@@ -1,4 +1,5 @@
-//! What a file's header says: the format, the channels, how samples are stored; and how decoders hand samples over.
+//! What a file's header says: the format, the channels, how samples are stored; and how decoders hand samples
+//! over.
 
 use crate::ReadProblem;
 
@@ -102,7 +103,8 @@ pub(crate) struct Layout {
     pub height: u32,
     /// The channels, in the file's order.
     pub channels: Vec<Channel>,
-    /// The raw value that stands for 1, for unsigned samples of at most 16 bit; none where the range of the values decides.
+    /// The raw value that stands for 1, for unsigned samples of at most 16 bit; none where the range of the
+    /// values decides.
     pub full_scale: Option<f64>,
     /// The raw value that marks a texel without a value.
     pub nodata: Option<f64>,
@@ -111,8 +113,8 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// A layout whose channels are all stored alike, without georeference; unsigned samples are divided by their
-    /// type's maximum.
+    /// A layout whose channels are all stored alike, without georeference; unsigned samples are divided by
+    /// their type's maximum.
     pub(crate) fn new(format: Format, [width, height]: [u32; 2], names: &[&str], sample: SampleType) -> Self {
         let channel = |name: &&str| Channel { name: (*name).to_owned(), sample };
         let full_scale = match sample.kind {

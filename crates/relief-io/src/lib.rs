@@ -14,14 +14,16 @@
 //!
 //! # Memory
 //!
-//! Headers are checked against [`HeightOptions::max_bytes`] and against the file's length before memory is taken for what
-//! they claim. Pictures are decoded row by row or block by block: reading a height map peaks at 8 bytes a texel and 32 MiB,
-//! with these exceptions, which `max_bytes` covers all the same. A *progressive colour JPEG* takes 9 bytes a texel and the
-//! file's length. An EXR or TIFF *block* (tile, strip, or the 16 to 256 rows of a compressed EXR block, all channels) is
-//! held two or three times: where the whole picture is one block, as a TIFF with a single strip, that is up to three times
-//! its uncompressed size.
+//! Headers are checked against [`HeightOptions::max_bytes`] and against the file's length before memory is
+//! taken for what they claim. Pictures are decoded row by row or block by block: reading a height map peaks
+//! at 8 bytes a texel and 32 MiB, with these exceptions, which `max_bytes` covers all the same. A
+//! *progressive colour JPEG* takes 9 bytes a texel and the file's length. An EXR or TIFF *block* (tile,
+//! strip, or the 16 to 256 rows of a compressed EXR block, all channels) is held two or three times: where
+//! the whole picture is one block, as a TIFF with a single strip, that is up to three times its uncompressed
+//! size.
 //!
-//! Bytes in memory are decoded where they are. Only the decoder of JPEG copies them whole, as it does a file's.
+//! Bytes in memory are decoded where they are. Only the decoder of JPEG copies them whole, as it does a
+//! file's.
 
 mod convention;
 mod error;
@@ -41,11 +43,13 @@ mod pgm;
 mod picture;
 mod png;
 mod raw;
+mod raw_layout;
 mod samples;
 mod source;
 mod texture;
 mod tiff;
 mod write;
+mod write_whole;
 
 pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, write_ktx2};
 pub use convention::{Detection, detect};
@@ -56,7 +60,8 @@ pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspec
 pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as};
-pub use raw::{BadRawLayout, ByteOrder, RawLayout};
+pub use raw_layout::{BadRawLayout, ByteOrder, RawLayout};
 pub use source::Source;
 pub use texture::{Metadata, PngTexture, Row, RowSource, read_metadata, write_exr_rows, write_png_rows};
-pub use write::{PngColour, write_atomically, write_exr, write_png8, write_png16};
+pub use write::{PngColour, write_exr, write_png8, write_png16};
+pub use write_whole::write_atomically;

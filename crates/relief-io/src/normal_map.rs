@@ -53,7 +53,8 @@ pub struct NormalMap {
     pub width: u32,
     /// Height in texels.
     pub height: u32,
-    /// Unit normals: `x` along growing `u`, `y` up in the picture (along falling `v`), `z` out of the surface.
+    /// Unit normals: `x` along growing `u`, `y` up in the picture (along falling `v`), `z` out of the
+    /// surface.
     pub normals: Vec<[f32; 3]>,
     /// How many texels held no direction (shorter than [`SHORTEST`], or not finite) and became `(0, 0, 1)`.
     pub degenerate: u64,
@@ -78,18 +79,20 @@ pub struct NormalVectors {
 }
 
 impl NormalVectors {
-    /// The same with `x` and `y` of the two integers around the middle moved to the mean of what was rounded to them.
+    /// The same with `x` and `y` of the two integers around the middle moved to the mean of what was rounded
+    /// to them.
     ///
-    /// No integer stands for 0: 128 of 255 is 1/255, 127 is -1/255, and whoever writes a level normal takes one of both. Level
-    /// parts of a map lean by 0.2° then, which shading does not show and integration adds up to a ramp. So the texels of
-    /// an integer that are more than the mean of its two neighbours' are taken for exact zeros, and the integer for the mean
-    /// of those and of the others: 0 where nothing but level normals has it, and hardly other than before where none has. What
-    /// that moves is at most 1/255.
+    /// No integer stands for 0: 128 of 255 is 1/255, 127 is -1/255, and whoever writes a level normal takes
+    /// one of both. Level parts of a map lean by 0.2° then, which shading does not show and integration adds
+    /// up to a ramp. So the texels of an integer that are more than the mean of its two neighbours' are taken
+    /// for exact zeros, and the integer for the mean of those and of the others: 0 where nothing but level
+    /// normals has it, and hardly other than before where none has. What that moves is at most 1/255.
     #[must_use]
     pub fn with_zero_centred(mut self) -> Self {
         let Some(most) = self.most.map(f64::from) else { return self };
         for axis in 0..2 {
-            // How many texels hold each of the four integers around the middle: -3, -1, 1 and 3 over the greatest.
+            // How many texels hold each of the four integers around the middle: -3, -1, 1 and 3 over the
+            // greatest.
             let place = |value: f32| {
                 let steps = (f64::from(value) * most).round();
                 [-3.0, -1.0, 1.0, 3.0].iter().position(|&known| known == steps)
@@ -118,8 +121,8 @@ impl NormalVectors {
 /// Reads a normal map, from a file or from the bytes of one: from the channels red, green and blue (or `x`,
 /// `y` and `z`), whose `green` points as told.
 ///
-/// Vectors are those of [`read_normal_vectors`]. They are then scaled to length 1; a texel without a direction becomes
-/// `(0, 0, 1)` and is counted. At most `max_bytes` of memory are taken, 12 bytes a texel.
+/// Vectors are those of [`read_normal_vectors`]. They are then scaled to length 1; a texel without a
+/// direction becomes `(0, 0, 1)` and is counted. At most `max_bytes` of memory are taken, 12 bytes a texel.
 ///
 /// # Errors
 ///
@@ -148,9 +151,9 @@ pub fn read_normal_map<'a>(
 /// Reads what the texels of a normal map stand for, from a file or from the bytes of one: from the channels
 /// red, green and blue, or `x`, `y` and `z`.
 ///
-/// Unsigned integers of up to 16 bit stand for `2 s / maximum - 1` (glTF 2.0, 3.9.3). Floats are taken as they are where
-/// the channels are `x`, `y` and `z` or any value is negative; otherwise as they are or as `2 s - 1`, whichever gives lengths
-/// nearer to 1. At most `max_bytes` of memory are taken, 12 bytes a texel.
+/// Unsigned integers of up to 16 bit stand for `2 s / maximum - 1` (glTF 2.0, 3.9.3). Floats are taken as
+/// they are where the channels are `x`, `y` and `z` or any value is negative; otherwise as they are or as
+/// `2 s - 1`, whichever gives lengths nearer to 1. At most `max_bytes` of memory are taken, 12 bytes a texel.
 ///
 /// # Errors
 ///

@@ -1,4 +1,5 @@
-//! Netpbm grey and colour maps, plain and binary, 8 and 16 bit: P2, P3, P5, P6. Samples are divided by the file's maxval.
+//! Netpbm grey and colour maps, plain and binary, 8 and 16 bit: P2, P3, P5, P6. Samples are divided by the
+//! file's maxval.
 
 use std::io::{BufRead, Read};
 

@@ -11,8 +11,8 @@ pub struct Picture {
     pub width: u32,
     /// Height in texels.
     pub height: u32,
-    /// Red, green, blue and opacity of each texel. Opacity is 1 where the file has none; colours are not multiplied by it.
-    /// Float files may hold colours above 1 and below 0.
+    /// Red, green, blue and opacity of each texel. Opacity is 1 where the file has none; colours are not
+    /// multiplied by it. Float files may hold colours above 1 and below 0.
     pub texels: Vec<[f32; 4]>,
 }
 
@@ -43,8 +43,8 @@ pub fn read_picture<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is damaged, too large, not a picture, has channels that make no colour, or holds a NaN
-/// or an infinite value.
+/// When the file cannot be read, is damaged, too large, not a picture, has channels that make no colour, or
+/// holds a NaN or an infinite value.
 pub fn read_picture_as<'a>(
     source: impl Into<Source<'a>>,
     curve: Curve,

@@ -1,4 +1,5 @@
-//! PNG, row by row: grey, grey with alpha, colour, colour with alpha and palettes, 1 to 16 bit, interlaced too.
+//! PNG, row by row: grey, grey with alpha, colour, colour with alpha and palettes, 1 to 16 bit, interlaced
+//! too.
 //!
 //! Samples are the stored ones: gamma, sRGB and colour profile chunks are not applied.
 
@@ -9,13 +10,15 @@ use crate::input::{Input, io_problem};
 use crate::layout::{Format, Layout, SampleType, Sink, Span};
 use crate::source::SourceReader;
 
-/// What the decoder may take for chunks other than image data; a row of the widest height map needs half of it.
+/// What the decoder may take for chunks other than image data; a row of the widest height map needs half of
+/// it.
 const DECODER_BYTES: usize = 16 << 20;
 
 /// Deflate turns one byte into at most 1032.
 const DEFLATE_RATIO: u64 = 1032;
 
-/// Left-most column, top row, column step and row step of each of the seven passes of Adam7 (PNG specification, 8.2).
+/// Left-most column, top row, column step and row step of each of the seven passes of Adam7 (PNG
+/// specification, 8.2).
 const ADAM7: [[u32; 4]; 7] =
     [[0, 0, 8, 8], [4, 0, 8, 8], [0, 4, 4, 8], [2, 0, 4, 4], [0, 2, 2, 4], [1, 0, 2, 2], [0, 1, 1, 2]];
 
@@ -28,8 +31,9 @@ pub(crate) struct PngFile<'a> {
 
 impl<'a> PngFile<'a> {
     pub(crate) fn open(input: Input<'a>) -> Result<Self, ReadProblem> {
-        // The decoder owns the file, and the size has to be known before the decoder goes on: so the header is read
-        // twice, first by hand. Its place is fixed: signature, then the IHDR chunk (PNG specification, 5.6).
+        // The decoder owns the file, and the size has to be known before the decoder goes on: so the header
+        // is read twice, first by hand. Its place is fixed: signature, then the IHDR chunk (PNG
+        // specification, 5.6).
         let (input, header) = Header::read(input)?;
         let row_bytes = (u64::from(header.width) * u64::from(header.bits_per_texel)).div_ceil(8) + 1;
         let least = row_bytes.saturating_mul(u64::from(header.height)) / DEFLATE_RATIO;

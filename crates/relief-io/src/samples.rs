@@ -6,8 +6,9 @@ use crate::layout::{Layout, Span};
 
 /// Raw values as `f32`, NaN where a texel has none.
 ///
-/// Types wider than `f32` are stored as differences from the first value, so that their rounding is relative to the
-/// range of the values and not to their size (heights far above sea level stay exact to 2^-24 of their range).
+/// Types wider than `f32` are stored as differences from the first value, so that their rounding is relative
+/// to the range of the values and not to their size (heights far above sea level stay exact to 2^-24 of their
+/// range).
 pub(crate) struct Samples {
     pub width: u32,
     pub height: u32,

@@ -1,8 +1,8 @@
-//! TIFF, BigTIFF and GeoTIFF, block by block, through `tiff-reader`: strips and tiles, both planar configurations,
-//! integers and floats of 8 to 64 bit, uncompressed, LZW, Deflate, PackBits, ZSTD and LERC.
+//! TIFF, BigTIFF and GeoTIFF, block by block, through `tiff-reader`: strips and tiles, both planar
+//! configurations, integers and floats of 8 to 64 bit, uncompressed, LZW, Deflate, PackBits, ZSTD and LERC.
 //!
-//! The first full-resolution picture of the file is read. Blocks that a sparse file leaves out hold its nodata value, or
-//! zeros where it has none.
+//! The first full-resolution picture of the file is read. Blocks that a sparse file leaves out hold its
+//! nodata value, or zeros where it has none.
 
 mod geo;
 mod stored;
@@ -83,7 +83,8 @@ impl<'a> TiffFile<'a> {
             (u64::from(columns) * u64::from(rows)).saturating_mul(in_block * raster.bytes_per_sample as u64);
         let count = u64::from(size[0].div_ceil(columns)) * u64::from(size[1].div_ceil(rows));
         let cache_bytes = block_bytes.saturating_mul(at_once);
-        // Besides the cache one block is held compressed; and each has an entry of at least two bytes in two tables.
+        // Besides the cache one block is held compressed; and each has an entry of at least two bytes in two
+        // tables.
         let least = if count > 1 { 4 * count } else { 0 };
         input.check_size(Format::Tiff, size, cache_bytes.saturating_add(block_bytes), least)?;
 

@@ -1,4 +1,4 @@
-//! Files are written whole or not at all: into a temporary file in the same folder, forced to the disk, then renamed.
+//! Pictures and float channels in one call, from samples in memory.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -7,55 +7,8 @@ use std::path::Path;
 use png::{BitDepth, ColorType, Encoder, EncodingError};
 use relief_core::HeightMap;
 
+use crate::write_whole::write_file;
 use crate::{Metadata, WriteError, WriteProblem, write_exr_rows};
-
-/// Writes a file so that, at any moment, either its old content or all of its new content is there.
-///
-/// `content` writes into a temporary file beside it; when it succeeds the bytes are forced to the disk and the file
-/// takes its name. When anything fails the temporary file is removed and an existing file of that name keeps its
-/// content.
-///
-/// # Errors
-///
-/// When the folder cannot be written to, when `content` fails (a full disk, say), or when the file cannot be renamed.
-pub fn write_atomically(
-    path: &Path,
-    content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> Result<(), WriteError> {
-    write_file(path, |out| content(out).map_err(WriteProblem::Io))
-}
-
-/// As [`write_atomically`], for encoders that seek and that fail in ways of their own.
-pub(crate) fn write_file(
-    path: &Path,
-    content: impl FnOnce(&mut BufWriter<&File>) -> Result<(), WriteProblem>,
-) -> Result<(), WriteError> {
-    write_and_rename(path, content).map_err(|problem| problem.at(path))
-}
-
-fn write_and_rename(
-    path: &Path,
-    content: impl FnOnce(&mut BufWriter<&File>) -> Result<(), WriteProblem>,
-) -> Result<(), WriteProblem> {
-    path.file_name().ok_or(WriteProblem::NoName)?;
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".relief-").suffix(".tmp");
-    // Temporary files are private by default; the finished file is not: it gets what the process' mask allows.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let temporary = builder.tempfile_in(folder).map_err(WriteProblem::Folder)?;
-    let mut out = BufWriter::with_capacity(1 << 16, temporary.as_file());
-    content(&mut out)?;
-    out.flush()?;
-    drop(out);
-    temporary.as_file().sync_all()?;
-    temporary.persist(path).map_err(|error| WriteProblem::Rename(error.error))?;
-    Ok(())
-}
 
 /// The channels of an 8-bit PNG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,13 +32,13 @@ impl PngColour {
     }
 }
 
-/// Writes an 8-bit PNG. `samples` are as stored, row by row from the top, the channels of a texel side by side: what is
-/// to be seen on a screen has to be in sRGB already.
+/// Writes an 8-bit PNG. `samples` are as stored, row by row from the top, the channels of a texel side by
+/// side: what is to be seen on a screen has to be in sRGB already.
 ///
 /// # Errors
 ///
-/// When `samples.len()` is not width times height times channels, when the size is 0 or above what a height map may
-/// have, or when the file cannot be written.
+/// When `samples.len()` is not width times height times channels, when the size is 0 or above what a height
+/// map may have, or when the file cannot be written.
 pub fn write_png8(
     path: &Path,
     width: u32,
@@ -110,8 +63,8 @@ pub fn write_png8(
 ///
 /// # Errors
 ///
-/// When `samples.len()` is not width times height, when the size is 0 or above what a height map may have, or when the
-/// file cannot be written.
+/// When `samples.len()` is not width times height, when the size is 0 or above what a height map may have, or
+/// when the file cannot be written.
 pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Result<(), WriteError> {
     check_length(width, height, 1, samples.len()).map_err(|problem| problem.at(path))?;
     write_file(path, |out| {
@@ -162,14 +115,14 @@ pub(crate) fn write_png(
 
 /// Writes 32-bit float channels into an EXR file, without loss (ZIP, 16 rows a block).
 ///
-/// Each channel has its name and `width * height` samples, row by row from the top. The same input gives the same
-/// bytes. Channels are stored in the order of their names, as the format wants it.
+/// Each channel has its name and `width * height` samples, row by row from the top. The same input gives the
+/// same bytes. Channels are stored in the order of their names, as the format wants it.
 ///
 /// # Errors
 ///
-/// When there is no channel, when a name is empty, longer than 255 bytes, not printable ASCII or given twice, when a channel's
-/// length is not width times height, when the size is 0 or above what a height map may have, or when the file cannot be
-/// written.
+/// When there is no channel, when a name is empty, longer than 255 bytes, not printable ASCII or given twice,
+/// when a channel's length is not width times height, when the size is 0 or above what a height map may have,
+/// or when the file cannot be written.
 pub fn write_exr(
     path: &Path,
     width: u32,

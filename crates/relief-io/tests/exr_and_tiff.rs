@@ -145,8 +145,8 @@ fn geotiff_georeference_and_nodata() {
         .expect("feet are known");
     assert!((feet[0] - 3.048_006_096).abs() < 1e-9 && feet[0] == feet[1]);
     assert_eq!(size(vec![scale(3.0, 3.0), tie(0.0, 0.0), keys(&[[1024, 1], [3076, 9999]])]), None);
-    // One degree at the equator: 111.32 km along it, 110.57 km along a meridian (WGS 84); at 60 degrees north 55.80 and
-    // 111.41.
+    // One degree at the equator: 111.32 km along it, 110.57 km along a meridian (WGS 84); at 60 degrees north
+    // 55.80 and 111.41.
     let degrees = |middle: f64| {
         let top = middle + f64::from(height) / 2.0;
         size(vec![scale(1.0, 1.0), tie(0.0, top), keys(&[[1024, 2], [2054, 9102]])])

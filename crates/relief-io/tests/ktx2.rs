@@ -46,7 +46,8 @@ fn read(bytes: &[u8]) -> Result<Ktx2File, relief_io::ReadError> {
     read_ktx2(&folder.file("texture.ktx2", bytes), LIMIT)
 }
 
-/// How far a value may be from what was stored: half a step, or what block compression loses on smooth texels.
+/// How far a value may be from what was stored: half a step, or what block compression loses on smooth
+/// texels.
 fn tolerance(format: TexelFormat) -> f32 {
     match format {
         TexelFormat::R8 | TexelFormat::Rg8 | TexelFormat::Rgba8 => 0.5001 / 255.0,
@@ -132,7 +133,8 @@ fn the_container_follows_the_specification() {
             assert_eq!(reader.dfd_blocks(), [Block::Basic(basic.clone())]);
             let keys: Vec<&str> = reader.key_value_data().map(|(key, _)| key).collect();
             assert!(keys.is_sorted() && keys.contains(&"KTXorientation"), "{keys:?}");
-            // Levels follow each other from the smallest to the finest, at multiples of 4 and of the block's bytes.
+            // Levels follow each other from the smallest to the finest, at multiples of 4 and of the block's
+            // bytes.
             let places: Vec<(usize, usize)> = reader
                 .levels()
                 .map(|level| (level.data.as_ptr() as usize - bytes.as_ptr() as usize, level.data.len()))

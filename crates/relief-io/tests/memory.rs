@@ -1,5 +1,5 @@
-//! Reading peaks at 8 bytes a texel and 32 MiB; a refused header at 32 MiB. Measured as the peak of the resident memory of
-//! a process that reads one file and nothing else, on systems that report it.
+//! Reading peaks at 8 bytes a texel and 32 MiB; a refused header at 32 MiB. Measured as the peak of the
+//! resident memory of a process that reads one file and nothing else, on systems that report it.
 #![cfg(target_os = "linux")]
 
 mod common;

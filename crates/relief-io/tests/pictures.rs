@@ -134,7 +134,8 @@ fn zero_is_the_mean_of_what_was_rounded_to_the_middle() {
     assert!((mixed[1] - 0.2).abs() < 1e-4, "{mixed:?}");
 }
 
-/// The normals of a landscape with slopes up to 1 or so: `x` against the slope along `u`, `y` with the one along `v`.
+/// The normals of a landscape with slopes up to 1 or so: `x` against the slope along `u`, `y` with the one
+/// along `v`.
 fn normals(width: u32, height: u32) -> NormalMap {
     let h = landscape(width, height);
     let slope = |a: f64, b: f64| (a - b) * f64::from(width) * 0.1;

@@ -1,4 +1,5 @@
-//! Real height, depth and normal maps: every file of one terrain gives the same heights, and pairs their conventions.
+//! Real height, depth and normal maps: every file of one terrain gives the same heights, and pairs their
+//! conventions.
 
 mod common;
 
@@ -14,7 +15,8 @@ use relief_io::{
 const WIDTH: usize = 403;
 const HEIGHT: usize = 344;
 
-/// The terrain's elevations in metres, straight from the bytes of the headerless file: 236 to 1076 over 16 bit.
+/// The terrain's elevations in metres, straight from the bytes of the headerless file: 236 to 1076 over 16
+/// bit.
 fn elevations(data: &Path) -> Vec<f64> {
     let bytes = std::fs::read(data.join("derived/jacksboro_403x344_le.r16")).expect("it is in the folder");
     assert_eq!(bytes.len(), 2 * WIDTH * HEIGHT);

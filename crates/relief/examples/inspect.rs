@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use relief::io::{HeightOptions, inspect, read_height, write_png16};
+use relief::io::{HeightOptions, Source, inspect, read_height, write_png16};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let file = std::env::temp_dir().join("relief-heights.png");
@@ -19,5 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let heights = read_height(&file, &options)?;
     println!("height at the middle: {:.3}", heights.height_at(0.5, 0.5));
+    let bytes = std::fs::read(&file)?;
+    assert_eq!(read_height(Source::bytes("heights.png", &bytes), &options)?, heights);
     Ok(())
 }

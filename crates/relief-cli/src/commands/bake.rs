@@ -1,7 +1,8 @@
 //! `relief bake`: a height map to the maps that methods read.
 //!
-//! A bake goes into a hidden folder inside the output folder: texels as they come, then the finished files. Only when all
-//! files of a kind are whole do they take their names. A bake that fails or is cancelled removes the folder.
+//! A bake goes into a hidden folder inside the output folder: texels as they come, then the finished files.
+//! Only when all files of a kind are whole do they take their names. A bake that fails or is cancelled
+//! removes the folder.
 
 mod files;
 pub mod identity;
@@ -32,7 +33,8 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::values;
 
-/// Displacement in metres between heights 0 and 1 unless the file or the user says otherwise; that of `relief render`.
+/// Displacement in metres between heights 0 and 1 unless the file or the user says otherwise; that of
+/// `relief render`.
 const DEFAULT_SCALE_M: f64 = 0.05;
 
 /// The part of a bake's time that is given to baking; the rest goes to writing files.
@@ -56,7 +58,8 @@ pub struct Arguments {
     /// Setting of a kind, as in cone.bits=8; may be repeated
     #[arg(long, value_name = "KIND.NAME=VALUE", value_parser = setting)]
     set: Vec<(String, f64)>,
-    /// Metres of displacement between heights 0 and 1 [default: the range of a georeferenced elevation model, else 0.05]
+    /// Metres of displacement between heights 0 and 1
+    /// [default: the range of a georeferenced elevation model, else 0.05]
     #[arg(long, value_name = "M")]
     scale: Option<f64>,
     /// Metres of a tile along u and v [default: from a georeferenced file's texel size, else 1,1]
@@ -284,7 +287,8 @@ impl<'a> Job<'a> {
         Ok(baked(files, false))
     }
 
-    /// Whether a texture can be stored, and fits: a 2-D bake holds its input and its output, and half as much again.
+    /// Whether a texture can be stored, and fits: a 2-D bake holds its input and its output, and half as much
+    /// again.
     fn check(&self, storage: Storage, texture: &Texture) -> Result<(), String> {
         storage.check(self.arguments.format, texture, self.arguments.lossy_heights)?;
         let [width, height, depth] = texture.size.map(u64::from);

@@ -59,8 +59,8 @@ struct Common {
         help_heading = "Integration"
     )]
     texel_m: Option<[f64; 2]>,
-    /// How strongly waves of about two texels are kept down, 0 to 1: central differences hardly see them, so that noise grows
-    /// there
+    /// How strongly waves of about two texels are kept down, 0 to 1: central differences hardly see them, so
+    /// that noise grows there
     #[arg(long, value_name = "PART", allow_hyphen_values = true, help_heading = "Integration")]
     damping: Option<f64>,
     /// The steepest slope accepted, metres up for a metre along; steeper normals are taken for it
@@ -174,8 +174,8 @@ struct Relief {
 }
 
 impl Relief {
-    /// Of integrated heights, with metadata `more` beside those of every height map. `steepness` is the root mean square of
-    /// the slopes that they were made from.
+    /// Of integrated heights, with metadata `more` beside those of every height map. `steepness` is the root
+    /// mean square of the slopes that they were made from.
     fn new(
         heights: IntegratedHeights,
         steepness: f64,

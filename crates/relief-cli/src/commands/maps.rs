@@ -10,13 +10,15 @@ use crate::values;
 #[derive(Args)]
 #[command(next_help_heading = "Reading the height map")]
 pub struct FileArguments {
-    /// Channel that holds the height: r, g, b, a, y, or an EXR channel's name [default: the only one, or the grey]
+    /// Channel that holds the height: r, g, b, a, y, or an EXR channel's name
+    /// [default: the only one, or the grey]
     #[arg(long, value_name = "NAME")]
     pub channel: Option<String>,
     /// Size and byte order of a headerless 16-bit file, as in 403x344,le
     #[arg(long, value_name = "WxH,le|be")]
     pub raw: Option<RawLayout>,
-    /// Fill texels without a value (nodata, NaN, infinite) from their surroundings [default: they are an error]
+    /// Fill texels without a value (nodata, NaN, infinite) from their surroundings
+    /// [default: they are an error]
     #[arg(long)]
     pub fill: bool,
 }
@@ -31,8 +33,8 @@ pub struct HeightArguments {
     /// The file holds depth: white is deep
     #[arg(long)]
     pub depth: bool,
-    /// Values that become heights 0 and 1 [default: of integers 0 and their type's maximum, of floats their least and
-    /// greatest]
+    /// Values that become heights 0 and 1 [default: of integers 0 and their type's maximum, of floats their
+    /// least and greatest]
     #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true)]
     pub range: Option<[f64; 2]>,
     /// How the maps go on beyond their edges: repeat, clamp or mirror [default: repeat]

@@ -1,4 +1,5 @@
-//! `relief render`: a scene to a picture. A baked map that the method reads is baked first and kept in a cache.
+//! `relief render`: a scene to a picture. A baked map that the method reads is baked first and kept in a
+//! cache.
 
 mod baked_maps;
 mod stages;
@@ -35,13 +36,14 @@ use crate::values;
     relief render --height map.exr --method occlusion --set search.steps=64 --aov map-aov.exr -o map.png\n\n\
     `relief methods` lists methods, searches and refinements with their settings.")]
 pub struct Arguments {
-    /// Scene file (TOML): its keys are named like the flags, which override it; paths in it are relative to it
+    /// Scene file (TOML): its keys are named like the flags, which override it; paths in it are relative to
+    /// it
     scene: Option<PathBuf>,
     /// Picture to write
     #[arg(short, long, value_name = "FILE.png")]
     output: PathBuf,
-    /// Write numbers of every pixel, too, as 32-bit float channels: hit (1 or 0), uv.x and uv.y, height (0 to 1), P.x,
-    /// P.y and P.z (position), N.x, N.y and N.z (normal), depth (along the view axis) and reads
+    /// Write numbers of every pixel, too, as 32-bit float channels: hit (1 or 0), uv.x and uv.y, height (0 to
+    /// 1), P.x, P.y and P.z (position), N.x, N.y and N.z (normal), depth (along the view axis) and reads
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
     /// Width and height of the picture in pixels [default: 800x600]
@@ -66,8 +68,8 @@ pub struct Arguments {
     /// Base mesh: plane, cube, cylinder, sphere or torus [default: plane]
     #[arg(long, value_name = "MESH", help_heading = "Maps and mesh")]
     mesh: Option<Builtin>,
-    /// Metres of displacement between heights 0 and 1 [default: true to the tile where the height map's file states metres,
-    /// else 0.05]
+    /// Metres of displacement between heights 0 and 1 [default: true to the tile where the height map's file
+    /// states metres, else 0.05]
     #[arg(long, value_name = "M", allow_hyphen_values = true, help_heading = "Maps and mesh")]
     scale: Option<f64>,
     /// Displacement of height 0 in metres [default: -scale, carved into the surface]
@@ -103,8 +105,8 @@ pub struct Arguments {
     #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
     light: Option<[f64; 3]>,
 
-    /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software adapter
-    /// [default: auto]
+    /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software
+    /// adapter [default: auto]
     #[arg(long, value_name = "auto|cpu|gpu", help_heading = "Machine")]
     backend: Option<BackendChoice>,
     /// exact has the same bits everywhere; fast uses the GPU's texture sampler [default: exact]
@@ -189,7 +191,8 @@ impl Arguments {
         }
     }
 
-    /// A sampling that the backend does not have is the command line's fault when the command line named one of them.
+    /// A sampling that the backend does not have is the command line's fault when the command line named one
+    /// of them.
     fn of_render(&self, error: RenderError) -> Failure {
         match error {
             RenderError::FastOnCpu { .. } if self.sampling.is_some() || self.backend.is_some() => {
@@ -213,7 +216,8 @@ fn of_scene(error: SceneError) -> Failure {
     }
 }
 
-/// Outputs that cannot be written, and those that would replace what is read, are found before the work, not after it.
+/// Outputs that cannot be written, and those that would replace what is read, are found before the work, not
+/// after it.
 fn check_outputs(arguments: &Arguments, spec: &SceneSpec) -> Result<(), Failure> {
     let outputs = [(Some(&arguments.output), "png", "--output"), (arguments.aov.as_ref(), "exr", "--aov")];
     let surfaces = spec.each_surface();

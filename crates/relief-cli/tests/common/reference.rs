@@ -1,4 +1,5 @@
-//! A camera, a bilinear surface on the built-in plane and its first hits, written down from the conventions alone, in `f64`.
+//! A camera, a bilinear surface on the built-in plane and its first hits, written down from the conventions
+//! alone, in `f64`.
 
 use std::fmt::Write;
 

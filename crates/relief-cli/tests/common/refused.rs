@@ -20,7 +20,8 @@ pub fn with_out() -> Folder {
     folder
 }
 
-/// Fails unless the command failed as it should: with that code, in a paragraph that has those words, without a trace.
+/// Fails unless the command failed as it should: with that code, in a paragraph that has those words, without
+/// a trace.
 pub fn assert_refused(folder: &Folder, ran: &Ran, code: i32, words: &[&str]) {
     let Ran { line, stderr, stdout, .. } = ran;
     assert_eq!(ran.code, Some(code), "relief {line}: {stderr}");

@@ -1,8 +1,8 @@
 //! The counters at the head of a DWA block, checked before the decompressor takes memory by them.
 //!
-//! Eleven 64-bit counters (OpenEXR, `internal_dwa_compressor.h`): version; the sizes of the channels that are stored as
-//! they are, uncompressed and compressed; the compressed sizes of the AC, DC and RLE parts; the RLE part's size inflated
-//! and unpacked; the numbers of AC and DC coefficients; and how AC is compressed.
+//! Eleven 64-bit counters (OpenEXR, `internal_dwa_compressor.h`): version; the sizes of the channels that are
+//! stored as they are, uncompressed and compressed; the compressed sizes of the AC, DC and RLE parts; the RLE
+//! part's size inflated and unpacked; the numbers of AC and DC coefficients; and how AC is compressed.
 
 use exr::prelude::Compression;
 

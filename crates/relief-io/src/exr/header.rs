@@ -1,8 +1,8 @@
 //! The header of an EXR file, read attribute by attribute without trusting any length in it.
 //!
-//! Layout after "OpenEXR File Layout" (openexr.com): magic number, version and flags, attributes as name, type, length
-//! and value, an empty name at the end; multi-part files have several headers and an empty one at the end. Then one
-//! table of chunk offsets a part.
+//! Layout after "OpenEXR File Layout" (openexr.com): magic number, version and flags, attributes as name,
+//! type, length and value, an empty name at the end; multi-part files have several headers and an empty one
+//! at the end. Then one table of chunk offsets a part.
 
 use std::io::{Read, Seek, SeekFrom};
 
@@ -18,8 +18,8 @@ use crate::source::SourceReader;
 /// Names are at most that long in files with the flag for long names.
 const MAX_NAME: usize = 255;
 
-/// The longest channel list that is read: some 2000 channels with short names. With [`MAX_PARTS`] it bounds the memory
-/// that a hostile header can take.
+/// The longest channel list that is read: some 2000 channels with short names. With [`MAX_PARTS`] it bounds
+/// the memory that a hostile header can take.
 const MAX_CHANNEL_BYTES: u64 = 1 << 16;
 
 /// More parts than any picture has.
@@ -253,7 +253,8 @@ impl PartAttributes {
             table_len: 0,
         };
         let first_level = part.chunks();
-        // Only the place of the following parts' tables, and of the chunks, hangs on the number of all entries.
+        // Only the place of the following parts' tables, and of the chunks, hangs on the number of all
+        // entries.
         part.table_len = match self.chunk_count {
             Some(count) if count >= first_level && (levels != 0 || count == first_level) => count,
             Some(_) => return Err(damaged("its number of blocks contradicts its size")),

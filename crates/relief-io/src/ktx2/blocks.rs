@@ -16,8 +16,8 @@ fn variant(format: TexelFormat) -> CompressionVariant {
     }
 }
 
-/// Compresses a row of blocks. `texels` holds four rows of each channel, row after row, channel after channel; texels
-/// beyond the width repeat the last column.
+/// Compresses a row of blocks. `texels` holds four rows of each channel, row after row, channel after
+/// channel; texels beyond the width repeat the last column.
 pub(super) fn compress_row(format: TexelFormat, width: usize, texels: &[f32], bytes: &mut [u8]) {
     let padded = width.div_ceil(4) * 4;
     let mut rgba = vec![255; padded * 4 * 4];
@@ -65,8 +65,8 @@ pub(super) fn decompress_row(format: TexelFormat, width: usize, bytes: &[u8], te
     }
 }
 
-/// The 16 values of a BC4 block, row by row. Hardware interpolates between the two ends with more than 8 bits, which
-/// decoders into bytes lose.
+/// The 16 values of a BC4 block, row by row. Hardware interpolates between the two ends with more than 8
+/// bits, which decoders into bytes lose.
 fn decode_bc4(block: &[u8; 8]) -> [f32; 16] {
     let [low, high] = [block[0], block[1]].map(|end| f32::from(end) / 255.0);
     // Where the first end is not the greater one, two of the steps are 0 and 1 themselves.

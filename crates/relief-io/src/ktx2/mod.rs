@@ -1,12 +1,14 @@
-//! KTX 2.0 textures (Khronos "KTX File Format Specification", version 2.0): 2-D textures with mip chains, and volumes.
+//! KTX 2.0 textures (Khronos "KTX File Format Specification", version 2.0): 2-D textures with mip chains, and
+//! volumes.
 //!
-//! [`write_ktx2`] writes what GPUs take as it is; [`read_ktx2`] gives back the values that a GPU would read. The containers'
-//! numbers are laid out by the `ktx2` crate.
+//! [`write_ktx2`] writes what GPUs take as it is; [`read_ktx2`] gives back the values that a GPU would read.
+//! The containers' numbers are laid out by the `ktx2` crate.
 //!
-//! Why not the `ctt` crate, which writes such files, too: it holds all levels of a texture at once, uncompressed and
-//! compressed, and volumes need to stream. Here texels are asked for row by row in the order of the file, which has its
-//! smallest level first, and go through the Zstandard compressor, one frame a level, straight into the file. A writer
-//! holds a row of texels (four of block-compressed formats), and 1 MiB with Zstandard, whatever the size.
+//! Why not the `ctt` crate, which writes such files, too: it holds all levels of a texture at once,
+//! uncompressed and compressed, and volumes need to stream. Here texels are asked for row by row in the order
+//! of the file, which has its smallest level first, and go through the Zstandard compressor, one frame a
+//! level, straight into the file. A writer holds a row of texels (four of block-compressed formats), and 1
+//! MiB with Zstandard, whatever the size.
 
 mod blocks;
 mod format;

@@ -18,7 +18,8 @@ const NAME: &str = "KTX2";
 /// The most bytes of key/value data that are read.
 const MOST_METADATA: u64 = 1 << 20;
 
-/// The largest window of a Zstandard frame that is accepted: what RFC 8878, section 3.1.1.1.2, wants of every decoder.
+/// The largest window of a Zstandard frame that is accepted: what RFC 8878, section 3.1.1.1.2, wants of every
+/// decoder.
 const MOST_WINDOW: u64 = 8 << 20;
 
 /// No Zstandard frame is so much shorter than its content: a block of 128 KiB takes at least 4 bytes.
@@ -53,8 +54,8 @@ pub struct Ktx2Level {
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is no KTX2 file, is damaged, holds something else than the above, or when its texels
-/// would take more than `max_bytes` of memory, which is found before any is taken.
+/// When the file cannot be read, is no KTX2 file, is damaged, holds something else than the above, or when
+/// its texels would take more than `max_bytes` of memory, which is found before any is taken.
 pub fn read_ktx2<'a>(source: impl Into<Source<'a>>, max_bytes: u64) -> Result<Ktx2File, ReadError> {
     let source = source.into();
     read(source, max_bytes).map_err(|problem| source.error(problem))

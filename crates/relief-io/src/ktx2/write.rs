@@ -11,7 +11,7 @@ use ruzstd::encoding::{CompressionLevel, FrameCompressor};
 
 use super::{TexelFormat, blocks, full_chain, level_size};
 use crate::texture::{Metadata, Row, RowSource};
-use crate::write::write_file;
+use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
 /// What a KTX2 texture holds.
@@ -21,9 +21,11 @@ pub struct Ktx2Texture {
     pub format: TexelFormat,
     /// Columns, rows and slices; more than one slice make a 3-D texture.
     pub size: [u32; 3],
-    /// Mip levels, 1 for the finest alone. Each is half the one before it, rounded down, and at least 1 along every axis.
+    /// Mip levels, 1 for the finest alone. Each is half the one before it, rounded down, and at least 1 along
+    /// every axis.
     pub levels: u32,
-    /// Channels that the rows are asked for, at most those of the format; of the others colours are 0 and opacity is 1.
+    /// Channels that the rows are asked for, at most those of the format; of the others colours are 0 and
+    /// opacity is 1.
     pub channels: usize,
     /// Compress each level with Zstandard.
     pub zstd: bool,
@@ -31,17 +33,18 @@ pub struct Ktx2Texture {
     pub metadata: Metadata,
 }
 
-/// Writes a KTX2 texture. Values go to the nearest that the format holds; in normalised formats what lies outside
-/// `[0, 1]` is cut off. The same input gives the same bytes.
+/// Writes a KTX2 texture. Values go to the nearest that the format holds; in normalised formats what lies
+/// outside `[0, 1]` is cut off. The same input gives the same bytes.
 ///
-/// Rows are asked for from the smallest level to the finest, slice by slice, from the top, channel by channel.
+/// Rows are asked for from the smallest level to the finest, slice by slice, from the top, channel by
+/// channel.
 ///
 /// # Errors
 ///
-/// When the size is 0 or above 2^20 a side, when there are more levels than the size has or more channels than the format
-/// has, when a volume is to be stored in blocks (not every GPU reads that), when the metadata have a name that the
-/// specification keeps for itself, when a row cannot be had, or when the file cannot be written. Nothing is left behind
-/// then.
+/// When the size is 0 or above 2^20 a side, when there are more levels than the size has or more channels
+/// than the format has, when a volume is to be stored in blocks (not every GPU reads that), when the metadata
+/// have a name that the specification keeps for itself, when a row cannot be had, or when the file cannot be
+/// written. Nothing is left behind then.
 pub fn write_ktx2(path: &Path, texture: &Ktx2Texture, rows: &mut RowSource<'_>) -> Result<(), WriteError> {
     write_file(path, |out| {
         texture.check().map_err(WriteProblem::NotStorable)?;
@@ -155,7 +158,8 @@ fn descriptor(format: TexelFormat) -> Result<(Vec<u8>, u32), WriteProblem> {
     Ok(([&length.to_le_bytes(), block.as_slice()].concat(), type_size))
 }
 
-/// The key/value data: ours and those of the specification, in the order of the keys' bytes, each padded to 4 bytes.
+/// The key/value data: ours and those of the specification, in the order of the keys' bytes, each padded to 4
+/// bytes.
 fn key_value_data(texture: &Ktx2Texture) -> Vec<u8> {
     let orientation = if texture.size[2] > 1 { "rdi" } else { "rd" };
     let writer = concat!("relief-io ", env!("CARGO_PKG_VERSION"));
@@ -251,8 +255,8 @@ impl Read for LevelBytes<'_, '_> {
     }
 }
 
-/// Compresses into one Zstandard frame. The compressor panics where reading or writing fails: it is shown an end of the
-/// data and a sink without bottom instead, and the failure is given here.
+/// Compresses into one Zstandard frame. The compressor panics where reading or writing fails: it is shown an
+/// end of the data and a sink without bottom instead, and the failure is given here.
 fn compress(bytes: &mut LevelBytes<'_, '_>, out: &mut BufWriter<&File>) -> io::Result<()> {
     let mut compressor = FrameCompressor::new(CompressionLevel::Fastest);
     compressor.set_source(UntilFailure { inner: bytes, failure: None });

@@ -14,20 +14,20 @@ use relief_core::HeightMap;
 
 use super::metadata::EXR_ATTRIBUTE;
 use super::{Metadata, Row, RowSource};
-use crate::write::write_file;
+use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
 /// Writes named channels as 32-bit floats, without loss (ZIP, 16 rows a block), row by row.
 ///
-/// The metadata are the lines of one string attribute named `relief`: the `exr` crate stores several attributes in an
-/// order that changes from run to run. Channels are stored in the order of their names; [`Row::channel`] counts in the
-/// order of `names`.
+/// The metadata are the lines of one string attribute named `relief`: the `exr` crate stores several
+/// attributes in an order that changes from run to run. Channels are stored in the order of their names;
+/// [`Row::channel`] counts in the order of `names`.
 ///
 /// # Errors
 ///
-/// When there is no channel, when a name is empty, longer than 255 bytes, not printable ASCII or given twice, when the
-/// size is 0 or above what a height map may have, when a row cannot be had, or when the file cannot be written. Nothing
-/// is left behind then.
+/// When there is no channel, when a name is empty, longer than 255 bytes, not printable ASCII or given twice,
+/// when the size is 0 or above what a height map may have, when a row cannot be had, or when the file cannot
+/// be written. Nothing is left behind then.
 pub fn write_exr_rows(
     path: &Path,
     width: u32,
@@ -92,7 +92,8 @@ fn write_blocks(
             UncompressedBlock::collect_block_data_from_lines(list, block, |line| {
                 let channel = order[line.location.channel];
                 let row = line.location.position.y() as u32;
-                // The crate's closure cannot fail: what follows a failure is not asked for, and the file is dropped.
+                // The crate's closure cannot fail: what follows a failure is not asked for, and the file is
+                // dropped.
                 if failed.is_none() {
                     failed = rows(Row { level: 0, slice: 0, channel, row }, &mut texels).err();
                 }

@@ -7,7 +7,8 @@ use png::{BitDepth, ColorType};
 use relief_core::HeightMap;
 
 use super::{Metadata, Row, RowSource, unorm_code};
-use crate::write::{write_file, write_png};
+use crate::write::write_png;
+use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
 /// What a PNG texture holds.
@@ -23,13 +24,13 @@ pub struct PngTexture {
     pub bits: u32,
 }
 
-/// Writes a PNG whose samples are the texels in `[0, 1]` to the nearest code, without a transfer function, and whose
-/// metadata are `iTXt` chunks before the texels. What lies outside `[0, 1]` is cut off.
+/// Writes a PNG whose samples are the texels in `[0, 1]` to the nearest code, without a transfer function,
+/// and whose metadata are `iTXt` chunks before the texels. What lies outside `[0, 1]` is cut off.
 ///
 /// # Errors
 ///
-/// When the size, the channels, the bits or the metadata cannot be stored, when a row cannot be had, or when the file
-/// cannot be written. Nothing is left behind then.
+/// When the size, the channels, the bits or the metadata cannot be stored, when a row cannot be had, or when
+/// the file cannot be written. Nothing is left behind then.
 pub fn write_png_rows(
     path: &Path,
     texture: &PngTexture,

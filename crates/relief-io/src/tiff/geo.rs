@@ -1,4 +1,5 @@
-//! What a GeoTIFF's tags say about nodata and the size of a texel (OGC 19-008r4, GeoTIFF 1.1; GDAL's nodata tag).
+//! What a GeoTIFF's tags say about nodata and the size of a texel (OGC 19-008r4, GeoTIFF 1.1; GDAL's nodata
+//! tag).
 
 use tiff_reader::Ifd;
 
@@ -33,9 +34,10 @@ pub(super) fn nodata(ifd: &Ifd, sample: SampleType) -> Option<f64> {
 
 /// The size of a texel in metres along `u` and `v`.
 ///
-/// In a projected system the unit is the file's; a projected file that does not name one is taken to be in metres. In a
-/// geographic system (degrees) the size is that at the picture's centre: along a parallel and a meridian of the WGS 84
-/// ellipsoid. It is unknown where the file names no system, a unit that is not known here, or a centre beyond the poles.
+/// In a projected system the unit is the file's; a projected file that does not name one is taken to be in
+/// metres. In a geographic system (degrees) the size is that at the picture's centre: along a parallel and a
+/// meridian of the WGS 84 ellipsoid. It is unknown where the file names no system, a unit that is not known
+/// here, or a centre beyond the poles.
 pub(super) fn texel_size_m(ifd: &Ifd) -> Option<[f64; 2]> {
     let keys = Keys::read(ifd)?;
     let grid = Grid::read(ifd)?;

@@ -1,4 +1,5 @@
-//! Files that are cut off, damaged, lying about their size, or nothing of the kind; and the smallest valid ones.
+//! Files that are cut off, damaged, lying about their size, or nothing of the kind; and the smallest valid
+//! ones.
 
 use exr::prelude::{Compression, SampleType as ExrSample};
 use png::{BitDepth, ColorType};
@@ -13,7 +14,8 @@ use super::{Random, channel, exr_file, samples};
 pub enum Expect {
     Error,
     Map,
-    /// Damage that no reader can see in every case: an error or a valid map, but no panic and no end of memory.
+    /// Damage that no reader can see in every case: an error or a valid map, but no panic and no end of
+    /// memory.
     Either,
 }
 
@@ -109,8 +111,8 @@ fn cut_off() -> Vec<BrokenFile> {
     files
 }
 
-/// A valid file with `flips` bits turned over, the same ones for the same seed; half of them in its first 600 bytes,
-/// where headers are.
+/// A valid file with `flips` bits turned over, the same ones for the same seed; half of them in its first 600
+/// bytes, where headers are.
 pub fn flipped(file: &BrokenFile, seed: u64) -> BrokenFile {
     let mut random = Random::new(seed);
     let mut broken = file.clone();

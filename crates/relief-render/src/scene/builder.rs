@@ -1,13 +1,11 @@
 //! Scenes made by programs.
 
+use super::limits::MAX_IMAGE_SIDE;
 use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
 use crate::camera::Camera;
 use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
 use glam::{DVec3, Vec3};
 use relief_shaders::{STAGES, SelectionError};
-
-/// The longest side of a picture in pixels.
-pub const MAX_IMAGE_SIDE: u32 = 32_768;
 
 /// The default position of the eye, in metres.
 pub(super) const DEFAULT_EYE: DVec3 = DVec3::new(0.6, 0.9, 1.1);
@@ -34,6 +32,20 @@ pub struct SceneBuilder {
     size: [u32; 2],
     backend: BackendChoice,
     sampling: Sampling,
+}
+
+impl Scene {
+    /// Starts a scene that shows a surface; everything else has its default, which the builder's functions
+    /// state.
+    pub fn builder(surface: Surface) -> SceneBuilder {
+        SceneBuilder::showing(vec![surface])
+    }
+
+    /// A builder of a scene that differs from this one. What is not changed is shared with it, so that a
+    /// renderer that has seen this one need not make it ready again.
+    pub fn to_builder(&self) -> SceneBuilder {
+        SceneBuilder::of(self)
+    }
 }
 
 impl SceneBuilder {

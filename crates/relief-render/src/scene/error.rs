@@ -129,7 +129,7 @@ pub enum ValueProblem {
     /// The picture has no pixels, or too many a side.
     #[error(
         "{width}x{height} pixels are not possible: each side must be from 1 to {}",
-        super::MAX_IMAGE_SIDE
+        super::limits::MAX_IMAGE_SIDE
     )]
     Size {
         /// Width in pixels.

@@ -3,22 +3,16 @@
 use super::builder::{DEFAULT_EYE, DEFAULT_FOV};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::load_surface::{Maps, Parts};
-use super::{LightSpec, MAX_IMAGE_SIDE, Scene, SceneBuilder, SceneSpec, SurfaceSpec};
+use super::metres::check_metres;
+use super::{DEFAULT_MAX_MEMORY, LightSpec, MAX_IMAGE_SIDE, Scene, SceneBuilder, SceneSpec, SurfaceSpec};
 use crate::camera::{Camera, CameraError};
 use crate::light::{Light, LightError};
 use glam::{DVec3, Vec3};
 use relief_core::{ByteSize, HeightMap};
 
-/// The memory that maps and picture may take when nothing else is said.
-pub const DEFAULT_MAX_MEMORY: ByteSize = ByteSize(4 << 30);
-
 /// Memory that rendering takes for a pixel: its results on the GPU, their copy, and the picture to be
 /// written.
 const BYTES_PER_PIXEL: u64 = 192;
-
-/// The largest length and coordinate in metres, a million kilometres. The shaders multiply four of them in
-/// `f32`: much larger ones overflow there, and the picture would be empty without a word.
-pub(super) const MAX_METRES: f64 = 1e9;
 
 impl SceneSpec {
     /// Whether everything that needs no file is possible. A scene file is checked so before flags are laid
@@ -133,14 +127,6 @@ impl SceneSpec {
             }
             (None, None) => Ok(None),
         }
-    }
-}
-
-/// Refuses lengths and coordinates that `f32` cannot reckon with.
-pub(super) fn check_metres(key: &'static str, lengths_m: &[f64]) -> Result<(), ValueError> {
-    match lengths_m.iter().find(|length| !(-MAX_METRES..=MAX_METRES).contains(*length)) {
-        Some(&value) => Err(ValueProblem::Number { value, must: "from -1e9 to 1e9 metres" }.of(key)),
-        None => Ok(()),
     }
 }
 

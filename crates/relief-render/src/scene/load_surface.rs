@@ -2,7 +2,7 @@
 
 use super::builder::{DEFAULT_METHOD, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
-use super::load::check_metres;
+use super::metres::{MAX_METRES, check_metres};
 use super::{Surface, SurfaceSpec};
 use crate::material::Material;
 use crate::mesh::{Mesh, Placement};
@@ -237,7 +237,7 @@ impl SurfaceSpec {
 }
 
 fn check_scale(scale_m: f64) -> Result<(), ValueError> {
-    if (0.0..=super::load::MAX_METRES).contains(&scale_m) {
+    if (0.0..=MAX_METRES).contains(&scale_m) {
         return Ok(());
     }
     Err(ValueProblem::Number { value: scale_m, must: "from 0 to 1e9 metres" }.of("scale"))

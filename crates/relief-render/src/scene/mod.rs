@@ -10,17 +10,19 @@ mod choices;
 mod error;
 mod file;
 mod keys;
+mod limits;
 mod load;
 mod load_surface;
+mod metres;
 mod spec;
 mod surface;
 mod surface_spec;
 
-pub use builder::{MAX_IMAGE_SIDE, SceneBuilder};
+pub use builder::SceneBuilder;
 pub use choices::BackendChoice;
 pub use error::{SceneError, ValueError, ValueProblem};
 pub use file::read_scene;
-pub use load::DEFAULT_MAX_MEMORY;
+pub use limits::{DEFAULT_MAX_MEMORY, MAX_IMAGE_SIDE};
 pub use spec::{LightSpec, SceneSpec};
 pub use surface::Surface;
 pub use surface_spec::{MaterialSpec, SurfaceSpec};
@@ -44,12 +46,6 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Starts a scene that shows a surface; everything else has its default, which the builder's functions
-    /// state.
-    pub fn builder(surface: Surface) -> SceneBuilder {
-        SceneBuilder::showing(vec![surface])
-    }
-
     /// The surfaces, at least one. Of several the nearest is seen; of equally near ones the first.
     pub fn surfaces(&self) -> &[Surface] {
         &self.surfaces
@@ -93,12 +89,6 @@ impl Scene {
     /// How textures are read.
     pub fn sampling(&self) -> Sampling {
         self.sampling
-    }
-
-    /// A builder of a scene that differs from this one. What is not changed is shared with it, so that a
-    /// renderer that has seen this one need not make it ready again.
-    pub fn to_builder(&self) -> SceneBuilder {
-        SceneBuilder::of(self)
     }
 }
 

@@ -46,8 +46,8 @@ pub struct Packing {
     pub zstd: bool,
 }
 
-/// Writes the files of a bake into a folder and gives their names. `base` is the names' beginning; `at` is told the
-/// finished part and answers whether to go on.
+/// Writes the files of a bake into a folder and gives their names. `base` is the names' beginning; `at` is
+/// told the finished part and answers whether to go on.
 pub fn write(
     folder: &Path,
     base: &str,
@@ -83,8 +83,9 @@ pub fn write(
     Ok(names)
 }
 
-/// The files of a texture. PNG and KTX2 files hold up to four channels; PNG and EXR files hold one mip level, and so do
-/// KTX2 files where levels are not each half the one before it, rounded down, which the format takes for granted.
+/// The files of a texture. PNG and KTX2 files hold up to four channels; PNG and EXR files hold one mip level,
+/// and so do KTX2 files where levels are not each half the one before it, rounded down, which the format
+/// takes for granted.
 fn plan(base: &str, format: FileFormat, index: usize, texture: &Texture) -> Vec<Plan> {
     let count = texture.channels.len();
     let levels = texture.mips.len() + 1;

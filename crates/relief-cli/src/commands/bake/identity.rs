@@ -17,7 +17,8 @@ const FILES: &str = "relief.files";
 /// Names and values for a file's metadata.
 pub type Entries = Vec<(String, String)>;
 
-/// What decides a bake's values, and what all of its files say of them: of a kind's bake from a map with that hash.
+/// What decides a bake's values, and what all of its files say of them: of a kind's bake from a map with that
+/// hash.
 fn inputs(
     kind: &Kind,
     settings: &Settings,
@@ -136,8 +137,8 @@ impl Identity {
         entries
     }
 
-    /// The files of an earlier bake of the same inputs, if all of them are there: those that the first file found with
-    /// this hash names, each with this hash. Their texels are not compared.
+    /// The files of an earlier bake of the same inputs, if all of them are there: those that the first file
+    /// found with this hash names, each with this hash. Their texels are not compared.
     pub fn files_in(&self, folder: &Path, stem: &str, kind: &str, format: FileFormat) -> Option<Vec<String>> {
         let (prefix, suffix) = (format!("{stem}.{kind}."), format!(".{}", format.extension()));
         let same = |name: &str| -> Option<Metadata> {

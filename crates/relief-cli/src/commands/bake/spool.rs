@@ -1,8 +1,8 @@
 //! Baked texels on their way to the files: as they come, in a file without a name beside the outputs.
 //!
-//! Files want another order than bakes have: KTX2 begins with the smallest mip level, PNG and KTX2 put the channels of a
-//! texel side by side, and each file names all files of its bake. Keeping texels on the disk meanwhile, 4 bytes a value,
-//! serves textures of any size in memory for a few rows.
+//! Files want another order than bakes have: KTX2 begins with the smallest mip level, PNG and KTX2 put the
+//! channels of a texel side by side, and each file names all files of its bake. Keeping texels on the disk
+//! meanwhile, 4 bytes a value, serves textures of any size in memory for a few rows.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};

@@ -167,9 +167,9 @@ impl Storage {
         Ok(())
     }
 
-    /// What a writer is given to store that value: a fraction of the channel's range where texels are normalised. The
-    /// value that a reader computes from it, `range[0] + texel * (range[1] - range[0])` in `f32`, lies on the channel's
-    /// safe side.
+    /// What a writer is given to store that value: a fraction of the channel's range where texels are
+    /// normalised. The value that a reader computes from it, `range[0] + texel * (range[1] - range[0])` in
+    /// `f32`, lies on the channel's safe side.
     ///
     /// # Errors
     ///

@@ -21,23 +21,26 @@ use crate::progress::Progress;
 /// Bytes a texel that reading and integrating take at their peak.
 const BYTES_PER_TEXEL: u64 = 32;
 
-/// The damping for normals that come from elsewhere: those that `relief bake` made are inverted as they were made.
+/// The damping for normals that come from elsewhere: those that `relief bake` made are inverted as they were
+/// made.
 const DEFAULT_DAMPING: f64 = 0.1;
 
 /// What `relief height from-normals` is given.
 #[derive(Args)]
 #[command(after_help = after_help())]
 pub struct Arguments {
-    /// Tangent-space normal map: PNG, JPEG, EXR, TIFF, HDR or PGM with red, green and blue, or EXR with x, y and z
+    /// Tangent-space normal map: PNG, JPEG, EXR, TIFF, HDR or PGM with red, green and blue, or EXR with x, y
+    /// and z
     normals: PathBuf,
     /// Height map to write
     #[arg(short, long, value_name = "FILE.png|exr")]
     output: PathBuf,
-    /// Where green points: up in the picture (+y: OpenGL, glTF, Blender), down (-y: DirectX, Unreal), or as the normals fit
-    /// a relief better
+    /// Where green points: up in the picture (+y: OpenGL, glTF, Blender), down (-y: DirectX, Unreal), or as
+    /// the normals fit a relief better
     #[arg(long, value_enum, value_name = "up|down|auto", default_value = "auto", allow_hyphen_values = true)]
     green: Green,
-    /// Fill texels without a direction (NaN, or shorter than 0.1) from their surroundings [default: they are an error]
+    /// Fill texels without a direction (NaN, or shorter than 0.1) from their surroundings
+    /// [default: they are an error]
     #[arg(long)]
     fill: bool,
     #[command(flatten)]

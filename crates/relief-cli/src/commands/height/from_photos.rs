@@ -21,7 +21,8 @@ use crate::progress::Progress;
 /// Bytes a texel that a photograph keeps: its brightness.
 const BYTES_PER_PHOTO: u64 = 4;
 
-/// Bytes a texel that are taken beside the brightnesses at their peak: a picture in colour, then normals, albedo and heights.
+/// Bytes a texel that are taken beside the brightnesses at their peak: a picture in colour, then normals,
+/// albedo and heights.
 const BYTES_PER_TEXEL: u64 = 60;
 
 /// The damping of photographs' normals, which have noise.

@@ -62,7 +62,8 @@ struct PhotoText {
 }
 
 impl Lights {
-    /// Reads the file and checks all that needs no picture. Relative names in it start at the folder that it lies in.
+    /// Reads the file and checks all that needs no picture. Relative names in it start at the folder that it
+    /// lies in.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let text = read_text(path).map_err(|what| Failure::Work(format!("{}: {what}", path.display())))?;
         let found: Text = toml::from_str(&text).map_err(|error| {

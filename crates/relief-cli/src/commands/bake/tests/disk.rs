@@ -1,4 +1,5 @@
-//! No room on the disk: a limit to the size of files, whose signal is ignored, fails a write as a full disk does.
+//! No room on the disk: a limit to the size of files, whose signal is ignored, fails a write as a full disk
+//! does.
 
 use super::{Failure, Room};
 

@@ -1,0 +1,15 @@
+//! The lengths and coordinates that a scene may hold.
+
+use super::{ValueError, ValueProblem};
+
+/// The largest length and coordinate in metres, a million kilometres. The shaders multiply four of them in
+/// `f32`: much larger ones overflow there, and the picture would be empty without a word.
+pub(super) const MAX_METRES: f64 = 1e9;
+
+/// Refuses lengths and coordinates that `f32` cannot reckon with.
+pub(super) fn check_metres(key: &'static str, lengths_m: &[f64]) -> Result<(), ValueError> {
+    match lengths_m.iter().find(|length| !(-MAX_METRES..=MAX_METRES).contains(*length)) {
+        Some(&value) => Err(ValueProblem::Number { value, must: "from -1e9 to 1e9 metres" }.of(key)),
+        None => Ok(()),
+    }
+}
