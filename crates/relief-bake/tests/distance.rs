@@ -161,7 +161,7 @@ fn threads_do_not_change_a_bit_and_cancelling_ends_it() {
 fn lengths_beyond_floats_are_refused() {
     let map = maps::ALL[0].build(Wrap::Clamp);
     for scale in [1e-60, 1e60] {
-        let metric = Metric::new([scale; 2], scale).expect("positive lengths");
+        let metric = Metric { tile_m: [scale; 2], scale_m: scale };
         let refused =
             bake(&KIND, &map, metric, &KIND.defaults(), &Progress::none(), &mut Collected::default());
         assert!(matches!(refused, Err(BakeError::Impossible { .. })));

@@ -325,3 +325,34 @@ fn names_may_be_no_text() {
     json(&folder.with("render", render).fine());
     assert!(folder.path(OsStr::from_bytes(b"\xfe.png")).exists());
 }
+
+#[test]
+fn what_is_counted_as_reads_is_said() {
+    let folder = Folder::new();
+    folder.write("map.png", Map::hills().png());
+    for (method, counted) in [("exact", "tracer nodes"), ("relief", "reads")] {
+        let line = format!("render --height map.png --backend cpu --size 32x24 --method {method} -o out.png");
+        let said = folder.relief(&line).fine().stdout;
+        assert!(said.contains(&format!(" {counted} a pixel")), "{said}");
+        assert_eq!(json(&folder.relief(&format!("{line} --json")).fine())["reads_are"], counted);
+    }
+}
+
+#[test]
+fn without_a_desktop_nothing_but_the_answer_is_written() {
+    let folder = Folder::new();
+    folder.write("map.png", Map::hills().png());
+    let line = "render --height map.png --backend gpu --size 32x24 -o out.png --json";
+    let mut command = folder.command();
+    for name in ["XDG_RUNTIME_DIR", "WAYLAND_DISPLAY", "DISPLAY"] {
+        command.env_remove(name);
+    }
+    let output = command.args(line.split_ascii_whitespace()).output().expect("the command starts");
+    let ran = Ran::new(line, &output);
+    if ran.code == Some(0) {
+        assert_eq!(ran.stderr, "");
+    } else {
+        // One error, and nothing beside it.
+        assert!(serde_json::from_str::<Value>(&ran.stderr).is_ok(), "{ran:?}");
+    }
+}

@@ -22,8 +22,9 @@ const VIEW: View = View {
 
 fn render(folder: &Folder, view: &View, relief: &Relief, more: &str) -> Aov {
     folder.write("map.png", relief.map.png());
+    let mesh = if more.contains("--mesh") { "" } else { "--mesh square" };
     let line = format!(
-        "render --height map.png --backend cpu -o a.png --aov a.exr {} {} {more}",
+        "render --height map.png --backend cpu -o a.png --aov a.exr {mesh} {} {} {more}",
         view.flags(),
         relief.flags()
     );
@@ -31,7 +32,7 @@ fn render(folder: &Folder, view: &View, relief: &Relief, more: &str) -> Aov {
     Aov::read(&folder.path("a.exr"))
 }
 
-/// What is wrong with a pixel that shows a point of the relief on the built-in plane.
+/// What is wrong with a pixel that shows a point of the relief on the built-in square.
 fn fault(pixel: &Pixel, view: &View, relief: &Relief, ray: DVec3) -> Option<String> {
     let surface = relief.point(pixel.uv);
     let off_ray = (pixel.position - view.eye).cross(ray).length() / ray.length();
@@ -221,7 +222,7 @@ fn on_every_mesh_points_lie_on_their_rays_and_normals_are_unit() {
     let folder = Folder::new();
     let view = View { eye: VIEW.eye * 1.8, size: [48, 40], ..VIEW };
     let relief = Relief { scale_m: 0.05, bias_m: -0.05, tile: [4.0, 2.0], ..Relief::new(Map::hills()) };
-    for mesh in ["plane", "cube", "cylinder", "sphere", "torus"] {
+    for mesh in ["plane", "square", "cube", "cylinder", "sphere", "torus"] {
         let aov = render(&folder, &view, &relief, &format!("--mesh {mesh}"));
         let mut hits = 0;
         for (x, y, pixel) in aov.pixels().filter(|(_, _, pixel)| pixel.hit == 1.0) {
@@ -233,7 +234,7 @@ fn on_every_mesh_points_lie_on_their_rays_and_normals_are_unit() {
             assert!((pixel.height - relief.height(pixel.uv)).abs() < 1e-4, "{mesh} ({x}, {y})");
             hits += 1;
         }
-        assert!(hits > 200, "{mesh}: {hits} hits");
+        assert!(hits > 80, "{mesh}: {hits} hits");
     }
 }
 
@@ -280,7 +281,7 @@ fn the_gpu_writes_the_same_numbers() {
     let view = View { size: [40, 30], ..VIEW };
     let cpu = render(&folder, &view, &relief, "");
     let line = format!(
-        "render --height map.png --backend gpu -o gpu.png --aov gpu.exr {} {}",
+        "render --height map.png --mesh square --backend gpu -o gpu.png --aov gpu.exr {} {}",
         view.flags(),
         relief.flags()
     );

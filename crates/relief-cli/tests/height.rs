@@ -363,9 +363,12 @@ fn a_picture_is_true_to_the_metres_of_the_file() {
         assert_eq!(bias_m, -scale_m, "{flags}");
         (scale_m, folder.relief(&line).fine().stdout.contains("--scale"))
     };
-    // A tile of 50 m by 20 m on one of 1 m by 1 m.
+    // A tile of 50 m by 20 m on a plane of 1 m by 0.4 m.
     let (once, is_said) = of("");
-    assert!(is_said && (once * 1000f64.sqrt() / span_m - 1.0).abs() < 1e-12, "{once} for {span_m}");
+    assert!(is_said && (once * 50.0 / span_m - 1.0).abs() < 1e-6, "{once} for {span_m}");
+    // On a square it is the mean of both directions.
+    let (square, _) = of("--mesh square");
+    assert!((square * 1000f64.sqrt() / span_m - 1.0).abs() < 1e-12, "{square} for {span_m}");
     let (twice, _) = of("--tile 2,2");
     assert!((twice / once - 0.5).abs() < 1e-6, "{twice} and {once}");
     assert_eq!(of("--scale 0.07"), (0.07, false));

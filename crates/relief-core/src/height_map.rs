@@ -276,6 +276,12 @@ impl HeightMap {
         Some([u * f64::from(self.width), v * f64::from(self.height)])
     }
 
+    /// Length of the tile along `u` and `v`, the longer one 1: as the source states them, else of square texels.
+    pub fn proportions(&self) -> [f64; 2] {
+        let tile = self.stated_tile_m().unwrap_or([f64::from(self.width), f64::from(self.height)]);
+        tile.map(|length| length / tile[0].max(tile[1]))
+    }
+
     /// Displacement, in metres, of texel 1 above texel 0.
     #[inline]
     pub fn scale_m(&self) -> f64 {

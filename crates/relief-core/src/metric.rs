@@ -15,9 +15,13 @@ pub struct Metric {
     pub scale_m: f64,
 }
 
-/// A length that is no length.
+/// The least and the greatest length: their squares are still normal numbers in `f32`.
+const LEAST_M: f64 = 1e-15;
+const MOST_M: f64 = 1e15;
+
+/// A length that is no length, or that `f32` cannot reckon with.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{what} is {value} m: it must be finite and positive")]
+#[error("{what} is {value} m: it must be from {LEAST_M:e} to {MOST_M:e} m")]
 pub struct MetricError {
     /// Which length.
     pub what: &'static str,
@@ -34,12 +38,12 @@ impl Metric {
     ///
     /// # Errors
     ///
-    /// When a length is not finite and positive.
+    /// When a length is not from 1e-15 to 1e15 m.
     pub fn new(tile_m: [f64; 2], scale_m: f64) -> Result<Self, MetricError> {
         for (what, value) in
             [("the tile along u", tile_m[0]), ("the tile along v", tile_m[1]), ("the scale", scale_m)]
         {
-            if !(value.is_finite() && value > 0.0) {
+            if !(LEAST_M..=MOST_M).contains(&value) {
                 return Err(MetricError { what, value });
             }
         }
@@ -50,7 +54,7 @@ impl Metric {
     ///
     /// # Errors
     ///
-    /// When the scale is not finite and positive.
+    /// When the scale is not from 1e-15 to 1e15 m.
     pub fn unit_tile(scale_m: f64) -> Result<Self, MetricError> {
         Self::new([1.0, 1.0], scale_m)
     }

@@ -6,7 +6,7 @@ use relief::maps::Maps;
 use relief::render::Renderer;
 use relief::render::camera::Camera;
 use relief::render::glam::DVec3;
-use relief::render::mesh::{Placement, cube, plane};
+use relief::render::mesh::{Placement, cube, square};
 use relief::render::scene::{BackendChoice, Sampling, Scene, Surface};
 use relief::shaders::Selection;
 use relief::{HeightMap, Wrap};
@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let wave = |i: u32, j: u32| 0.5 + 0.5 * (i as f32 * 0.1).sin() * (j as f32 * 0.1).sin();
     let heights = HeightMap::from_fn(63, 63, Wrap::Repeat, wave)?.with_displacement(0.05, -0.05)?;
     let place = Placement { position_m: DVec3::new(0.2, 0.2, 0.0), size: 0.4, ..Placement::default() };
-    let floor = Surface::new(plane(1)?, heights.clone()).with_selection(Selection::exact());
+    let floor = Surface::new(square(1)?, heights.clone()).with_selection(Selection::exact());
     let block = Surface::new(cube(1)?.placed(&place)?, heights).with_selection(Selection::method("cone")?);
     let mut scene = Scene::builder(floor).surface(block).size(320, 240).build()?;
 

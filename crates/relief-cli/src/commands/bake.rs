@@ -62,7 +62,8 @@ pub struct Arguments {
     /// [default: the range of a georeferenced elevation model, else 0.05]
     #[arg(long, value_name = "M")]
     scale: Option<f64>,
-    /// Metres of a tile along u and v [default: from a georeferenced file's texel size, else 1,1]
+    /// Metres of a tile along u and v [default: from a georeferenced file's texel size, else of square texels, the
+    /// longer side 1]
     #[arg(long, value_name = "U,V", value_parser = values::pair)]
     tile_size: Option<[f64; 2]>,
     /// How values are stored; they are rounded to the side that keeps a map's promise
@@ -357,9 +358,9 @@ fn cancelled() -> Failure {
     Failure::Work("cancelled: no file was written".to_owned())
 }
 
-/// The metric asked for, or that of a georeferenced file, or a tile of 1 m with a shallow relief.
+/// The metric asked for, or that of a georeferenced file, or a tile whose longer side is 1 m with a shallow relief.
 fn metric(arguments: &Arguments, map: &HeightMap) -> Result<Metric, Failure> {
-    let tile = arguments.tile_size.or(map.stated_tile_m()).unwrap_or([1.0, 1.0]);
+    let tile = arguments.tile_size.or(map.stated_tile_m()).unwrap_or_else(|| map.proportions());
     let span = map.stated_lengths_m().map(|(_, span)| span);
     Metric::new(tile, arguments.scale.or(span).unwrap_or(DEFAULT_SCALE_M)).map_err(Failure::usage)
 }

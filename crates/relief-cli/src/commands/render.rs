@@ -44,6 +44,7 @@ pub struct Arguments {
     output: PathBuf,
     /// Write numbers of every pixel, too, as 32-bit float channels: hit (1 or 0), uv.x and uv.y, height (0 to
     /// 1), P.x, P.y and P.z (position), N.x, N.y and N.z (normal), depth (along the view axis) and reads
+    /// (of maps; where the CPU renders `exact`, nodes of its tracer)
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
     /// Width and height of the picture in pixels [default: 800x600]
@@ -65,7 +66,8 @@ pub struct Arguments {
     /// Where the normal map's green points: +y (up in the picture) or -y [default: +y]
     #[arg(long, value_name = "SIGN", allow_hyphen_values = true, help_heading = "Maps and mesh")]
     green: Option<GreenSign>,
-    /// Base mesh: plane, cube, cylinder, sphere or torus [default: plane]
+    /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus
+    /// [default: plane]
     #[arg(long, value_name = "MESH", help_heading = "Maps and mesh")]
     mesh: Option<Builtin>,
     /// Metres of displacement between heights 0 and 1 [default: true to the tile where the height map's file
@@ -78,6 +80,9 @@ pub struct Arguments {
     /// Tiles along u and v [default: 1,1]
     #[arg(long, value_name = "U,V", value_parser = values::pair, allow_hyphen_values = true, help_heading = "Maps and mesh")]
     tile: Option<[f64; 2]>,
+    /// Metres of a tile along u and v [default: as the height map's file states, else its texels are square]
+    #[arg(long, value_name = "U,V", value_parser = values::pair, allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    tile_size: Option<[f64; 2]>,
     /// Draw back faces, too, turned over
     #[arg(long, help_heading = "Maps and mesh")]
     two_sided: bool,
@@ -172,6 +177,7 @@ impl Arguments {
             green: self.green,
             mesh: self.mesh,
             tile: self.tile.map(|tile| tile.map(|count| count as f32)),
+            tile_size: self.tile_size,
             method: self.method.clone(),
             stages: self.stages.0.clone(),
             set: BTreeMap::from_iter(self.set.iter().cloned()),
@@ -262,6 +268,17 @@ fn write(arguments: &Arguments, scene: &Scene, rendered: &Rendered) -> Result<()
         .map_err(Failure::work)
 }
 
+/// What is counted as reads: those of the method's own shader, or where the CPU answers `exact` by the exact
+/// tracer, which is not that shader, the nodes and cells that the tracer looks at.
+fn what_reads_are(scene: &Scene, backend: &str) -> &'static str {
+    let traced = |surface: &&Surface| backend == "cpu" && surface.selection().is_exact();
+    match (scene.surfaces().iter().filter(traced).count(), scene.surfaces().len()) {
+        (0, _) => "reads",
+        (some, all) if some == all => "tracer nodes",
+        _ => "reads and tracer nodes",
+    }
+}
+
 fn report(
     arguments: &Arguments,
     spec: &SceneSpec,
@@ -275,6 +292,7 @@ fn report(
     let reads: u64 = covered.clone().map(|pixel| u64::from(pixel.reads)).sum();
     let covered = covered.count();
     let mean = if covered == 0 { 0.0 } else { reads as f64 / covered as f64 };
+    let counted = what_reads_are(scene, backend);
     let seconds = elapsed.as_secs_f64();
     let mut out = io::stdout().lock();
     if arguments.json {
@@ -291,7 +309,8 @@ fn report(
             "output": name(&arguments.output), "aov": arguments.aov.as_deref().map(name), "width": rendering.width, "height": rendering.height,
             "backend": backend, "device": device, "reason": reason, "seconds": seconds,
             "surfaces": scene.surfaces().iter().map(surface).collect::<Vec<_>>(),
-            "covered": covered, "exhausted": exhausted, "mean_reads": mean,
+            "covered": covered, "exhausted": exhausted,
+            "mean_reads": mean, "reads_are": counted,
             "maps": rendered.maps.iter().map(baked_maps::as_json).collect::<Vec<_>>(),
         });
         writeln!(out, "{about:#}")?;
@@ -304,7 +323,7 @@ fn report(
     };
     writeln!(
         out,
-        "{}: {width}x{height}, {run}, on the {backend} ({device}) in {seconds:.2} s, {mean:.1} reads a pixel",
+        "{}: {width}x{height}, {run}, on the {backend} ({device}) in {seconds:.2} s, {mean:.1} {counted} a pixel",
         arguments.output.display()
     )?;
     for (described, surface) in spec.each_surface().iter().zip(scene.surfaces()) {

@@ -14,7 +14,7 @@ use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
 use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
 use crate::camera::Camera;
 use crate::job::{Job, JobSurface, Rendering};
-use crate::mesh::{Mesh, Placement, plane, torus};
+use crate::mesh::{Mesh, Placement, square, torus};
 use crate::scene::{BackendChoice, Scene, Surface};
 use crate::{Renderer, cpu::CpuRenderer};
 
@@ -204,8 +204,8 @@ fn three_surfaces() -> Vec<Surface> {
     let with =
         |surface: Surface, method: &str| surface.with_selection(Selection::method(method).expect("a method"));
     vec![
-        with(Surface::new(mesh(plane(1), Placement::default()), Arc::clone(&one)), "relief"),
-        with(Surface::new(mesh(plane(1), leaning), other), "cone").with_two_sided(true),
+        with(Surface::new(mesh(square(1), Placement::default()), Arc::clone(&one)), "relief"),
+        with(Surface::new(mesh(square(1), leaning), other), "cone").with_two_sided(true),
         with(Surface::new(mesh(torus(32, 16), small), one), "frustum"),
     ]
 }

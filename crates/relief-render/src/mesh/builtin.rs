@@ -1,6 +1,6 @@
 //! The list of built-in meshes.
 
-use super::{Mesh, MeshError, cube, cylinder, plane, sphere, torus};
+use super::{Mesh, MeshError, cube, cylinder, rectangle, sphere, square, torus};
 use relief_core::registry::UnknownName;
 use std::fmt;
 use std::str::FromStr;
@@ -8,9 +8,11 @@ use std::str::FromStr;
 /// A mesh that needs no file. Each fits the unit cube around the origin, in metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Builtin {
-    /// The unit square at `y = 0`.
+    /// A rectangle at `y = 0` in the proportions of its map, the longer side 1 m.
     #[default]
     Plane,
+    /// The unit square at `y = 0`, whatever the map.
+    Square,
     /// The unit cube.
     Cube,
     /// An upright cylinder with caps.
@@ -23,13 +25,14 @@ pub enum Builtin {
 
 impl Builtin {
     /// Every built-in mesh, in the order in which help lists them.
-    pub const ALL: [Builtin; 5] =
-        [Builtin::Plane, Builtin::Cube, Builtin::Cylinder, Builtin::Sphere, Builtin::Torus];
+    pub const ALL: [Builtin; 6] =
+        [Builtin::Plane, Builtin::Square, Builtin::Cube, Builtin::Cylinder, Builtin::Sphere, Builtin::Torus];
 
     /// The name used on the command line and in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Builtin::Plane => "plane",
+            Builtin::Square => "square",
             Builtin::Cube => "cube",
             Builtin::Cylinder => "cylinder",
             Builtin::Sphere => "sphere",
@@ -38,14 +41,19 @@ impl Builtin {
     }
 
     /// The mesh at its usual fineness: flat faces undivided, curved ones with edges of 1 to 3 cm, so that a
-    /// triangle stays within 0.4 mm of the true surface.
+    /// triangle stays within 0.4 mm of the true surface. The plane takes the proportions of what lies on it, its
+    /// lengths along `u` and `v` in any unit; the others have their own.
     ///
     /// # Errors
     ///
-    /// None for the numbers of divisions used here; the type is that of the functions which take others.
-    pub fn build(self) -> Result<Mesh, MeshError> {
+    /// When the proportions are none: not finite, not positive, or too far apart for `f32`.
+    pub fn build(self, proportions: [f64; 2]) -> Result<Mesh, MeshError> {
         match self {
-            Builtin::Plane => plane(1),
+            Builtin::Plane => {
+                let longer = proportions[0].max(proportions[1]);
+                rectangle(proportions.map(|length| length / longer), 1)
+            }
+            Builtin::Square => square(1),
             Builtin::Cube => cube(1),
             Builtin::Cylinder => cylinder(128, 1),
             Builtin::Sphere => sphere(128, 64),

@@ -5,7 +5,7 @@ mod cube;
 mod cylinder;
 mod patch;
 mod placement;
-mod plane;
+mod rectangle;
 mod sphere;
 mod torus;
 
@@ -15,7 +15,7 @@ pub use builtin::Builtin;
 pub use cube::cube;
 pub use cylinder::cylinder;
 pub use placement::Placement;
-pub use plane::plane;
+pub use rectangle::{rectangle, square};
 pub use sphere::sphere;
 pub use torus::torus;
 
@@ -74,6 +74,9 @@ pub enum MeshError {
     /// it is placed.
     #[error("a mesh cannot be placed so: its numbers must be finite and its size positive")]
     BadPlacement,
+    /// The sides of a rectangle are not finite and positive, or too small or large for `f32`.
+    #[error("a rectangle of {0} m by {1} m: both sides must be finite and positive")]
+    BadSides(f64, f64),
     /// A number of divisions is outside its range.
     #[error("{given} divisions {direction}: from {least} to {MAX_DIVISIONS} are possible")]
     BadDivisions {

@@ -57,13 +57,13 @@ impl Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::plane;
+    use crate::mesh::square;
     use glam::Vec3;
 
     fn placed(rotation: [f64; 3], size: f64) -> Mesh {
         let placement =
             Placement { position_m: DVec3::new(1.0, 2.0, 3.0), rotation_degrees: rotation.into(), size };
-        plane(1).and_then(|mesh| mesh.placed(&placement)).expect("a proper placement")
+        square(1).and_then(|mesh| mesh.placed(&placement)).expect("a proper placement")
     }
 
     #[test]
@@ -93,7 +93,7 @@ mod tests {
             assert!((across - vertex.normal).length() < 1e-5);
             assert!((vertex.position - Vec3::new(1.0, 2.0, 3.0)).length() < 2.5);
         }
-        assert_eq!(plane(1).and_then(|mesh| mesh.placed(&Placement::default())), plane(1));
+        assert_eq!(square(1).and_then(|mesh| mesh.placed(&Placement::default())), square(1));
     }
 
     #[test]
@@ -107,7 +107,7 @@ mod tests {
             Placement { rotation_degrees: DVec3::NAN, ..Placement::default() },
         ];
         for placement in impossible {
-            assert_eq!(plane(1).and_then(|mesh| mesh.placed(&placement)), Err(MeshError::BadPlacement));
+            assert_eq!(square(1).and_then(|mesh| mesh.placed(&placement)), Err(MeshError::BadPlacement));
         }
     }
 }

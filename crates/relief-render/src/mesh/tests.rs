@@ -6,7 +6,7 @@ use std::collections::HashMap;
 /// The built-in of that kind with about `n` divisions.
 fn build(kind: Builtin, n: u32) -> Mesh {
     match kind {
-        Builtin::Plane => plane(n),
+        Builtin::Plane | Builtin::Square => square(n),
         Builtin::Cube => cube(n),
         Builtin::Cylinder => cylinder(n.max(3), n),
         Builtin::Sphere => sphere(n.max(3), n.max(2)),
@@ -87,7 +87,7 @@ fn a_wrong_tangent_is_noticed() {
 #[test]
 fn closed_meshes_have_no_holes() {
     for kind in [Builtin::Cube, Builtin::Cylinder, Builtin::Sphere, Builtin::Torus] {
-        assert!(is_watertight(&kind.build().expect("a built-in")), "{kind}");
+        assert!(is_watertight(&kind.build([1.0, 1.0]).expect("a built-in")), "{kind}");
         let mut open = build(kind, 9);
         open.triangles.pop();
         assert!(!is_watertight(&open), "{kind} without a triangle");
@@ -98,7 +98,7 @@ fn closed_meshes_have_no_holes() {
 #[test]
 fn every_built_in_fills_the_unit_cube() {
     for kind in Builtin::ALL {
-        let mesh = kind.build().expect("a built-in");
+        let mesh = kind.build([1.0, 1.0]).expect("a built-in");
         let least = mesh.vertices().iter().fold(Vec3::MAX, |least, v| least.min(v.position));
         let most = mesh.vertices().iter().fold(Vec3::MIN, |most, v| most.max(v.position));
         assert!(least.min_element() >= -0.5 && most.max_element() <= 0.5, "{kind}: {least} to {most}");
@@ -129,7 +129,7 @@ fn names_lead_back_to_their_mesh() {
 
 #[test]
 fn impossible_meshes_are_refused() {
-    assert!(matches!(plane(0), Err(MeshError::BadDivisions { given: 0, .. })));
+    assert!(matches!(square(0), Err(MeshError::BadDivisions { given: 0, .. })));
     assert!(sphere(3, 1).is_err() && torus(2, 3).is_err() && cylinder(3, MAX_DIVISIONS + 1).is_err());
     let mesh = build(Builtin::Plane, 1);
     for tile in [Vec2::new(0.0, 1.0), Vec2::new(1.0, -2.0), Vec2::new(f32::NAN, 1.0), Vec2::splat(1e-45)] {

@@ -31,7 +31,7 @@ fn brute_force(mesh: &Mesh, ray: &Ray, sides: Sides) -> (Vec<SurfaceHit>, bool) 
 }
 
 fn meshes() -> Vec<Mesh> {
-    Builtin::ALL.iter().map(|kind| kind.build().expect("a built-in")).collect()
+    Builtin::ALL.iter().map(|kind| kind.build([1.0, 1.0]).expect("a built-in")).collect()
 }
 
 /// Triangles strewn about at random: overlapping, needle-like, of very different sizes.
@@ -116,7 +116,7 @@ fn a_missing_or_moved_triangle_is_noticed() {
 
 #[test]
 fn fronts_and_backs_are_told_apart() {
-    let mesh = Builtin::Cube.build().expect("a built-in");
+    let mesh = Builtin::Cube.build([1.0, 1.0]).expect("a built-in");
     let caster = RayCaster::new(&mesh);
     let ray = Ray { origin: DVec3::new(0.1, 0.2, 3.0), direction: DVec3::NEG_Z };
     let both: Vec<(f64, bool)> = caster.hits(&ray, Sides::Both).map(|hit| (hit.t, hit.front)).collect();
@@ -176,7 +176,7 @@ fn no_ray_leaks_through_an_edge_or_a_corner() {
         assert!(aimed > 400, "only {aimed} rays");
     }
     for kind in [Builtin::Cube, Builtin::Cylinder, Builtin::Sphere] {
-        let mesh = kind.build().expect("a built-in");
+        let mesh = kind.build([1.0, 1.0]).expect("a built-in");
         for origin in [DVec3::ZERO, DVec3::new(0.1, -0.17, 0.23)] {
             assert_eq!(leaks(&mesh, origin, true).0, 0, "{kind} from {origin}");
         }
@@ -206,7 +206,7 @@ fn every_triangle_at_a_corner_is_hit_once() {
 
 #[test]
 fn rays_that_are_none_hit_nothing() {
-    let mesh = Builtin::Cube.build().expect("a built-in");
+    let mesh = Builtin::Cube.build([1.0, 1.0]).expect("a built-in");
     let caster = RayCaster::new(&mesh);
     let origin = DVec3::new(0.0, 0.0, 3.0);
     for ray in [

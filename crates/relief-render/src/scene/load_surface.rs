@@ -5,7 +5,7 @@ use super::error::{SceneError, ValueError, ValueProblem};
 use super::metres::{MAX_METRES, check_metres};
 use super::{Surface, SurfaceSpec};
 use crate::material::Material;
-use crate::mesh::{Mesh, Placement};
+use crate::mesh::{Builtin, Mesh, Placement};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
 use relief_io::{Convention, HeightOptions, Picture};
@@ -35,6 +35,9 @@ const DEFAULT_SCALE_M: f64 = 0.05;
 /// The most tiles along an axis, and its inverse the fewest. Beyond it `f32` does not tell the texels of a
 /// tile apart, and much farther it overflows.
 const MAX_TILES: f32 = 1e6;
+
+/// Lengths of a tile, in metres.
+const LENGTHS_M: std::ops::RangeInclusive<f64> = 1e-9..=MAX_METRES;
 
 /// The largest factor on a mesh, and its inverse the smallest: its metres stay within what `f32` can reckon
 /// with.
@@ -107,6 +110,9 @@ impl SurfaceSpec {
     pub(super) fn parts(&self) -> Result<Parts, ValueError> {
         self.scale.map_or(Ok(()), check_scale)?;
         check_metres("bias", self.bias.as_slice())?;
+        if let Some(&value) = self.tile_size.iter().flatten().find(|length| !LENGTHS_M.contains(length)) {
+            return Err(ValueProblem::Number { value, must: "from 1e-9 to 1e9 metres" }.of("tile-size"));
+        }
         if let Some([low, high]) = self.range
             && !(low.is_finite() && high.is_finite() && low < high)
         {
@@ -115,7 +121,7 @@ impl SurfaceSpec {
             return Err(ValueProblem::Number { value, must }.of("range"));
         }
         Ok(Parts {
-            mesh: self.placed_mesh()?,
+            mesh: self.placed_mesh([1.0, 1.0])?,
             material: self.material()?,
             selection: self.selection()?,
             scale_m: self.scale,
@@ -126,13 +132,26 @@ impl SurfaceSpec {
 
     /// The surface with a height map in place of its own, and no other maps.
     pub(super) fn with_heights(&self, parts: Parts, map: HeightMap) -> Result<Surface, ValueError> {
-        let scale_m = parts.scale_m.or_else(|| stated_scale_m(&map, &parts.mesh));
+        let map = match self.tile_size {
+            Some([u, v]) => {
+                let size_m = [u / f64::from(map.width()), v / f64::from(map.height())];
+                map.with_texel_size_m(size_m)
+            }
+            None => Ok(map),
+        };
+        let map = map.map_err(|error| ValueProblem::from(error).of("tile-size"))?;
+        // All other meshes are as they are, whatever lies on them.
+        let mesh = match self.mesh.unwrap_or_default() {
+            Builtin::Plane => self.placed_mesh(map.proportions())?,
+            _ => parts.mesh,
+        };
+        let scale_m = parts.scale_m.or_else(|| stated_scale_m(&map, &mesh));
         let scale_m = scale_m.unwrap_or(DEFAULT_SCALE_M);
         check_scale(scale_m)?;
         let map = map
             .with_displacement(scale_m, parts.bias_m.unwrap_or(-scale_m))
             .map_err(|error| ValueProblem::from(error).of("scale"))?;
-        Ok(Surface::new(parts.mesh, map)
+        Ok(Surface::new(mesh, map)
             .with_material(parts.material)
             .with_selection(parts.selection)
             .with_two_sided(parts.two_sided))
@@ -173,20 +192,18 @@ impl SurfaceSpec {
         Ok(surface)
     }
 
-    fn placed_mesh(&self) -> Result<Mesh, ValueError> {
-        let mesh =
-            self.mesh.unwrap_or_default().build().map_err(|error| ValueProblem::from(error).of("mesh"))?;
-        let mesh = match self.tile {
-            Some(tile) => {
-                let possible = 1.0 / MAX_TILES..=MAX_TILES;
-                if let Some(&value) = tile.iter().find(|tiles| !possible.contains(tiles)) {
-                    let must = "from 1e-6 to 1e6";
-                    return Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"));
-                }
-                mesh.tiled(Vec2::from(tile)).map_err(|error| ValueProblem::from(error).of("tile"))?
-            }
-            None => mesh,
-        };
+    /// The mesh in its place, for a height map whose tile has those proportions.
+    fn placed_mesh(&self, [u, v]: [f64; 2]) -> Result<Mesh, ValueError> {
+        let tile = self.tile.unwrap_or([1.0, 1.0]);
+        let possible = 1.0 / MAX_TILES..=MAX_TILES;
+        if let Some(&value) = tile.iter().find(|tiles| !possible.contains(tiles)) {
+            let must = "from 1e-6 to 1e6";
+            return Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"));
+        }
+        let [across, down] = tile.map(f64::from);
+        let mesh = self.mesh.unwrap_or_default().build([u * across, v * down]);
+        let mesh = mesh.map_err(|error| ValueProblem::from(error).of("mesh"))?;
+        let mesh = mesh.tiled(Vec2::from(tile)).map_err(|error| ValueProblem::from(error).of("tile"))?;
         let placement = Placement {
             position_m: self.position.unwrap_or_default().into(),
             rotation_degrees: self.rotation.unwrap_or_default().into(),
@@ -244,7 +261,8 @@ fn check_scale(scale_m: f64) -> Result<(), ValueError> {
 }
 
 /// The displacement between heights 0 and 1 that gives the relief the proportions that the height map's file
-/// states: as deep to a tile of the mesh as to one of its own.
+/// states: as deep to a tile of the mesh as to one of its own, on the mean of both directions. On a plane both
+/// are the same.
 fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
     let (tile_m, span_m) = map.stated_lengths_m()?;
     let [u, v] = mesh.tile_m();

@@ -46,7 +46,12 @@ pub struct SurfaceSpec {
     /// Where the normal map's green points: `+y` (default) up in the picture, `-y` down.
     #[serde(deserialize_with = "parsed")]
     pub green: Option<GreenSign>,
-    /// The base mesh: `plane` (default), `cube`, `cylinder`, `sphere` or `torus`.
+    /// Metres of a tile along `u` and `v`. By default as the height map's file states them, else its texels are
+    /// square.
+    #[serde(deserialize_with = "numbers")]
+    pub tile_size: Option<[f64; 2]>,
+    /// The base mesh: `plane` (default), which has the height map's proportions, `square`, `cube`, `cylinder`,
+    /// `sphere` or `torus`.
     #[serde(deserialize_with = "parsed")]
     pub mesh: Option<Builtin>,
     /// Tiles along `u` and `v`. By default 1 and 1.
@@ -131,6 +136,7 @@ impl SurfaceSpec {
             green: over.green.or(self.green),
             mesh: over.mesh.or(self.mesh),
             tile: over.tile.or(self.tile),
+            tile_size: over.tile_size.or(self.tile_size),
             position: over.position.or(self.position),
             rotation: over.rotation.or(self.rotation),
             size: over.size.or(self.size),
