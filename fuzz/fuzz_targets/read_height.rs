@@ -5,7 +5,7 @@
 use std::io::Write;
 
 use libfuzzer_sys::fuzz_target;
-use relief_io::{HeightOptions, read_height};
+use relief_io::{Fill, HeightOptions, read_height};
 
 /// Enough for every small file, and far below the fuzzer's own limit.
 const MAX_BYTES: u64 = 64 << 20;
@@ -23,7 +23,8 @@ fuzz_target!(|bytes: &[u8]| {
         2 => Some("a".to_owned()),
         _ => Some("y".to_owned()),
     };
-    let options = HeightOptions { channel, fill: choice & 4 != 0, max_bytes: MAX_BYTES, ..HeightOptions::default() };
+    let fill = if choice & 4 != 0 { Fill::Always } else { Fill::Never };
+    let options = HeightOptions { channel, fill, max_bytes: MAX_BYTES, ..HeightOptions::default() };
     if let Ok(map) = read_height(file.path(), &options) {
         assert!(map.texels().iter().all(|texel| (0.0..=1.0).contains(texel)));
     }

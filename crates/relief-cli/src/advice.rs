@@ -28,6 +28,7 @@ pub fn of_read(problem: &ReadProblem) -> Option<&'static str> {
 pub fn of_picture(problem: &ReadProblem) -> Option<&'static str> {
     match problem {
         ReadProblem::TooMuchMemory { .. } => Some("--max-memory raises it"),
+        ReadProblem::Mask { problem, .. } => of_picture(problem),
         _ => None,
     }
 }

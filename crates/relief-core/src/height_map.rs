@@ -21,7 +21,8 @@ pub const MAX_TEXELS: u64 = 1 << 30;
 /// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres
 ///   (Szirmay-Kalos and Umenhoffer 2008, eq. 8).
 /// * [`Wrap`] says how the map goes on beyond its edges.
-/// * `texel_size_m` and `physical_range` are metadata: slopes are set by the tangent frame alone.
+/// * `texel_size_m`, `physical_range` and `filled_texels` are metadata: slopes are set by the tangent frame
+///   alone.
 ///
 /// Clones share their texels, with another wrap or displacement too.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,7 @@ pub struct HeightMap {
     bias_m: f64,
     texel_size_m: Option<[f64; 2]>,
     physical_range: Option<[f64; 2]>,
+    filled_texels: u64,
 }
 
 /// What clones of a map share.
@@ -128,6 +130,7 @@ impl HeightMap {
             bias_m: 0.0,
             texel_size_m: None,
             physical_range: None,
+            filled_texels: 0,
         })
     }
 
@@ -222,6 +225,13 @@ impl HeightMap {
         Ok(self)
     }
 
+    /// The same map with how many of its texels had no value in the source and were filled.
+    #[must_use]
+    pub fn with_filled_texels(mut self, count: u64) -> Self {
+        self.filled_texels = count;
+        self
+    }
+
     /// Width in texels.
     #[inline]
     pub fn width(&self) -> u32 {
@@ -304,6 +314,12 @@ impl HeightMap {
     #[inline]
     pub fn physical_range(&self) -> Option<[f64; 2]> {
         self.physical_range
+    }
+
+    /// How many texels had no value in the source and were filled from their surroundings.
+    #[inline]
+    pub fn filled_texels(&self) -> u64 {
+        self.filled_texels
     }
 
     /// The texel at any column and row, wrapped.

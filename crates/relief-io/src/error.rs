@@ -126,18 +126,44 @@ pub enum ReadProblem {
     },
     /// Texels without a value.
     #[error(
-        "{} of its texels have no value ({not_finite} NaN or infinite, {nodata} marked as nodata), the first at ({column}, {row}): fill them from their surroundings",
-        not_finite + nodata
+        "{} of its texels have no value ({not_finite} NaN or infinite, {nodata} marked as nodata, {masked} masked), the first at ({column}, {row}): fill them from their surroundings",
+        not_finite + nodata + masked
     )]
     Holes {
         /// How many are NaN or infinite.
         not_finite: u64,
         /// How many equal the file's nodata value.
         nodata: u64,
+        /// How many the file's mask leaves out.
+        masked: u64,
         /// Column of the first.
         column: u32,
         /// Row of the first.
         row: u32,
+    },
+    /// The file says things of the ground or of its metres that cannot be.
+    #[error(
+        "cannot be an elevation model: {what}: correct what it says or remove it, for instance with gdal_edit"
+    )]
+    Georeference {
+        /// What cannot be.
+        what: String,
+    },
+    /// The mask that says which texels have a value cannot be used.
+    #[error("has a mask that cannot be used: {mask}: {problem}")]
+    Mask {
+        /// The mask's file, or that it is inside the file itself.
+        mask: String,
+        /// What is wrong with it.
+        problem: Box<ReadProblem>,
+    },
+    /// A mask has another size, or other channels, than what it belongs to.
+    #[error("is {mask}, the map {map}: make them alike, or remove the mask")]
+    MaskSize {
+        /// Size and channels of the mask.
+        mask: String,
+        /// Size and channels of the map.
+        map: String,
     },
     /// Values of a picture are NaN or infinite.
     #[error(

@@ -8,7 +8,7 @@ use relief_core::{HeightMap, Wrap};
 
 use crate::fill::fill_holes;
 use crate::image_file::ImageFile;
-use crate::layout::Layout;
+use crate::layout::{Layout, Terrain};
 use crate::samples::{Samples, Selection};
 use crate::{HeightNote, RawLayout, ReadError, ReadProblem, Source};
 
@@ -48,6 +48,28 @@ impl FromStr for Convention {
     }
 }
 
+/// What becomes of texels without a value (NaN, infinite, nodata, masked).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Fill {
+    /// They are an error.
+    #[default]
+    Never,
+    /// In elevation models, which have them often, they are filled; in other files they are an error.
+    Elevation,
+    /// They are filled.
+    Always,
+}
+
+impl Fill {
+    fn fills(self, is_elevation: bool) -> bool {
+        match self {
+            Fill::Never => false,
+            Fill::Elevation => is_elevation,
+            Fill::Always => true,
+        }
+    }
+}
+
 /// The most memory that reading takes unless told otherwise: 4 GiB, a map of 23,000 texels a side.
 pub const DEFAULT_MAX_BYTES: u64 = 4 << 30;
 
@@ -65,10 +87,10 @@ pub struct HeightOptions {
     pub range: Option<[f64; 2]>,
     /// Read the file as headerless samples of this layout, whatever it holds.
     pub raw: Option<RawLayout>,
-    /// Fill texels without a value (NaN, infinite, nodata) smoothly from their surroundings.
-    pub fill: bool,
-    /// How the map goes on beyond its edges.
-    pub wrap: Wrap,
+    /// What becomes of texels without a value.
+    pub fill: Fill,
+    /// How the map goes on beyond its edges. None: elevation models are clamped, others repeated.
+    pub wrap: Option<Wrap>,
     /// The most memory that reading may take, in bytes.
     pub max_bytes: u64,
 }
@@ -80,8 +102,8 @@ impl Default for HeightOptions {
             convention: Convention::Height,
             range: None,
             raw: None,
-            fill: false,
-            wrap: Wrap::Repeat,
+            fill: Fill::Never,
+            wrap: None,
             max_bytes: DEFAULT_MAX_BYTES,
         }
     }
@@ -98,14 +120,25 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// become 0 and 1:
 ///
 /// * the ends of [`HeightOptions::range`] where it is given;
-/// * 0 and the type's maximum for unsigned integers of up to 16 bit (255, 65535, a PGM's maxval);
-/// * the least and the greatest value for floats, and for signed and 32 and 64-bit integers, whose type's
-///   maximum says nothing of what they hold. A constant map becomes 0.
+/// * the least and the greatest value for elevation models, for floats, and for signed and 32 and 64-bit
+///   integers, whose type's maximum says nothing of what they hold. A constant map becomes 0;
+/// * 0 and the type's maximum for other unsigned integers of up to 16 bit (255, 65535, a PGM's maxval).
 ///
 /// [`HeightMap::physical_range`] keeps those raw values, of texel 0 and of texel 1 (with the depth convention
-/// the first is the greater). [`HeightMap::texel_size_m`] comes from a GeoTIFF's georeference. Where the file
-/// has a [`HeightNote`](crate::HeightNote), both are what it says, in metres, and its values are fractions of
-/// their type's maximum or, in floats, as they are.
+/// the first is the greater). Where the file has a [`HeightNote`](crate::HeightNote), range and
+/// [`HeightMap::texel_size_m`] are what it says, in metres, and its values are fractions of their type's
+/// maximum or, in floats, as they are.
+///
+/// # Elevation models
+///
+/// A TIFF with a georeference, or with a scale, an offset or a unit of its values, is an elevation model. Its
+/// physical range is in metres (see [`Elevation`](crate::Elevation)), and unknown where its unit is no length
+/// that is known here; the size of its texels is that on the ground (see
+/// [`Georeference`](crate::Georeference)). Its row 0 lies in the north, however the file stores it. Texels
+/// that its mask leaves out, in the file or in one beside it with `.msk` after its name, have no value.
+///
+/// Texels without a value are an error unless [`HeightOptions::fill`] says otherwise. They are filled smoothly
+/// from their surroundings; [`HeightMap::filled_texels`] counts them.
 ///
 /// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation for the
 /// exceptions.
@@ -113,8 +146,9 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// # Errors
 ///
 /// When the file cannot be read, is damaged, too large or not a picture; when the channel is unknown or none
-/// stands out; when texels have no value and `fill` is not set, or no texel has one; when values lie outside
-/// the range given.
+/// stands out; when texels have no value and are not to be filled, or no texel has one; when values lie
+/// outside the range given; when an elevation model says of itself what cannot be, or its mask cannot be
+/// used.
 pub fn read_height<'a>(
     source: impl Into<Source<'a>>,
     options: &HeightOptions,
@@ -130,46 +164,72 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
         return Err(ReadProblem::BadRange { range });
     }
     let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
-    let selection = select(file.layout(), options.channel.as_deref())?;
-    let Layout { format, width, height, full_scale, texel_size_m, .. } = *file.layout();
-    let note = HeightNote::of_file(source, format);
+    let layout = file.layout().clone();
+    let selection = select(&layout, options.channel.as_deref())?;
+    let terrain = layout.terrain()?;
+    let elevation = terrain.map(|terrain| &terrain.channels[selection.first()]);
+    let note = HeightNote::of_file(source, layout.format);
     let samples = Samples::read(file, &selection)?;
-    let mut map = height_map(samples, full_scale, options)?;
-    if let (Some(note), Some(range)) = (note, map.physical_range()) {
-        map = map.with_physical_range(range.map(|raw| note.metres(raw / full_scale.unwrap_or(1.0))))?;
+    let holes = samples.holes();
+    let full_scale = layout.height_full_scale();
+    let range = range(&samples, full_scale, options)?;
+    let map = height_map(samples, range, elevation.is_some(), options)?;
+    let range = match options.convention {
+        Convention::Height => range,
+        Convention::Depth => [range[1], range[0]],
+    };
+    let physical_range = match (note, elevation) {
+        (Some(note), _) => Some(range.map(|raw| note.metres(raw / full_scale.unwrap_or(1.0)))),
+        (None, Some(elevation)) => elevation.metres(range),
+        (None, None) => Some(range),
+    };
+    let noted_size = note.map(|note| note.texel_size_m([layout.width, layout.height]));
+    let mut map = map.with_filled_texels(holes);
+    if let Some(range) = physical_range {
+        map = map.with_physical_range(range)?;
     }
-    Ok(match note.map(|note| note.texel_size_m([width, height])).or(texel_size_m) {
-        Some(size_m) => map.with_texel_size_m(size_m)?,
-        None => map,
-    })
+    if let Some(size_m) = noted_size.or(terrain.and_then(Terrain::texel_size_m)) {
+        map = map.with_texel_size_m(size_m)?;
+    }
+    Ok(map)
 }
 
-fn height_map(
-    mut samples: Samples,
+/// The raw values that become 0 and 1.
+fn range(
+    samples: &Samples,
     full_scale: Option<f64>,
     options: &HeightOptions,
-) -> Result<HeightMap, ReadProblem> {
-    let (width, height) = (samples.width, samples.height);
+) -> Result<[f64; 2], ReadProblem> {
     let actual = samples.extremes;
     if actual[0] > actual[1] {
         return Err(ReadProblem::AllHoles);
     }
-    if let Some(hole) = samples.first_hole {
-        if !options.fill {
-            let (column, row) = ((hole % width as usize) as u32, (hole / width as usize) as u32);
-            let (not_finite, nodata) = (samples.not_finite, samples.nodata);
-            return Err(ReadProblem::Holes { not_finite, nodata, column, row });
-        }
-        fill_holes(width, height, &mut samples.values, options.wrap);
-    }
-    let range = match (options.range, full_scale) {
+    match (options.range, full_scale) {
         (Some(range), _) if actual[0] < range[0] || actual[1] > range[1] => {
-            return Err(ReadProblem::OutsideRange { range, actual });
+            Err(ReadProblem::OutsideRange { range, actual })
         }
-        (Some(range), _) => range,
-        (None, Some(full_scale)) => [0.0, full_scale],
-        (None, None) => actual,
-    };
+        (Some(range), _) => Ok(range),
+        (None, Some(full_scale)) => Ok([0.0, full_scale]),
+        (None, None) => Ok(actual),
+    }
+}
+
+fn height_map(
+    mut samples: Samples,
+    range: [f64; 2],
+    is_elevation: bool,
+    options: &HeightOptions,
+) -> Result<HeightMap, ReadProblem> {
+    let (width, height) = (samples.width, samples.height);
+    let wrap = options.wrap.unwrap_or(if is_elevation { Wrap::Clamp } else { Wrap::Repeat });
+    if let Some(hole) = samples.first_hole {
+        if !options.fill.fills(is_elevation) {
+            let (column, row) = ((hole % width as usize) as u32, (hole / width as usize) as u32);
+            let Samples { not_finite, nodata, masked, .. } = samples;
+            return Err(ReadProblem::Holes { not_finite, nodata, masked, column, row });
+        }
+        fill_holes(width, height, &mut samples.values, wrap);
+    }
     let span = range[1] - range[0];
     let start = samples.offset - range[0];
     let (sign, zero) = match options.convention {
@@ -180,11 +240,7 @@ fn height_map(
         let fraction = if span > 0.0 { (f64::from(*value) + start) / span } else { 0.0 };
         *value = (zero + sign * fraction).clamp(0.0, 1.0) as f32;
     }
-    let physical_range = match options.convention {
-        Convention::Height => range,
-        Convention::Depth => [range[1], range[0]],
-    };
-    Ok(HeightMap::new(width, height, samples.values, options.wrap)?.with_physical_range(physical_range)?)
+    Ok(HeightMap::new(width, height, samples.values, wrap)?)
 }
 
 /// Other names of the channels of pictures.

@@ -40,11 +40,10 @@ impl<'a> ImageFile<'a> {
         bytes_per_texel: u64,
         max_bytes: u64,
     ) -> Result<Self, ReadProblem> {
-        let (mut file, file_len) = source.open()?;
+        let mut input = Input::open(source, bytes_per_texel, max_bytes)?;
         let mut signature = Vec::with_capacity(SIGNATURE_LEN as usize);
-        file.by_ref().take(SIGNATURE_LEN).read_to_end(&mut signature)?;
-        file.rewind()?;
-        let input = Input { file, file_len, bytes_per_texel, max_bytes };
+        input.file.by_ref().take(SIGNATURE_LEN).read_to_end(&mut signature)?;
+        input.file.rewind()?;
         if let Some(layout) = raw {
             return Ok(Self::Raw(RawFile::open(input, layout)?));
         }
@@ -75,6 +74,24 @@ impl<'a> ImageFile<'a> {
             Self::Pgm(file) => file.layout(),
             Self::Raw(file) => file.layout(),
         }
+    }
+
+    /// Gives the numbers that say which texels of a channel have a value, if the file has such a mask: 0
+    /// where there is none.
+    pub(crate) fn decode_mask(&self, channel: usize, sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        match self {
+            Self::Tiff(file) => file.decode_mask(channel, sink),
+            _ => Ok(()),
+        }
+    }
+
+    /// The same file, whose elevations are numbers and no shades: they are not inverted where white is
+    /// stored as 0.
+    pub(crate) fn of_heights(mut self) -> Self {
+        if let Self::Tiff(file) = &mut self {
+            file.keep_elevations();
+        }
+        self
     }
 
     /// Decodes the chosen channels and gives every texel once.

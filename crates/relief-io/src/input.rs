@@ -4,19 +4,31 @@ use std::io;
 
 use relief_core::HeightMap;
 
-use crate::ReadProblem;
 use crate::layout::Format;
 use crate::source::SourceReader;
+use crate::{ReadProblem, Source};
 
 /// An opened source with what is known of it before its header is read.
 pub(crate) struct Input<'a> {
+    pub source: Source<'a>,
     pub file: SourceReader<'a>,
     pub file_len: u64,
     pub bytes_per_texel: u64,
     pub max_bytes: u64,
 }
 
-impl Input<'_> {
+impl<'a> Input<'a> {
+    /// Opens a source, of which `bytes_per_texel` will be held for each texel, and at most `max_bytes` in
+    /// all.
+    pub(crate) fn open(
+        source: Source<'a>,
+        bytes_per_texel: u64,
+        max_bytes: u64,
+    ) -> Result<Self, ReadProblem> {
+        let (file, file_len) = source.open()?;
+        Ok(Self { source, file, file_len, bytes_per_texel, max_bytes })
+    }
+
     /// Refuses sizes that no height map has, that need too much memory, or that a file of this length cannot
     /// hold.
     ///

@@ -3,8 +3,8 @@
 use crate::height::{BYTES_PER_TEXEL, HeightOptions, select};
 use crate::image_file::ImageFile;
 use crate::layout::{Channel, Format};
-use crate::samples::{Samples, Selection};
-use crate::{HeightNote, ReadError, ReadProblem, Source};
+use crate::samples::Samples;
+use crate::{Elevation, Georeference, HeightNote, ReadError, ReadProblem, Source};
 
 /// Bins of [`Values::histogram`].
 pub const HISTOGRAM_BINS: usize = 64;
@@ -24,6 +24,8 @@ pub struct SourceInfo {
     pub nodata_value: Option<f64>,
     /// Size of a texel along `u` and `v` in metres, where the file says so.
     pub texel_size_m: Option<[f64; 2]>,
+    /// What the file says of the ground, where it says anything.
+    pub georeference: Option<Georeference>,
     /// What the file notes of its size in the world, where Relief wrote it.
     pub note: Option<HeightNote>,
     /// The values of the channel that [`crate::read_height`] would read; none where it would ask for one.
@@ -48,6 +50,10 @@ pub struct Values {
     pub not_finite: u64,
     /// Texels that hold the file's nodata value.
     pub nodata: u64,
+    /// Texels that the file's mask leaves out.
+    pub masked: u64,
+    /// What the values stand for, where the file is an elevation model.
+    pub elevation: Option<Elevation>,
     /// Whether the map goes on smoothly across its edges; none where a texel has no value.
     pub tiling: Option<Tiling>,
 }
@@ -78,7 +84,8 @@ pub const SEAM_LIMIT: f64 = 1.25;
 ///
 /// # Errors
 ///
-/// When the file cannot be read, is damaged, too large or not a picture, or when the channel is unknown.
+/// When the file cannot be read, is damaged, too large or not a picture, when the channel is unknown, or when
+/// an elevation model says of itself what cannot be or its mask cannot be used.
 pub fn inspect<'a>(source: impl Into<Source<'a>>, options: &HeightOptions) -> Result<SourceInfo, ReadError> {
     let source = source.into();
     read(source, options).map_err(|problem| source.error(problem))
@@ -87,15 +94,17 @@ pub fn inspect<'a>(source: impl Into<Source<'a>>, options: &HeightOptions) -> Re
 fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadProblem> {
     let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes)?;
     let layout = file.layout().clone();
+    let terrain = layout.terrain()?.cloned();
     let note = HeightNote::of_file(source, layout.format);
     let values = match select(&layout, options.channel.as_deref()) {
         Ok(selection) => {
-            let first = match selection {
-                Selection::Channel(channel) => channel,
-                Selection::Grey([red, ..]) => red,
-            };
+            let channel = selection.first();
+            let elevation = terrain.as_ref().map(|terrain| terrain.channels[channel].clone());
             match Samples::read(file, &selection) {
-                Ok(samples) => Some(values(samples, &layout.channels[first].name, layout.full_scale)),
+                Ok(samples) => {
+                    let name = &layout.channels[channel].name;
+                    Some(values(samples, name, layout.height_full_scale(), elevation))
+                }
                 Err(ReadProblem::NotGrey { .. }) => None,
                 Err(problem) => return Err(problem),
             }
@@ -111,13 +120,19 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<SourceInfo, ReadP
         nodata_value: layout.nodata,
         texel_size_m: note
             .map(|note| note.texel_size_m([layout.width, layout.height]))
-            .or(layout.texel_size_m),
+            .or_else(|| terrain.as_ref()?.texel_size_m()),
+        georeference: terrain.and_then(|terrain| terrain.georeference),
         note,
         values,
     })
 }
 
-fn values(mut samples: Samples, channel: &str, full_scale: Option<f64>) -> Values {
+fn values(
+    mut samples: Samples,
+    channel: &str,
+    full_scale: Option<f64>,
+    elevation: Option<Elevation>,
+) -> Values {
     let [least, greatest] = samples.extremes;
     let range = (least <= greatest).then_some([least, greatest]);
     let mut histogram = [0; HISTOGRAM_BINS];
@@ -139,6 +154,8 @@ fn values(mut samples: Samples, channel: &str, full_scale: Option<f64>) -> Value
         histogram,
         not_finite: samples.not_finite,
         nodata: samples.nodata,
+        masked: samples.masked,
+        elevation,
         tiling,
     }
 }

@@ -2,6 +2,7 @@
 //! over.
 
 use crate::ReadProblem;
+use crate::elevation::{Elevation, Georeference};
 
 /// A file format that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -108,8 +109,25 @@ pub(crate) struct Layout {
     pub full_scale: Option<f64>,
     /// The raw value that marks a texel without a value.
     pub nodata: Option<f64>,
-    /// Size of a texel along `u` and `v`, in metres.
-    pub texel_size_m: Option<[f64; 2]>,
+    /// What the file says of the ground and of the metres of its values. An error, with the reason, where
+    /// what it says cannot be; that stops who reads heights, not who reads a picture.
+    pub terrain: Result<Option<Terrain>, String>,
+}
+
+/// What makes a file an elevation model.
+#[derive(Clone, Debug)]
+pub(crate) struct Terrain {
+    /// Where the map lies on the ground, if the file says so.
+    pub georeference: Option<Georeference>,
+    /// What the values of each channel stand for.
+    pub channels: Vec<Elevation>,
+}
+
+impl Terrain {
+    /// Size of a texel along `u` and `v` in metres, where it is known.
+    pub(crate) fn texel_size_m(&self) -> Option<[f64; 2]> {
+        self.georeference.as_ref()?.texel_size_m.clone().ok()
+    }
 }
 
 impl Layout {
@@ -122,7 +140,21 @@ impl Layout {
             _ => None,
         };
         let channels = names.iter().map(channel).collect();
-        Self { format, width, height, channels, full_scale, nodata: None, texel_size_m: None }
+        Self { format, width, height, channels, full_scale, nodata: None, terrain: Ok(None) }
+    }
+
+    /// What the file says as an elevation model; none where it is none.
+    pub(crate) fn terrain(&self) -> Result<Option<&Terrain>, ReadProblem> {
+        self.terrain
+            .as_ref()
+            .map(Option::as_ref)
+            .map_err(|what| ReadProblem::Georeference { what: what.clone() })
+    }
+
+    /// The raw value that stands for height 1; none where the range of the values decides, as in every
+    /// elevation model.
+    pub(crate) fn height_full_scale(&self) -> Option<f64> {
+        self.full_scale.filter(|_| matches!(self.terrain, Ok(None)))
     }
 
     /// The channel of that name, whatever its case.

@@ -5,7 +5,7 @@
 //! | PNG | content | 1 to 16 bit, grey, colour, palette, opacity | gamma chunks are not applied |
 //! | JPEG | content | 8 bit, grey, colour | |
 //! | EXR | content | f16, f32, u32, any channel | flat parts, all compressions but HTJ2K |
-//! | TIFF, GeoTIFF | content | 8 to 64-bit integers and floats | nodata and texel size; not LZMA |
+//! | TIFF, GeoTIFF | content | 8 to 64-bit integers and floats | metres, nodata, masks; not LZMA |
 //! | Radiance HDR | content | RGBE | |
 //! | PGM (PPM) | content | 8 and 16 bit, plain and binary | |
 //! | raw | [`RawLayout`] given | 16 bit | |
@@ -26,6 +26,7 @@
 //! file's.
 
 mod convention;
+mod elevation;
 mod error;
 mod exr;
 mod fill;
@@ -53,8 +54,9 @@ mod write_whole;
 
 pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, write_ktx2};
 pub use convention::{Detection, detect};
+pub use elevation::{CoordinateSystem, Elevation, Georeference};
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
-pub use height::{Convention, DEFAULT_MAX_BYTES, HeightOptions, read_height};
+pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height};
 pub use height_note::HeightNote;
 pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspect};
 pub use layout::{Channel, Format, SampleKind, SampleType};

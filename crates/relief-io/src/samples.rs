@@ -21,6 +21,8 @@ pub(crate) struct Samples {
     pub not_finite: u64,
     /// Texels that hold the file's nodata value.
     pub nodata: u64,
+    /// Texels that the file's mask leaves out, whatever they hold.
+    pub masked: u64,
     /// The first texel without a value, in rows from the top.
     pub first_hole: Option<usize>,
 }
@@ -34,15 +36,30 @@ pub(crate) enum Selection {
     Grey([usize; 3]),
 }
 
+impl Selection {
+    /// The channel; of grey the first of them.
+    pub(crate) fn first(&self) -> usize {
+        match self {
+            Self::Channel(channel) | Self::Grey([channel, ..]) => *channel,
+        }
+    }
+}
+
 impl Samples {
     pub(crate) fn read(file: ImageFile<'_>, selection: &Selection) -> Result<Self, ReadProblem> {
+        let file = file.of_heights();
         let layout = file.layout();
         let names = layout.channel_names();
-        let (channels, sample) = match selection {
-            Selection::Channel(channel) => (vec![*channel], layout.channels[*channel].sample),
-            Selection::Grey(channels) => (channels.to_vec(), layout.channels[channels[0]].sample),
+        let channels = match selection {
+            Selection::Channel(channel) => vec![*channel],
+            Selection::Grey(channels) => channels.to_vec(),
         };
+        let sample = layout.channels[selection.first()].sample;
         let mut collector = Collector::new(layout, sample.fits_f32())?;
+        file.decode_mask(selection.first(), &mut |span| {
+            collector.mask(&span);
+            Ok(())
+        })?;
         file.decode(&channels, &mut |span| {
             let mut texels = span.samples.chunks_exact(channels.len());
             if let Some(texel) = texels.position(|texel| texel[1..].iter().any(|s| differ(*s, texel[0]))) {
@@ -57,7 +74,7 @@ impl Samples {
 
     /// How many texels have no value.
     pub(crate) fn holes(&self) -> u64 {
-        self.not_finite + self.nodata
+        self.not_finite + self.nodata + self.masked
     }
 }
 
@@ -85,27 +102,49 @@ impl Collector {
             extremes: [f64::INFINITY, f64::NEG_INFINITY],
             not_finite: 0,
             nodata: 0,
+            masked: 0,
             first_hole: None,
         };
         Ok(Self { samples, nodata: layout.nodata, exact })
     }
 
-    fn take(&mut self, span: &Span<'_>, channels: usize) {
-        let samples = &mut self.samples;
-        let first = span.row as usize * samples.width as usize + span.column as usize;
+    /// The texel where a span begins, with room for all of the span. Memory is touched only as far as the
+    /// decoder has come: a cut-off file costs what it holds.
+    fn make_room(&mut self, span: &Span<'_>, channels: usize) -> (usize, usize) {
+        let values = &mut self.samples.values;
+        let first = span.row as usize * self.samples.width as usize + span.column as usize;
         let count = span.samples.len() / channels;
         let end = first + count.saturating_sub(1) * span.step as usize + 1;
-        // Memory is touched only as far as the decoder has come: a cut-off file costs what it holds.
-        if samples.values.len() < end {
-            samples.values.resize(end, 0.0);
+        if values.len() < end {
+            values.resize(end, 0.0);
         }
+        (first, end)
+    }
+
+    /// Marks the texels that a mask leaves out, before their values come.
+    fn mask(&mut self, span: &Span<'_>) {
+        let (first, end) = self.make_room(span, 1);
+        let stored = self.samples.values[first..end].iter_mut().step_by(span.step as usize);
+        for (stored, _) in stored.zip(span.samples).filter(|(_, mask)| **mask == 0.0) {
+            *stored = f32::NAN;
+        }
+    }
+
+    fn take(&mut self, span: &Span<'_>, channels: usize) {
+        let (first, end) = self.make_room(span, channels);
+        let samples = &mut self.samples;
         let stored = samples.values[first..end].iter_mut().step_by(span.step as usize);
         for (index, (stored, texel)) in stored.zip(span.samples.chunks_exact(channels)).enumerate() {
             let value = texel[0];
+            let is_masked = stored.is_nan();
             let is_nodata = self.nodata == Some(value);
-            if is_nodata || value.is_nan() || value.abs() > f64::from(f32::MAX) {
+            if is_masked || is_nodata || value.is_nan() || value.abs() > f64::from(f32::MAX) {
                 *stored = f32::NAN;
-                *(if is_nodata { &mut samples.nodata } else { &mut samples.not_finite }) += 1;
+                *match (is_masked, is_nodata) {
+                    (true, _) => &mut samples.masked,
+                    (false, true) => &mut samples.nodata,
+                    (false, false) => &mut samples.not_finite,
+                } += 1;
                 let at = first + index * span.step as usize;
                 samples.first_hole = Some(samples.first_hole.map_or(at, |hole| hole.min(at)));
                 continue;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::{ReadError, ReadProblem};
 
@@ -42,6 +42,18 @@ impl<'a> Source<'a> {
     /// The file's path, or the name given with its bytes.
     pub fn name(&self) -> &'a Path {
         self.name
+    }
+
+    /// The path of the file that lies beside this one under its name and one more extension, if there is
+    /// one. Bytes in memory have no neighbours.
+    pub(crate) fn beside(&self, extension: &str) -> Option<PathBuf> {
+        if self.bytes.is_some() {
+            return None;
+        }
+        let mut name = self.name.file_name()?.to_owned();
+        name.push(".");
+        name.push(extension);
+        Some(self.name.with_file_name(name)).filter(|path| path.is_file())
     }
 
     /// The error of this problem with it.

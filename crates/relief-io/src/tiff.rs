@@ -2,58 +2,44 @@
 //! configurations, integers and floats of 8 to 64 bit, uncompressed, LZW, Deflate, PackBits, ZSTD and LERC.
 //!
 //! The first full-resolution picture of the file is read. Blocks that a sparse file leaves out hold its
-//! nodata value, or zeros where it has none.
+//! nodata value, or zeros where it has none. A mask says which texels have a value: a picture of its own in
+//! the file, or in a file beside it.
 
+mod gdal;
 mod geo;
+mod keys;
+mod raster;
 mod stored;
+mod units;
 
-use tiff_reader::{Ifd, OpenOptions, ParseBudgets, TiffError};
+use tiff_reader::{Ifd, TiffError};
 
+use self::raster::{PARSE_BUDGETS, Raster};
 use self::stored::Stored;
-use crate::ReadProblem;
 use crate::input::Input;
-use crate::layout::{Channel, Format, Layout, SampleKind, SampleType, Sink, Span};
-
-/// What the file's tags may take; the tables of the largest height map, a strip a row, need 16 MiB.
-const MAX_TAG_BYTES: usize = 20 << 20;
-
-/// What all headers of a file may take.
-const PARSE_BUDGETS: ParseBudgets = ParseBudgets {
-    max_ifds: 256,
-    max_ifd_entries: 1024,
-    max_tag_value_bytes: MAX_TAG_BYTES,
-    max_metadata_value_bytes: MAX_TAG_BYTES,
-};
-
-/// A block of more texels is handed on in several pieces, each out of the cache.
-const WINDOW_TEXELS: u32 = 1 << 16;
-
-/// Pictures are made of at most that many channels, whose blocks are used side by side.
-const MAX_CHANNELS: u64 = 4;
+use crate::layout::{Channel, Format, Layout, SampleKind, Sink};
+use crate::{ReadProblem, Source};
 
 const TAG_NEW_SUBFILE_TYPE: u16 = 254;
+/// Bits of that tag.
+const REDUCED_COPY: u32 = 1;
+const MASK: u32 = 4;
+
 const WHITE_IS_ZERO: u16 = 0;
 const BLACK_IS_ZERO: u16 = 1;
 const RGB: u16 = 2;
 
-pub(crate) struct TiffFile<'a> {
-    stored: Stored<'a>,
-    decoder: tiff_reader::TiffFile,
-    ifd: usize,
-    layout: Layout,
-    /// Samples are stored with 0 as white.
-    inverted: bool,
-    blocks: Blocks,
-}
+/// The extension of a file's name under which GDAL puts its mask beside it.
+const MASK_EXTENSION: &str = "msk";
 
-/// How the picture is cut into blocks.
-struct Blocks {
-    columns: u32,
-    rows: u32,
-    /// The file's offset of each block; 0 where a sparse file leaves it out.
-    offsets: Vec<u64>,
-    /// Whether each channel has blocks of its own.
-    planar: bool,
+pub(crate) struct TiffFile<'a> {
+    raster: Raster<'a>,
+    layout: Layout,
+    /// The number of the picture that is the mask.
+    mask: Option<usize>,
+    source: Source<'a>,
+    bytes_per_texel: u64,
+    max_bytes: u64,
 }
 
 impl<'a> TiffFile<'a> {
@@ -64,151 +50,101 @@ impl<'a> TiffFile<'a> {
         let pictures = stored.pictures(PARSE_BUDGETS).map_err(problem)?;
         let ifd = full_resolution(&pictures)?;
         let header = &pictures[ifd];
-        let raster = header.raster_layout().map_err(problem)?;
-        let size = [header.width(), header.height()];
-        let sample = sample_type(raster.sample_format, raster.bits_per_sample)?;
+        let mut raster = Raster::open(&input, stored, header, ifd)?;
         let photometric = header.photometric_interpretation().unwrap_or(BLACK_IS_ZERO);
-        let (columns, rows) = if header.is_tiled() {
-            (header.tile_width().unwrap_or(0), header.tile_height().unwrap_or(0))
-        } else {
-            (size[0], header.rows_per_strip().min(size[1]))
-        };
-        if columns == 0 || rows == 0 {
-            return Err(ReadProblem::damaged("TIFF", "its blocks have no size"));
-        }
-        let planar = raster.planar_configuration == 2;
-        let bands = raster.samples_per_pixel as u64;
-        let (in_block, at_once) = if planar { (1, bands.min(MAX_CHANNELS)) } else { (bands, 1) };
-        let block_bytes =
-            (u64::from(columns) * u64::from(rows)).saturating_mul(in_block * raster.bytes_per_sample as u64);
-        let count = u64::from(size[0].div_ceil(columns)) * u64::from(size[1].div_ceil(rows));
-        let cache_bytes = block_bytes.saturating_mul(at_once);
-        // Besides the cache one block is held compressed; and each has an entry of at least two bytes in two
-        // tables.
-        let least = if count > 1 { 4 * count } else { 0 };
-        input.check_size(Format::Tiff, size, cache_bytes.saturating_add(block_bytes), least)?;
-
-        let channels = channel_names(header, photometric, raster.samples_per_pixel)?;
-        let mut layout = Layout::new(Format::Tiff, size, &[], sample);
+        let sample = raster.sample;
+        let channels = channel_names(header, photometric, raster.bands)?;
+        let mut layout = Layout::new(Format::Tiff, raster.size, &[], sample);
         layout.channels = channels.into_iter().map(|name| Channel { name, sample }).collect();
-        layout.nodata = geo::nodata(header, sample);
-        layout.texel_size_m = geo::texel_size_m(header);
         layout.full_scale = match sample.kind {
             SampleKind::Unsigned if sample.bits <= 16 => Some(f64::from((1u32 << sample.bits) - 1)),
             _ => None,
         };
-        let offsets = if header.is_tiled() { header.tile_offsets() } else { header.strip_offsets() };
-        let offsets = offsets.ok_or_else(|| ReadProblem::damaged("TIFF", "it has no blocks"))?;
-        let decoder = stored.decoder(options(cache_bytes)).map_err(problem)?;
-        let blocks = Blocks { columns, rows, offsets, planar };
-        Ok(Self { stored, decoder, ifd, layout, inverted: photometric == WHITE_IS_ZERO, blocks })
+        layout.terrain = geo::terrain(header, raster.bands);
+        match gdal::nodata(header, sample) {
+            Ok(nodata) => layout.nodata = nodata,
+            Err(what) => layout.terrain = Err(what),
+        }
+        if let Ok(Some(terrain)) = &layout.terrain
+            && let Some(georeference) = &terrain.georeference
+        {
+            raster.turned_over = georeference.turned_over;
+        }
+        raster.nodata = layout.nodata;
+        raster.inverted_white = layout.full_scale.filter(|_| photometric == WHITE_IS_ZERO);
+        let Input { source, bytes_per_texel, max_bytes, .. } = input;
+        Ok(Self { raster, layout, mask: mask_of(&pictures, ifd), source, bytes_per_texel, max_bytes })
     }
 
     pub(crate) fn layout(&self) -> &Layout {
         &self.layout
     }
 
-    pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
-        let [width, height] = [self.layout.width, self.layout.height];
-        let (columns, rows) = (self.blocks.columns, self.blocks.rows);
-        let rows_at_once = (WINDOW_TEXELS / columns.min(width)).clamp(1, rows);
-        for top in (0..height).step_by(rows as usize) {
-            for left in (0..width).step_by(columns as usize) {
-                let block_columns = columns.min(width - left);
-                let bottom = top.saturating_add(rows).min(height);
-                for first in (top..bottom).step_by(rows_at_once as usize) {
-                    let window = [[left, first], [block_columns, rows_at_once.min(bottom - first)]];
-                    self.window(window, channels, sink)?;
-                }
-            }
+    /// Leaves the samples of an elevation model as they are stored, with 0 as white, too.
+    pub(crate) fn keep_elevations(&mut self) {
+        if matches!(self.layout.terrain, Ok(Some(_))) {
+            self.raster.inverted_white = None;
         }
-        Ok(())
     }
 
-    /// Hands on a part of one block.
-    fn window(
+    pub(crate) fn decode(self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        self.raster.decode(channels, sink)
+    }
+
+    /// Gives what the mask says of each texel, if there is a mask: 0 where the texel has no value. That in the
+    /// file comes before that beside it.
+    pub(crate) fn decode_mask(&self, channel: usize, sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        let beside = if self.mask.is_none() { self.source.beside(MASK_EXTENSION) } else { None };
+        let (source, name) = match (&beside, self.mask) {
+            (Some(path), _) => (Source::from(path), path.display().to_string()),
+            (None, Some(_)) => (self.source, "inside the file".to_owned()),
+            (None, None) => return Ok(()),
+        };
+        self.decode_mask_of(source, channel, sink)
+            .map_err(|problem| ReadProblem::Mask { mask: name, problem: Box::new(problem) })
+    }
+
+    fn decode_mask_of(
         &self,
-        [[left, top], [columns, rows]]: [[u32; 2]; 2],
-        channels: &[usize],
+        source: Source<'_>,
+        channel: usize,
         sink: &mut Sink<'_>,
     ) -> Result<(), ReadProblem> {
-        let [columns_len, rows_len] = [columns as usize, rows as usize];
-        let mut samples = vec![0.0; columns_len * rows_len * channels.len()];
-        for (slot, &channel) in channels.iter().enumerate() {
-            let slots = samples[slot..].iter_mut().step_by(channels.len());
-            if let (true, Some(nodata)) = (self.left_out(left, top, channel), self.layout.nodata) {
-                slots.for_each(|sample| *sample = nodata);
-                continue;
-            }
-            let place = (top as usize, left as usize);
-            let read = || {
-                self.decoder.read_band_window_bytes(
-                    self.ifd,
-                    channel,
-                    place.0,
-                    place.1,
-                    rows_len,
-                    columns_len,
-                )
+        let input = Input::open(source, self.bytes_per_texel, self.max_bytes)?;
+        let stored = Stored::of(&input)?;
+        let pictures = stored.pictures(PARSE_BUDGETS).map_err(problem)?;
+        let ifd = self.mask.map_or_else(|| full_resolution(&pictures), Ok)?;
+        let header = pictures.get(ifd).ok_or_else(|| ReadProblem::damaged("TIFF", "it has changed"))?;
+        let mut mask = Raster::open(&input, stored, header, ifd)?;
+        let each_its_own = mask.bands == self.raster.bands;
+        if mask.size != self.raster.size || !(mask.bands == 1 || each_its_own) {
+            let text = |raster: &Raster<'_>| {
+                format!("{}x{} texels of {} channels", raster.size[0], raster.size[1], raster.bands)
             };
-            let bytes = self.stored.lending(read).map_err(problem)?;
-            spread(self.layout.channels[channel].sample, &bytes, slots)?;
+            return Err(ReadProblem::MaskSize { mask: text(&mask), map: text(&self.raster) });
         }
-        if let (true, Some(white)) = (self.inverted, self.layout.full_scale) {
-            for sample in samples.iter_mut().filter(|sample| Some(**sample) != self.layout.nodata) {
-                *sample = white - *sample;
-            }
-        }
-        for (row, samples) in (top..).zip(samples.chunks_exact(columns_len * channels.len())) {
-            sink(Span { row, column: left, step: 1, samples })?;
-        }
-        Ok(())
-    }
-
-    /// Whether a sparse file leaves out the block at that texel.
-    fn left_out(&self, left: u32, top: u32, channel: usize) -> bool {
-        let across = self.layout.width.div_ceil(self.blocks.columns) as usize;
-        let down = self.layout.height.div_ceil(self.blocks.rows) as usize;
-        let plane = if self.blocks.planar { channel * across * down } else { 0 };
-        let block = (top / self.blocks.rows) as usize * across + (left / self.blocks.columns) as usize;
-        self.blocks.offsets.get(plane + block) == Some(&0)
+        mask.turned_over = self.raster.turned_over;
+        mask.decode(&[if each_its_own { channel } else { 0 }], sink)
     }
 }
 
-fn options(cache_bytes: u64) -> OpenOptions {
-    let cache_bytes = usize::try_from(cache_bytes).unwrap_or(usize::MAX);
-    OpenOptions {
-        block_cache_bytes: cache_bytes,
-        block_cache_slots: 16,
-        parse_budgets: PARSE_BUDGETS,
-        decode_output_bytes: cache_bytes.max(16 * WINDOW_TEXELS as usize),
-    }
+/// What the picture is for (TIFF 6.0, NewSubfileType).
+fn kind(ifd: &Ifd) -> u32 {
+    ifd.tag(TAG_NEW_SUBFILE_TYPE).and_then(|tag| tag.value.as_u32()).unwrap_or(0)
 }
 
-/// The first picture that is neither a reduced copy nor a mask (TIFF 6.0, NewSubfileType).
+/// The first picture that is neither a reduced copy nor a mask.
 fn full_resolution(pictures: &[Ifd]) -> Result<usize, ReadProblem> {
-    let reduced_or_mask = |ifd: &Ifd| {
-        let kind = ifd.tag(TAG_NEW_SUBFILE_TYPE).and_then(|tag| tag.value.as_u32()).unwrap_or(0);
-        kind & 0b101 != 0
-    };
     pictures
         .iter()
-        .position(|ifd| !reduced_or_mask(ifd))
+        .position(|ifd| kind(ifd) & (REDUCED_COPY | MASK) == 0)
         .ok_or_else(|| ReadProblem::damaged("TIFF", "it holds no picture at full resolution"))
 }
 
-fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
-    let kind = match format {
-        1 => SampleKind::Unsigned,
-        2 => SampleKind::Signed,
-        _ => SampleKind::Float,
-    };
-    match (kind, bits) {
-        (SampleKind::Unsigned, 1..=16 | 32 | 64)
-        | (SampleKind::Signed, 8 | 16 | 32 | 64)
-        | (SampleKind::Float, 32 | 64) => Ok(SampleType { kind, bits: bits as u8 }),
-        _ => Err(unsupported(format!("{bits}-bit samples of format {format}"))),
-    }
+/// The mask of a picture: the first at full resolution that comes before the next picture.
+fn mask_of(pictures: &[Ifd], ifd: usize) -> Option<usize> {
+    let full = |number: &usize| kind(&pictures[*number]) & REDUCED_COPY == 0;
+    (ifd + 1..pictures.len()).find(full).filter(|&number| kind(&pictures[number]) & MASK != 0)
 }
 
 fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<String>, ReadProblem> {
@@ -228,40 +164,6 @@ fn channel_names(header: &Ifd, photometric: u16, count: usize) -> Result<Vec<Str
         }
     };
     Ok(names.iter().map(ToString::to_string).collect())
-}
-
-/// Native-endian samples to numbers.
-fn spread<'a>(
-    sample: SampleType,
-    bytes: &[u8],
-    slots: impl ExactSizeIterator<Item = &'a mut f64>,
-) -> Result<(), ReadProblem> {
-    fn each<'a, const N: usize>(
-        bytes: &[u8],
-        slots: impl ExactSizeIterator<Item = &'a mut f64>,
-        value: impl Fn([u8; N]) -> f64,
-    ) -> bool {
-        let fits = bytes.len() == slots.len() * N;
-        slots.zip(bytes.as_chunks::<N>().0).for_each(|(slot, &bytes)| *slot = value(bytes));
-        fits
-    }
-    let fits = match (sample.kind, sample.bits) {
-        (SampleKind::Unsigned, 1..=8) => each(bytes, slots, |b: [u8; 1]| f64::from(b[0])),
-        (SampleKind::Unsigned, 9..=16) => each(bytes, slots, |b| f64::from(u16::from_ne_bytes(b))),
-        (SampleKind::Unsigned, 17..=32) => each(bytes, slots, |b| f64::from(u32::from_ne_bytes(b))),
-        (SampleKind::Unsigned, _) => each(bytes, slots, |b| u64::from_ne_bytes(b) as f64),
-        (SampleKind::Signed, 1..=8) => each(bytes, slots, |b| f64::from(i8::from_ne_bytes(b))),
-        (SampleKind::Signed, 9..=16) => each(bytes, slots, |b| f64::from(i16::from_ne_bytes(b))),
-        (SampleKind::Signed, 17..=32) => each(bytes, slots, |b| f64::from(i32::from_ne_bytes(b))),
-        (SampleKind::Signed, _) => each(bytes, slots, |b| i64::from_ne_bytes(b) as f64),
-        (SampleKind::Float, 1..=32) => each(bytes, slots, |b| f64::from(f32::from_ne_bytes(b))),
-        (SampleKind::Float, _) => each(bytes, slots, f64::from_ne_bytes),
-    };
-    if fits {
-        Ok(())
-    } else {
-        Err(ReadProblem::damaged("TIFF", "a block has another length than its size says"))
-    }
 }
 
 fn unsupported(what: String) -> ReadProblem {

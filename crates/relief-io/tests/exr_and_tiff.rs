@@ -5,7 +5,7 @@ mod common;
 use ::exr::prelude::SampleType as ExrSample;
 use common::tiff_file::{Tiff, Value};
 use common::{Folder, SIZE, assert_reads, channel, default, exr_file, samples};
-use relief_io::{HeightOptions, ReadProblem, read_height};
+use relief_io::{Fill, HeightOptions, ReadProblem, read_height};
 
 #[test]
 fn exr_of_every_compression_type_and_layout() {
@@ -165,10 +165,13 @@ fn geotiff_georeference_and_nodata() {
     let path = folder.file("nodata.tif", &nodata.bytes(&values));
     let error = read_height(&path, &default()).expect_err("a texel has no value");
     assert!(
-        matches!(error.problem, ReadProblem::Holes { nodata: 1, not_finite: 0, column: 9, row: 1 }),
+        matches!(
+            error.problem,
+            ReadProblem::Holes { nodata: 1, not_finite: 0, masked: 0, column: 9, row: 1 }
+        ),
         "{error}"
     );
-    let map = read_height(&path, &HeightOptions { fill: true, ..default() }).expect("it is filled");
+    let map = read_height(&path, &HeightOptions { fill: Fill::Always, ..default() }).expect("it is filled");
     let filled = f64::from(map.texels()[70]) * 65535.0;
     assert!((filled - samples(width, height, 500.0)[70]).abs() < 20.0, "{filled}");
 

@@ -12,7 +12,7 @@ use common::files::{Scan, hdr, jpeg, png};
 use common::tiff_file::Tiff;
 use common::{Folder, exr_file, landscape};
 use png::{BitDepth, ColorType};
-use relief_io::{HeightOptions, Source, read_height};
+use relief_io::{Fill, HeightOptions, Source, read_height};
 
 const SIDE: u32 = 2600;
 const TEXELS: u64 = SIDE as u64 * SIDE as u64;
@@ -41,7 +41,7 @@ fn child() {
     let channel = std::env::var(CHANNEL).ok().filter(|name| !name.is_empty());
     let raw = channel.as_deref().and_then(|name| name.parse().ok());
     let channel = if raw.is_some() { None } else { channel };
-    let options = HeightOptions { channel, raw, fill: true, ..HeightOptions::default() };
+    let options = HeightOptions { channel, raw, fill: Fill::Always, ..HeightOptions::default() };
     let bytes = std::env::var_os(BYTES).map(|_| std::fs::read(&file).expect("the file is there"));
     let source = bytes.as_ref().map_or(Source::from(&file), |bytes| Source::bytes(&file, bytes));
     let idle = peak();

@@ -8,7 +8,7 @@ use common::{Folder, channel, exr_file, samples};
 use exr::prelude::{Compression, SampleType as ExrSample};
 use png::{BitDepth, ColorType};
 use relief_core::Wrap;
-use relief_io::{Convention, HeightOptions, ReadProblem, inspect, read_height};
+use relief_io::{Convention, Fill, HeightOptions, ReadProblem, inspect, read_height};
 
 fn float_file(folder: &Folder, width: u32, values: &[f64]) -> std::path::PathBuf {
     let size = [width, values.len() as u32 / width];
@@ -81,10 +81,13 @@ fn holes_are_an_error_or_filled() {
     let path = float_file(&folder, 32, &values);
     let error = read_height(&path, &HeightOptions::default()).expect_err("three texels have no value");
     assert!(
-        matches!(error.problem, ReadProblem::Holes { not_finite: 3, nodata: 0, column: 5, row: 1 }),
+        matches!(
+            error.problem,
+            ReadProblem::Holes { not_finite: 3, nodata: 0, masked: 0, column: 5, row: 1 }
+        ),
         "{error}"
     );
-    let options = HeightOptions { fill: true, wrap: Wrap::Clamp, ..HeightOptions::default() };
+    let options = HeightOptions { fill: Fill::Always, wrap: Some(Wrap::Clamp), ..HeightOptions::default() };
     let map = read_height(&path, &options).expect("the holes are filled");
     assert_eq!(map.wrap(), Wrap::Clamp);
     let [least, greatest] = map.physical_range().expect("a read map has a range");

@@ -6,10 +6,10 @@ mod common;
 use std::path::Path;
 
 use common::{channel, read, real_data};
-use relief_core::HeightMap;
+use relief_core::{HeightMap, Wrap};
 use relief_io::{
-    Convention, DEFAULT_MAX_BYTES, Format, GreenSign, HeightOptions, ReadProblem, detect, inspect,
-    read_height, read_normal_map,
+    Convention, CoordinateSystem, DEFAULT_MAX_BYTES, Fill, Format, GreenSign, HeightOptions, ReadProblem,
+    detect, inspect, read_height, read_normal_map,
 };
 
 const WIDTH: usize = 403;
@@ -70,7 +70,7 @@ fn every_variant_of_the_geotiff_gives_the_same_heights() {
     let Some(data) = real_data() else { return };
     let expected = elevations(&data);
     let folder = data.join("dem_matrix");
-    let filled = HeightOptions { fill: true, ..HeightOptions::default() };
+    let filled = HeightOptions { fill: Fill::Always, ..HeightOptions::default() };
     for (file, holes) in [
         ("f32_bigtiff_be.tif", 200),
         ("f32_cog_zstd.tif", 200),
@@ -108,6 +108,8 @@ fn every_variant_of_the_geotiff_gives_the_same_heights() {
         assert!(off.len() as u64 <= holes, "{file}: {} texels differ", off.len());
         let error = worst(&map, range, &expected, |at| off.contains(&at));
         assert!(error < 0.01, "{file}: {error} m");
+        assert_eq!((range, map.wrap()), ([236.0, 1076.0], Wrap::Clamp), "{file}");
+        assert_eq!(map.filled_texels(), holes, "{file}");
         // 3 seconds of arc at 36 degrees north.
         let [u, v] = map.texel_size_m().expect("it is georeferenced");
         assert!((u - 74.6).abs() < 0.3 && (v - 92.5).abs() < 0.3, "{file}: {u} x {v} m");
@@ -153,6 +155,26 @@ fn float_and_colour_files() {
     let error = read_height(&path, &options).expect_err("it is in colour");
     assert!(matches!(error.problem, ReadProblem::NotGrey { .. }), "{error}");
     assert_eq!(read(&path, &channel("a")).physical_range(), Some([0.0, 255.0]));
+}
+
+#[test]
+fn a_real_elevation_model_of_unsigned_integers_uses_its_own_range() {
+    let Some(data) = real_data() else { return };
+    let path = data.join("small_dem_3m_merged.tif");
+    let error = read_height(&path, &HeightOptions::default()).expect_err("it has nodata");
+    assert!(matches!(error.problem, ReadProblem::Holes { nodata: 52119, .. }), "{error}");
+    let map = read(&path, &HeightOptions { fill: Fill::Elevation, ..HeightOptions::default() });
+    assert_eq!((map.width(), map.height(), map.wrap()), (574, 245, Wrap::Clamp));
+    assert_eq!((map.filled_texels(), map.texel_size_m()), (52119, Some([3.0, 3.0])));
+    let bytes = std::fs::read(&path).expect("it has just been read");
+    // Its strips follow each other.
+    let (samples, _) = bytes[426..][..2 * 574 * 245].as_chunks::<2>();
+    let heights: Vec<u16> = samples.iter().map(|&sample| u16::from_le_bytes(sample)).collect();
+    let least = heights.iter().copied().filter(|&height| height != 0).min().map(f64::from);
+    assert_eq!(map.physical_range(), least.map(|least| [least, 31000.0]));
+    let georeference = inspect(&path, &HeightOptions::default()).ok().and_then(|info| info.georeference);
+    let georeference = georeference.expect("it has one");
+    assert_eq!((georeference.system, georeference.epsg), (CoordinateSystem::Projected, Some(26915)));
 }
 
 #[test]

@@ -38,7 +38,7 @@ pub struct Named {
 pub fn maps() -> Vec<Named> {
     let folder = sample_maps();
     let read = |file: &str, wrap: Wrap| {
-        let options = HeightOptions { wrap, ..HeightOptions::default() };
+        let options = HeightOptions { wrap: Some(wrap), ..HeightOptions::default() };
         read_height(&folder.join(file), &options).unwrap_or_else(|error| panic!("{error}"))
     };
     let ground = HeightMap::new(256, 256, fractal(7, 256, 256, 0.5), Wrap::Repeat);

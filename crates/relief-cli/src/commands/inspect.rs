@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_core::ByteSize;
 use relief_io::{
-    Convention, DEFAULT_MAX_BYTES, Detection, GreenSign, HISTOGRAM_BINS, HeightNote, HeightOptions,
-    SourceInfo, Tiling, Values, detect, inspect, read_height, read_normal_map,
+    Convention, DEFAULT_MAX_BYTES, Detection, Elevation, Georeference, GreenSign, HISTOGRAM_BINS, HeightNote,
+    HeightOptions, SourceInfo, Tiling, Values, detect, inspect, read_height, read_normal_map,
 };
 use serde_json::{Value, json};
 
@@ -39,7 +39,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let options = HeightOptions {
         channel: arguments.reading.channel.clone(),
         raw: arguments.reading.raw,
-        fill: arguments.reading.fill,
+        fill: arguments.reading.fill(),
         max_bytes: arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0),
         ..HeightOptions::default()
     };
@@ -88,6 +88,15 @@ fn print(
     if let Some(more) = info.channels.len().checked_sub(MOST_CHANNELS).filter(|&more| more > 0) {
         writeln!(out, "  channel     and {more} more")?;
     }
+    if let Some(georeference) = &info.georeference {
+        writeln!(out, "  ground      {}", ground(georeference))?;
+        if let Some(turned) = turned_over(georeference) {
+            writeln!(
+                out,
+                "  turned      {turned} are turned over, so that north is on top and east to the right"
+            )?;
+        }
+    }
     if let Some([u, v]) = info.texel_size_m {
         writeln!(out, "  texel       {u:.6} m x {v:.6} m")?;
     }
@@ -119,19 +128,66 @@ fn print(
     Ok(())
 }
 
+/// The coordinate system, and why the size of a texel is not known.
+fn ground(georeference: &Georeference) -> String {
+    let mut text = format!("{} coordinates", georeference.system.name());
+    if let Some(epsg) = georeference.epsg {
+        text += &format!(" (EPSG:{epsg})");
+    }
+    if let Err(reason) = &georeference.texel_size_m {
+        text += &format!("; the size of a texel is not known: {reason}");
+    }
+    text
+}
+
+/// What of the file is turned over.
+fn turned_over(georeference: &Georeference) -> Option<&'static str> {
+    match georeference.turned_over {
+        [false, false] => None,
+        [true, false] => Some("columns"),
+        [false, true] => Some("rows"),
+        [true, true] => Some("columns and rows"),
+    }
+}
+
+/// How values become metres, and the metres of the least and the greatest.
+fn elevation_text(elevation: &Elevation, range: Option<[f64; 2]>) -> String {
+    let Elevation { scale, offset, .. } = elevation;
+    let value = if (*scale, *offset) == (1.0, 0.0) {
+        "value".to_owned()
+    } else {
+        format!("value * {scale} + {offset}")
+    };
+    let text = match (&elevation.unit, elevation.metres_per_unit) {
+        (None, _) => format!("{value} in metres, as no unit is named"),
+        (Some(unit), Some(1.0)) => format!("{value} in {unit}"),
+        (Some(unit), Some(metres)) => format!("{value} in {unit}, of {metres} m each"),
+        (Some(unit), None) => {
+            return format!("{value} in {unit}, which is no known length: metres are not known");
+        }
+    };
+    match range.and_then(|range| elevation.metres(range)) {
+        Some([least, greatest]) => format!("{text}: {least} m to {greatest} m"),
+        None => text,
+    }
+}
+
 fn print_values(out: &mut impl Write, values: &Values) -> io::Result<()> {
     writeln!(out, "  height from {}", values.channel)?;
     if let Some([least, greatest]) = values.range {
         writeln!(out, "  range       {least} to {greatest}, {} levels used", values.levels)?;
     }
+    if let Some(elevation) = &values.elevation {
+        writeln!(out, "  elevation   {}", elevation_text(elevation, values.range))?;
+    }
     if let Some([zero, one]) = values.normalised_range {
         writeln!(out, "  heights     0 stands for {zero}, 1 for {one}")?;
     }
-    if values.not_finite + values.nodata > 0 {
+    if values.not_finite + values.nodata + values.masked > 0 {
         writeln!(
             out,
-            "  missing     {} nodata, {} not finite: --fill fills them",
-            values.nodata, values.not_finite
+            "  missing     {} nodata, {} not finite, {} masked: --fill fills them",
+            values.nodata, values.not_finite, values.masked
         )?;
     }
     writeln!(out, "  histogram   {}", bars(&values.histogram))?;
@@ -173,10 +229,23 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
     let values = info.values.as_ref().map(|values| {
         let tiling =
             values.tiling.as_ref().map(|tiling| json!({ "seam": tiling.seam, "tiles": tiling.tiles }));
+        let elevation = values.elevation.as_ref().map(|elevation| {
+            json!({
+                "unit": elevation.unit, "metres_per_unit": elevation.metres_per_unit, "scale": elevation.scale,
+                "offset": elevation.offset, "range_m": values.range.and_then(|range| elevation.metres(range)),
+            })
+        });
         json!({
             "channel": values.channel, "range": values.range, "normalised_range": values.normalised_range,
             "levels": values.levels, "histogram": values.histogram.to_vec(), "nodata": values.nodata,
-            "not_finite": values.not_finite, "tiling": tiling,
+            "not_finite": values.not_finite, "masked": values.masked, "elevation": elevation, "tiling": tiling,
+        })
+    });
+    let georeference = info.georeference.as_ref().map(|found| {
+        let [columns, rows] = found.turned_over;
+        json!({
+            "system": found.system.name(), "epsg": found.epsg, "turned_over": { "columns": columns, "rows": rows },
+            "size_unknown": found.texel_size_m.as_ref().err(),
         })
     });
     let detection = detection.map(|found| {
@@ -189,7 +258,7 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
     json!({
         "file": arguments.file.display().to_string(), "format": info.format.name(), "width": info.width, "height": info.height,
         "channels": channels, "nodata": info.nodata_value, "texel_size_m": info.texel_size_m,
-        "scale_m": info.note.map(|note| note.scale_m), "bias_m": info.note.map(|note| note.bias_m), "values": values,
+        "georeference": georeference, "scale_m": info.note.map(|note| note.scale_m), "bias_m": info.note.map(|note| note.bias_m), "values": values,
         "detection": detection,
     })
 }

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use relief_core::{ByteSize, Wrap};
-use relief_io::{Convention, DEFAULT_MAX_BYTES, HeightOptions, RawLayout};
+use relief_io::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, RawLayout};
 
 use crate::values;
 
@@ -17,8 +17,8 @@ pub struct FileArguments {
     /// Size and byte order of a headerless 16-bit file, as in 403x344,le
     #[arg(long, value_name = "WxH,le|be")]
     pub raw: Option<RawLayout>,
-    /// Fill texels without a value (nodata, NaN, infinite) from their surroundings
-    /// [default: they are an error]
+    /// Fill texels without a value (nodata, masked, NaN, infinite) from their surroundings
+    /// [default: they are an error; render fills those of elevation models]
     #[arg(long)]
     pub fill: bool,
 }
@@ -33,13 +33,21 @@ pub struct HeightArguments {
     /// The file holds depth: white is deep
     #[arg(long)]
     pub depth: bool,
-    /// Values that become heights 0 and 1 [default: of integers 0 and their type's maximum, of floats their
-    /// least and greatest]
+    /// Values of the file that become heights 0 and 1 [default: of integers 0 and their type's maximum, of
+    /// floats and elevation models their least and greatest]
     #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true)]
     pub range: Option<[f64; 2]>,
-    /// How the maps go on beyond their edges: repeat, clamp or mirror [default: repeat]
+    /// How the maps go on beyond their edges: repeat, clamp or mirror
+    /// [default: of elevation models clamp, else repeat]
     #[arg(long, value_name = "WRAP")]
     pub wrap: Option<Wrap>,
+}
+
+impl FileArguments {
+    /// What becomes of texels without a value, where they have to be asked for.
+    pub fn fill(&self) -> Fill {
+        if self.fill { Fill::Always } else { Fill::Never }
+    }
 }
 
 impl HeightArguments {
@@ -50,8 +58,8 @@ impl HeightArguments {
             convention: if self.depth { Convention::Depth } else { Convention::Height },
             range: self.range,
             raw: self.file.raw,
-            fill: self.file.fill,
-            wrap: self.wrap.unwrap_or_default(),
+            fill: self.file.fill(),
+            wrap: self.wrap,
             max_bytes: max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0),
         }
     }

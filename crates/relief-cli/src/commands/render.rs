@@ -4,7 +4,7 @@
 mod baked_maps;
 mod stages;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -150,7 +150,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // Where no map was baked nobody misses a place to keep it.
     let no_cache = no_cache.filter(|_| !rendered.maps.is_empty());
     if !arguments.json {
-        for note in no_cache.into_iter().chain(rendered.maps.iter().filter_map(baked_maps::note)) {
+        let notes = filled(&spec, &scene).into_iter().chain(no_cache);
+        for note in notes.chain(rendered.maps.iter().filter_map(baked_maps::note)) {
             eprintln!("note: {note}");
         }
     }
@@ -255,6 +256,20 @@ fn check_outputs(arguments: &Arguments, spec: &SceneSpec) -> Result<(), Failure>
     Ok(())
 }
 
+/// Of each height map whose holes were filled that it was so, once.
+fn filled(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
+    let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
+    let notes = surfaces.filter_map(|(described, surface)| {
+        let (path, count) = (described.height?, surface.height_map().filled_texels());
+        let note = || {
+            let name = path.display();
+            format!("{name}: {count} of its texels have no value; they are filled from their surroundings")
+        };
+        (count > 0).then(note)
+    });
+    notes.collect()
+}
+
 fn write(arguments: &Arguments, scene: &Scene, rendered: &Rendered) -> Result<(), Failure> {
     let rendering = &rendered.rendering;
     if let Some(path) = &arguments.aov {
@@ -302,7 +317,8 @@ fn report(
             let (selection, map) = (surface.selection(), surface.height_map());
             json!({
                 "search": selection.search().name, "refine": selection.refine().name,
-                "scale_m": map.scale_m(), "bias_m": map.bias_m(),
+                "scale_m": map.scale_m(), "bias_m": map.bias_m(), "wrap": map.wrap().name(),
+                "filled_texels": map.filled_texels(),
             })
         };
         let about = json!({

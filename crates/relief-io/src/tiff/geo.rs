@@ -1,131 +1,225 @@
-//! What a GeoTIFF's tags say about nodata and the size of a texel (OGC 19-008r4, GeoTIFF 1.1; GDAL's nodata
-//! tag).
+//! What a GeoTIFF's tags say of the ground (OGC 19-008r4, GeoTIFF 1.1).
 
 use tiff_reader::Ifd;
 
-use crate::layout::{SampleKind, SampleType};
+use super::keys::{
+    KEY_ANGULAR_UNIT, KEY_ANGULAR_UNIT_SIZE, KEY_GEOGRAPHIC_TYPE, KEY_MODEL_TYPE, KEY_PROJECTED_TYPE, Keys,
+    USER_DEFINED,
+};
+use super::{gdal, units};
+use crate::elevation::{CoordinateSystem, Elevation, Georeference};
+use crate::layout::Terrain;
 
 const TAG_PIXEL_SCALE: u16 = 33550;
 const TAG_TIEPOINTS: u16 = 33922;
 const TAG_TRANSFORMATION: u16 = 34264;
-const TAG_KEYS: u16 = 34735;
-const TAG_KEY_DOUBLES: u16 = 34736;
-const TAG_NODATA: u16 = 42113;
-
-const KEY_MODEL_TYPE: u16 = 1024;
-const KEY_ANGULAR_UNIT: u16 = 2054;
-const KEY_LINEAR_UNIT: u16 = 3076;
-const KEY_LINEAR_UNIT_SIZE: u16 = 3077;
 
 const MODEL_PROJECTED: u16 = 1;
 const MODEL_GEOGRAPHIC: u16 = 2;
+
+/// The projection of web maps, and its number before it got that one.
+const WEB_MERCATOR: [u16; 2] = [3857, 3785];
 
 /// WGS 84: the equator's radius in metres, and the square of the first eccentricity.
 const EQUATOR_M: f64 = 6_378_137.0;
 const ECCENTRICITY_SQUARED: f64 = 0.006_694_379_990_14;
 
-/// The raw value that marks a texel without a value, as the file's samples hold it.
-pub(super) fn nodata(ifd: &Ifd, sample: SampleType) -> Option<f64> {
-    let value: f64 = ifd.tag(TAG_NODATA)?.value.as_str()?.trim_matches(['\0', ' ']).parse().ok()?;
-    // GDAL writes the number in decimals, which need not be those of the nearest f32.
-    let stored = if sample == SampleType::float(32) { f64::from(value as f32) } else { value };
-    (stored.is_finite() || sample.kind == SampleKind::Float).then_some(stored).filter(|value| !value.is_nan())
-}
+/// Sides of texels that can be, in metres.
+const POSSIBLE_M: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 
-/// The size of a texel in metres along `u` and `v`.
-///
-/// In a projected system the unit is the file's; a projected file that does not name one is taken to be in
-/// metres. In a geographic system (degrees) the size is that at the picture's centre: along a parallel and a
-/// meridian of the WGS 84 ellipsoid. It is unknown where the file names no system, a unit that is not known
-/// here, or a centre beyond the poles.
-pub(super) fn texel_size_m(ifd: &Ifd) -> Option<[f64; 2]> {
+/// The cosine of the angle between a texel's sides up to which it is a rectangle.
+const SQUARE: f64 = 1e-3;
+
+/// What the file says as an elevation model of that many channels; none where it says nothing of the kind.
+/// An error, with the reason, where what it says cannot be.
+pub(super) fn terrain(ifd: &Ifd, channels: usize) -> Result<Option<Terrain>, String> {
     let keys = Keys::read(ifd)?;
     let grid = Grid::read(ifd)?;
-    let [across, down] = match keys.short(KEY_MODEL_TYPE)? {
-        MODEL_PROJECTED => grid.size.map(|side| side * keys.metres_per_unit().unwrap_or(f64::NAN)),
-        MODEL_GEOGRAPHIC => {
-            let radians_per_unit = match keys.short(KEY_ANGULAR_UNIT) {
-                None | Some(9102) => std::f64::consts::PI / 180.0,
-                Some(9101) => 1.0,
-                Some(_) => return None,
-            };
-            let latitude = grid.centre_y * radians_per_unit;
-            if latitude.abs() > std::f64::consts::FRAC_PI_2 {
-                return None;
-            }
-            // Radii of curvature along the parallel (times its cosine) and along the meridian.
-            let w = 1.0 - ECCENTRICITY_SQUARED * latitude.sin().powi(2);
-            let parallel = EQUATOR_M / w.sqrt() * latitude.cos();
-            let meridian = EQUATOR_M * (1.0 - ECCENTRICITY_SQUARED) / (w * w.sqrt());
-            [grid.size[0] * radians_per_unit * parallel, grid.size[1] * radians_per_unit * meridian]
-        }
-        _ => return None,
+    let bands = gdal::bands(ifd, channels)?;
+    let georeference = match (&keys, &grid) {
+        (None, None) => None,
+        _ => Some(georeference(keys.as_ref(), grid)?),
     };
-    [across, down].iter().all(|side| side.is_finite() && *side > 0.0).then_some([across, down])
+    if georeference.is_none() && bands.is_none() {
+        return Ok(None);
+    }
+    let vertical = keys.and_then(|keys| keys.vertical_unit());
+    let channels = bands.unwrap_or_else(|| vec![gdal::Band::default(); channels]);
+    let elevation = |band: gdal::Band| {
+        let named = band.unit.map(|name| (units::by_name(&name), name)).map(|(metres, name)| (name, metres));
+        let (unit, metres_per_unit) = match named.or_else(|| vertical.clone()) {
+            Some((name, metres)) => (Some(name), metres),
+            None => (None, Some(1.0)),
+        };
+        let (scale, offset) = (band.scale.unwrap_or(1.0), band.offset.unwrap_or(0.0));
+        Elevation { unit, metres_per_unit, scale, offset }
+    };
+    Ok(Some(Terrain { georeference, channels: channels.into_iter().map(elevation).collect() }))
 }
 
-/// Size of a texel, and the `y` of the picture's centre, in the units of the file's system.
+/// Why there is no size of a texel.
+enum NoSize {
+    /// The file does not say enough, or says what is not known here.
+    Unknown(String),
+    /// What it says cannot be.
+    Impossible(String),
+}
+
+fn georeference(keys: Option<&Keys>, grid: Option<Grid>) -> Result<Georeference, String> {
+    let short = |key| keys.and_then(|keys| keys.short(key)).filter(|&number| number != 0);
+    let (projected, geographic) = (short(KEY_PROJECTED_TYPE), short(KEY_GEOGRAPHIC_TYPE));
+    let implied = || match (projected, geographic) {
+        (Some(_), _) => Some(MODEL_PROJECTED),
+        (None, Some(_)) => Some(MODEL_GEOGRAPHIC),
+        (None, None) => None,
+    };
+    let (system, epsg) = match short(KEY_MODEL_TYPE).or_else(implied) {
+        Some(MODEL_PROJECTED) if projected.is_some_and(|number| WEB_MERCATOR.contains(&number)) => {
+            (CoordinateSystem::WebMercator, projected)
+        }
+        Some(MODEL_PROJECTED) => (CoordinateSystem::Projected, projected),
+        Some(MODEL_GEOGRAPHIC) => (CoordinateSystem::Geographic, geographic),
+        _ => (CoordinateSystem::Unknown, None),
+    };
+    let texel_size_m = match texel_size_m(system, keys, grid.as_ref()) {
+        Ok(size) => Ok(size),
+        Err(NoSize::Unknown(reason)) => Err(reason),
+        Err(NoSize::Impossible(what)) => return Err(what),
+    };
+    Ok(Georeference {
+        system,
+        epsg: epsg.filter(|&number| number != USER_DEFINED),
+        texel_size_m,
+        turned_over: grid.map_or([false; 2], |grid| grid.turned_over()),
+    })
+}
+
+/// The size of a texel in metres along `u` and `v`, at the picture's middle. Whether a file's coordinates are
+/// those of texels' corners or of their centres makes no difference to it.
+fn texel_size_m(
+    system: CoordinateSystem,
+    keys: Option<&Keys>,
+    grid: Option<&Grid>,
+) -> Result<[f64; 2], NoSize> {
+    let unknown = |reason: &str| NoSize::Unknown(reason.to_owned());
+    let keys = keys.ok_or_else(|| unknown("the file names no coordinate system"))?;
+    let grid = grid.ok_or_else(|| unknown("the file places no grid of texels"))?;
+    let middle_y = || grid.middle_y.ok_or_else(|| unknown("the file does not say where its grid lies"));
+    let metres = match system {
+        CoordinateSystem::Projected => [linear_unit(keys)?; 2],
+        CoordinateSystem::WebMercator => {
+            let unit = linear_unit(keys)?;
+            // The cosine of the latitude at which the projection has that y.
+            [unit / (middle_y()? * unit / EQUATOR_M).cosh(); 2]
+        }
+        CoordinateSystem::Geographic => {
+            let unit = angular_unit(keys)?;
+            degrees_m(middle_y()? * unit)?.map(|metres| metres * unit)
+        }
+        CoordinateSystem::Unknown => return Err(unknown("the kind of its coordinate system is not known")),
+    };
+    let [u, v] = grid.sides.map(|[x, y]| [x * metres[0], y * metres[1]]);
+    let size = [u[0].hypot(u[1]), v[0].hypot(v[1])];
+    if !size.iter().all(|side| POSSIBLE_M.contains(side)) {
+        return Err(NoSize::Impossible(format!("its texels measure {:?} m x {:?} m", size[0], size[1])));
+    }
+    if (u[0] * v[0] + u[1] * v[1]).abs() > SQUARE * size[0] * size[1] {
+        return Err(unknown("its texels are no rectangles"));
+    }
+    Ok(size)
+}
+
+/// Metres in one unit of the coordinates.
+fn linear_unit(keys: &Keys) -> Result<f64, NoSize> {
+    keys.metres_per_unit().map_err(NoSize::Impossible)?.map_err(NoSize::Unknown)
+}
+
+/// Radians in one unit of the coordinates.
+fn angular_unit(keys: &Keys) -> Result<f64, NoSize> {
+    use std::f64::consts::PI;
+    match keys.short(KEY_ANGULAR_UNIT) {
+        None | Some(9102 | 9122) => Ok(PI / 180.0),
+        Some(9101) => Ok(1.0),
+        Some(9105 | 9106) => Ok(PI / 200.0),
+        Some(number) => {
+            let size = if number == USER_DEFINED { keys.unit_size(KEY_ANGULAR_UNIT_SIZE) } else { Ok(None) };
+            let unknown = || format!("the unit of its coordinates is not known (EPSG:{number})");
+            size.map_err(NoSize::Impossible)?.ok_or_else(|| NoSize::Unknown(unknown()))
+        }
+    }
+}
+
+/// Metres in one radian along a parallel and along a meridian of the WGS 84 ellipsoid.
+fn degrees_m(latitude: f64) -> Result<[f64; 2], NoSize> {
+    if latitude.is_nan() || latitude.abs() >= std::f64::consts::FRAC_PI_2 {
+        let degrees = latitude.to_degrees();
+        return Err(NoSize::Impossible(format!("its middle lies at the latitude {degrees:?} degrees")));
+    }
+    // Radii of curvature; that along the parallel is its own times the cosine.
+    let w = 1.0 - ECCENTRICITY_SQUARED * latitude.sin().powi(2);
+    let parallel = EQUATOR_M / w.sqrt() * latitude.cos();
+    let meridian = EQUATOR_M * (1.0 - ECCENTRICITY_SQUARED) / (w * w.sqrt());
+    Ok([parallel, meridian])
+}
+
+/// How texels lie in the file's coordinate system.
 struct Grid {
-    size: [f64; 2],
-    centre_y: f64,
+    /// The way from one column to the next, and from one row to the next, along x and y.
+    sides: [[f64; 2]; 2],
+    /// The `y` of the picture's middle, where the file says it.
+    middle_y: Option<f64>,
 }
 
 impl Grid {
-    fn read(ifd: &Ifd) -> Option<Self> {
-        let doubles = |tag| ifd.tag(tag)?.value.as_f64_vec();
-        let middle = [f64::from(ifd.width()) / 2.0, f64::from(ifd.height()) / 2.0];
-        if let (Some(scale), Some(tie)) = (doubles(TAG_PIXEL_SCALE), doubles(TAG_TIEPOINTS)) {
-            let (&[x, y, ..], &[_, row, _, _, tie_y, ..]) = (scale.as_slice(), tie.as_slice()) else {
-                return None;
-            };
-            return Some(Self { size: [x.abs(), y.abs()], centre_y: tie_y - (middle[1] - row) * y });
-        }
-        let matrix = doubles(TAG_TRANSFORMATION)?;
-        let &[xx, xy, _, _, yx, yy, _, y0, ..] = matrix.as_slice() else {
-            return None;
+    /// The grid; none where the file places none, but perhaps single points.
+    fn read(ifd: &Ifd) -> Result<Option<Self>, String> {
+        let numbers = |tag, what: &str, is_count: fn(usize) -> bool| -> Result<Option<Vec<f64>>, String> {
+            let Some(tag) = ifd.tag(tag) else { return Ok(None) };
+            let numbers = tag.value.as_f64_vec().unwrap_or_default();
+            if !is_count(numbers.len()) {
+                return Err(format!("its {what} has {} numbers", tag.count));
+            }
+            match numbers.iter().find(|number| !number.is_finite()) {
+                Some(number) => Err(format!("its {what} holds {number}")),
+                None => Ok(Some(numbers)),
+            }
         };
-        let centre_y = yx * middle[0] + yy * middle[1] + y0;
-        Some(Self { size: [xx.hypot(yx), xy.hypot(yy)], centre_y })
-    }
-}
-
-/// The directory of keys that describes the file's coordinate system.
-struct Keys {
-    entries: Vec<u16>,
-    doubles: Vec<f64>,
-}
-
-impl Keys {
-    fn read(ifd: &Ifd) -> Option<Self> {
-        let entries = ifd.tag(TAG_KEYS)?.value.as_u16_slice()?.to_vec();
-        let doubles = ifd.tag(TAG_KEY_DOUBLES).and_then(|tag| tag.value.as_f64_vec()).unwrap_or_default();
-        Some(Self { entries, doubles })
-    }
-
-    /// Location and value of a key: location 0 means that the value is the number itself.
-    fn entry(&self, key: u16) -> Option<(u16, u16)> {
-        let (entries, _) = self.entries.as_chunks::<4>();
-        entries.iter().skip(1).find(|entry| entry[0] == key).map(|entry| (entry[1], entry[3]))
-    }
-
-    fn short(&self, key: u16) -> Option<u16> {
-        self.entry(key).filter(|(location, _)| *location == 0).map(|(_, value)| value)
-    }
-
-    fn double(&self, key: u16) -> Option<f64> {
-        let (location, index) = self.entry(key)?;
-        if location == TAG_KEY_DOUBLES { self.doubles.get(usize::from(index)).copied() } else { None }
-    }
-
-    /// Metres in one unit of a projected system (EPSG unit numbers).
-    fn metres_per_unit(&self) -> Option<f64> {
-        match self.short(KEY_LINEAR_UNIT) {
-            None | Some(9001) => Some(1.0),
-            Some(9002) => Some(0.3048),
-            Some(9003) => Some(1200.0 / 3937.0),
-            Some(9036) => Some(1000.0),
-            Some(32767) => self.double(KEY_LINEAR_UNIT_SIZE),
-            Some(_) => None,
+        let scale = numbers(TAG_PIXEL_SCALE, "scale of texels", |count| matches!(count, 2 | 3))?;
+        let ties =
+            numbers(TAG_TIEPOINTS, "list of tie points", |count| count > 0 && count.is_multiple_of(6))?;
+        let matrix = numbers(TAG_TRANSFORMATION, "transformation", |count| count == 16)?;
+        let middle = [f64::from(ifd.width()) / 2.0, f64::from(ifd.height()) / 2.0];
+        let grid = match (scale.as_deref(), matrix.as_deref()) {
+            (Some(&[x, y, ..]), _) => {
+                let middle_y = ties.as_deref().and_then(|ties| match ties {
+                    &[_, row, _, _, tie_y, ..] => Some(tie_y - (middle[1] - row) * y),
+                    _ => None,
+                });
+                Self { sides: [[x, 0.0], [0.0, -y]], middle_y }
+            }
+            (None, Some(&[xx, xy, _, _, yx, yy, _, y, ..])) => {
+                let middle_y = Some(yx * middle[0] + yy * middle[1] + y);
+                Self { sides: [[xx, yx], [xy, yy]], middle_y }
+            }
+            _ => return Ok(None),
+        };
+        let [u, v] = grid.sides;
+        let area = grid.area();
+        if !area.is_finite() || area == 0.0 {
+            return Err(format!("its texels have the sides {u:?} and {v:?}"));
         }
+        Ok(Some(grid))
+    }
+
+    /// The area of a texel, negative where rows go south and columns east.
+    fn area(&self) -> f64 {
+        let [u, v] = self.sides;
+        u[0] * v[1] - u[1] * v[0]
+    }
+
+    fn turned_over(&self) -> [bool; 2] {
+        let [u, v] = self.sides;
+        let upright = u[1].abs() <= SQUARE * u[0].abs() && v[0].abs() <= SQUARE * v[1].abs();
+        if upright { [u[0] < 0.0, v[1] > 0.0] } else { [false, self.area() > 0.0] }
     }
 }

@@ -3,7 +3,7 @@
 
 use exr::prelude::{Compression, SampleType as ExrSample};
 use png::{BitDepth, ColorType};
-use relief_io::HeightOptions;
+use relief_io::{Fill, HeightOptions};
 
 use super::files::{Scan, big_endian, hdr, jpeg, pgm, plain_pgm, png, png_by_hand};
 use super::tiff_file::{Tiff, Value};
@@ -70,6 +70,7 @@ pub fn valid_files() -> Vec<BrokenFile> {
         BrokenFile::new("grey jpeg", "jpg", jpeg(width, height, 1, &bytes), Expect::Map),
         BrokenFile::new("colour jpeg", "jpg", jpeg(width, height, 3, &three), Expect::Map),
         BrokenFile::new("tiff", "tif", tiff.bytes(&fractions), Expect::Map),
+        BrokenFile::new("geotiff", "tif", geotiff(width, height, &wide), Expect::Map),
         BrokenFile::new("tiled tiff", "tif", tiled.bytes(&fractions), Expect::Map),
         BrokenFile::new("planar tiff", "tif", planar.bytes(&equal), Expect::Map),
         BrokenFile::new("flat hdr", "hdr", hdr(width, height, Scan::Flat, &texels), Expect::Map),
@@ -91,6 +92,23 @@ pub fn valid_files() -> Vec<BrokenFile> {
         }
     }
     files
+}
+
+/// An elevation model with a mask that leaves out no texel.
+fn geotiff(width: u32, height: u32, values: &[f64]) -> Vec<u8> {
+    let keys = vec![1, 1, 0, 4, 1024, 0, 1, 2, 2048, 0, 1, 4326, 2054, 0, 1, 9102, 4099, 0, 1, 9002];
+    let items = "<Item sample=\"0\" role=\"scale\">0.5</Item><Item sample=\"0\" role=\"offset\">-9</Item>";
+    let extra = vec![
+        (33550, Value::Double(vec![0.01, 0.01, 0.0])),
+        (33922, Value::Double(vec![0.0, 0.0, 0.0, 7.0, 48.0, 0.0])),
+        (34735, Value::Short(keys)),
+        (42112, Value::Text(format!("<GDALMetadata>{items}</GDALMetadata>"))),
+        (42113, Value::Text("65535".into())),
+    ];
+    let mask =
+        Tiff { photometric: 4, extra: vec![(254, Value::Long(vec![4]))], ..Tiff::grey(width, height, 1, 1) };
+    let more = [(mask, vec![1.0; values.len()])];
+    Tiff { extra, ..Tiff::grey(width, height, 16, 1) }.bytes_before(values, &more)
 }
 
 /// Each valid file cut off at several places.
@@ -218,7 +236,7 @@ fn unfit() -> Vec<BrokenFile> {
     let compression = lzma.windows(4).position(|bytes| bytes == [3, 1, 3, 0]).expect("tag 259, a short");
     lzma[compression + 8..compression + 10].copy_from_slice(&34925u16.to_le_bytes());
     let nothing = exr_file::exr([8, 8], None, Compression::ZIP1, &[("Y", ExrSample::F32, &[f64::NAN; 64])]);
-    let filled = HeightOptions { fill: true, ..HeightOptions::default() };
+    let filled = HeightOptions { fill: Fill::Always, ..HeightOptions::default() };
     let mut files = vec![
         BrokenFile::new("empty", "png", Vec::new(), Expect::Error),
         BrokenFile::new("empty raw", "r16", Vec::new(), Expect::Error).with(raw("1x1,le")),

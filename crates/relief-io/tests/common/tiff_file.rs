@@ -54,9 +54,23 @@ impl Tiff {
 
     /// The file for samples, the bands of a texel side by side.
     pub fn bytes(&self, samples: &[f64]) -> Vec<u8> {
-        let blocks = self.blocks(samples);
+        self.bytes_before(samples, &[])
+    }
+
+    /// The file for samples with more pictures behind it, each with its samples.
+    pub fn bytes_before(&self, samples: &[f64], more: &[(Tiff, Vec<f64>)]) -> Vec<u8> {
         let mut file = if self.big_endian { b"MM\0*".to_vec() } else { b"II*\0".to_vec() };
         file.extend(self.long(0));
+        let mut link = self.append(&mut file, samples, 4);
+        for (tiff, samples) in more {
+            link = tiff.append(&mut file, samples, link);
+        }
+        file
+    }
+
+    /// Appends a picture that the link at a place leads to, and gives the place of the next link.
+    fn append(&self, file: &mut Vec<u8>, samples: &[f64], link: usize) -> usize {
+        let blocks = self.blocks(samples);
         let (mut offsets, mut counts) = (Vec::new(), Vec::new());
         for (index, block) in blocks.iter().enumerate() {
             if self.sparse.contains(&index) {
@@ -93,11 +107,10 @@ impl Tiff {
         }
         tags.extend(self.extra.iter().cloned());
         tags.sort_by_key(|(tag, _)| *tag);
-        self.directory(&mut file, &tags);
-        file
+        self.directory(file, &tags, link)
     }
 
-    fn directory(&self, file: &mut Vec<u8>, tags: &[(u16, Value)]) {
+    fn directory(&self, file: &mut Vec<u8>, tags: &[(u16, Value)], link: usize) -> usize {
         let mut entries = Vec::new();
         for (tag, value) in tags {
             let (kind, count, bytes) = match value {
@@ -117,10 +130,11 @@ impl Tiff {
             }
         }
         let start = self.long(file.len() as u32);
-        file[4..8].copy_from_slice(&start);
+        file[link..link + 4].copy_from_slice(&start);
         file.extend(self.short(tags.len() as u16));
         file.extend(entries);
         file.extend(self.long(0));
+        file.len() - 4
     }
 
     fn blocks(&self, samples: &[f64]) -> Vec<Vec<u8>> {
@@ -143,6 +157,10 @@ impl Tiff {
                     };
                     let mut bytes = Vec::new();
                     for j in top..top + rows {
+                        if self.bits == 1 {
+                            bytes.extend(self.packed_row(samples, j.min(self.height - 1), [left, columns]));
+                            continue;
+                        }
                         for i in left..left + columns {
                             let at = (j.min(self.height - 1) * self.width + i.min(self.width - 1)) as usize;
                             for band in plane {
@@ -155,6 +173,17 @@ impl Tiff {
             }
         }
         blocks
+    }
+
+    /// A row of single bits, the first one highest.
+    fn packed_row(&self, samples: &[f64], row: u32, [left, columns]: [u32; 2]) -> Vec<u8> {
+        let mut bytes = vec![0; columns.div_ceil(8) as usize];
+        for column in 0..columns {
+            let at = row * self.width + (left + column).min(self.width - 1);
+            let bit = u8::from(samples[at as usize] != 0.0) << (7 - column % 8);
+            bytes[(column / 8) as usize] |= bit;
+        }
+        bytes
     }
 
     fn short(&self, value: u16) -> Vec<u8> {

@@ -8,7 +8,7 @@ use crate::material::Material;
 use crate::mesh::{Builtin, Mesh, Placement};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
-use relief_io::{Convention, HeightOptions, Picture};
+use relief_io::{Convention, Fill, HeightOptions, Picture};
 use relief_shaders::{REFINE, SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -170,8 +170,12 @@ impl SurfaceSpec {
             convention: if self.depth == Some(true) { Convention::Depth } else { Convention::Height },
             range: self.range,
             raw: self.raw,
-            fill: self.fill.unwrap_or_default(),
-            wrap: self.wrap.unwrap_or_default(),
+            fill: match self.fill {
+                None => Fill::Elevation,
+                Some(true) => Fill::Always,
+                Some(false) => Fill::Never,
+            },
+            wrap: self.wrap,
             max_bytes: maps.left,
         };
         let map = maps.height(path, options)?;

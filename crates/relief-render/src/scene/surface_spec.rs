@@ -22,16 +22,19 @@ pub struct SurfaceSpec {
     pub channel: Option<String>,
     /// Whether the file holds depth: white is deep. By default it holds height.
     pub depth: Option<bool>,
-    /// The values that become heights 0 and 1. By default integers take 0 and their type's maximum, floats
-    /// their least and greatest value.
+    /// The file's values that become heights 0 and 1. By default integers take 0 and their type's maximum,
+    /// floats and elevation models their least and greatest value.
     #[serde(deserialize_with = "numbers")]
     pub range: Option<[f64; 2]>,
     /// Size and byte order of a headerless file, as in `"403x344,le"`.
     #[serde(deserialize_with = "parsed")]
     pub raw: Option<RawLayout>,
-    /// Whether texels without a value are filled from their surroundings. By default they are an error.
+    /// Whether texels without a value are filled from their surroundings. By default those of elevation models
+    /// are, and [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts them; those of
+    /// other files are an error.
     pub fill: Option<bool>,
-    /// How the maps go on beyond their edges: `repeat` (default), `clamp` or `mirror`.
+    /// How the maps go on beyond their edges: `repeat`, `clamp` or `mirror`. By default elevation models are
+    /// clamped, others repeated.
     #[serde(deserialize_with = "parsed")]
     pub wrap: Option<Wrap>,
     /// Metres of displacement between heights 0 and 1. By default in proportion to the mesh's tile where the

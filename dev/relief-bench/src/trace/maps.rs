@@ -43,7 +43,7 @@ impl Subject {
                     .map_err(|error| error.to_string())?
             }
             Origin::Sample(file) => {
-                let options = HeightOptions { wrap: Wrap::Clamp, ..HeightOptions::default() };
+                let options = HeightOptions { wrap: Some(Wrap::Clamp), ..HeightOptions::default() };
                 read_height(&sample_maps().join(file), &options).map_err(|error| error.to_string())?
             }
         };

@@ -1,0 +1,235 @@
+//! One picture of a TIFF, whose header has been checked: its samples, block by block.
+
+use tiff_reader::{Ifd, OpenOptions, ParseBudgets};
+
+use super::stored::Stored;
+use super::{problem, unsupported};
+use crate::ReadProblem;
+use crate::input::Input;
+use crate::layout::{Format, SampleKind, SampleType, Sink, Span};
+
+/// What the file's tags may take; the tables of the largest height map, a strip a row, need 16 MiB.
+const MAX_TAG_BYTES: usize = 20 << 20;
+
+/// What all headers of a file may take.
+pub(super) const PARSE_BUDGETS: ParseBudgets = ParseBudgets {
+    max_ifds: 256,
+    max_ifd_entries: 1024,
+    max_tag_value_bytes: MAX_TAG_BYTES,
+    max_metadata_value_bytes: MAX_TAG_BYTES,
+};
+
+/// A block of more texels is handed on in several pieces, each out of the cache.
+const WINDOW_TEXELS: u32 = 1 << 16;
+
+/// Pictures are made of at most that many channels, whose blocks are used side by side.
+const MAX_CHANNELS: u64 = 4;
+
+pub(super) struct Raster<'a> {
+    stored: Stored<'a>,
+    decoder: tiff_reader::TiffFile,
+    ifd: usize,
+    pub size: [u32; 2],
+    pub bands: usize,
+    pub sample: SampleType,
+    blocks: Blocks,
+    /// The value of a block that a sparse file leaves out; 0 if none.
+    pub nodata: Option<f64>,
+    /// The sample of white where samples are stored with 0 as white.
+    pub inverted_white: Option<f64>,
+    /// Whether columns, and whether rows, come in the other order.
+    pub turned_over: [bool; 2],
+}
+
+/// How the picture is cut into blocks.
+struct Blocks {
+    columns: u32,
+    rows: u32,
+    /// The file's offset of each block; 0 where a sparse file leaves it out.
+    offsets: Vec<u64>,
+    /// Whether each channel has blocks of its own.
+    planar: bool,
+}
+
+impl<'a> Raster<'a> {
+    /// The picture with that header and number.
+    pub(super) fn open(
+        input: &Input<'a>,
+        stored: Stored<'a>,
+        header: &Ifd,
+        ifd: usize,
+    ) -> Result<Self, ReadProblem> {
+        let raster = header.raster_layout().map_err(problem)?;
+        let size = [header.width(), header.height()];
+        let sample = sample_type(raster.sample_format, raster.bits_per_sample)?;
+        let (columns, rows) = if header.is_tiled() {
+            (header.tile_width().unwrap_or(0), header.tile_height().unwrap_or(0))
+        } else {
+            (size[0], header.rows_per_strip().min(size[1]))
+        };
+        if columns == 0 || rows == 0 {
+            return Err(ReadProblem::damaged("TIFF", "its blocks have no size"));
+        }
+        let planar = raster.planar_configuration == 2;
+        let bands = raster.samples_per_pixel as u64;
+        let (in_block, at_once) = if planar { (1, bands.min(MAX_CHANNELS)) } else { (bands, 1) };
+        let block_bytes =
+            (u64::from(columns) * u64::from(rows)).saturating_mul(in_block * raster.bytes_per_sample as u64);
+        let count = u64::from(size[0].div_ceil(columns)) * u64::from(size[1].div_ceil(rows));
+        let cache_bytes = block_bytes.saturating_mul(at_once);
+        // Besides the cache one block is held compressed; and each has an entry of at least two bytes in two
+        // tables.
+        let least = if count > 1 { 4 * count } else { 0 };
+        input.check_size(Format::Tiff, size, cache_bytes.saturating_add(block_bytes), least)?;
+
+        let offsets = if header.is_tiled() { header.tile_offsets() } else { header.strip_offsets() };
+        let offsets = offsets.ok_or_else(|| ReadProblem::damaged("TIFF", "it has no blocks"))?;
+        let decoder = stored.decoder(options(cache_bytes)).map_err(problem)?;
+        let blocks = Blocks { columns, rows, offsets, planar };
+        Ok(Self {
+            stored,
+            decoder,
+            ifd,
+            size,
+            bands: raster.samples_per_pixel,
+            sample,
+            blocks,
+            nodata: None,
+            inverted_white: None,
+            turned_over: [false; 2],
+        })
+    }
+
+    pub(super) fn decode(&self, channels: &[usize], sink: &mut Sink<'_>) -> Result<(), ReadProblem> {
+        let [width, height] = self.size;
+        let (columns, rows) = (self.blocks.columns, self.blocks.rows);
+        let rows_at_once = (WINDOW_TEXELS / columns.min(width)).clamp(1, rows);
+        for top in (0..height).step_by(rows as usize) {
+            for left in (0..width).step_by(columns as usize) {
+                let block_columns = columns.min(width - left);
+                let bottom = top.saturating_add(rows).min(height);
+                for first in (top..bottom).step_by(rows_at_once as usize) {
+                    let window = [[left, first], [block_columns, rows_at_once.min(bottom - first)]];
+                    self.window(window, channels, sink)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Hands on a part of one block.
+    fn window(
+        &self,
+        [[left, top], [columns, rows]]: [[u32; 2]; 2],
+        channels: &[usize],
+        sink: &mut Sink<'_>,
+    ) -> Result<(), ReadProblem> {
+        let [columns_len, rows_len] = [columns as usize, rows as usize];
+        let mut samples = vec![0.0; columns_len * rows_len * channels.len()];
+        for (slot, &channel) in channels.iter().enumerate() {
+            let slots = samples[slot..].iter_mut().step_by(channels.len());
+            if let (true, Some(nodata)) = (self.left_out(left, top, channel), self.nodata) {
+                slots.for_each(|sample| *sample = nodata);
+                continue;
+            }
+            let place = (top as usize, left as usize);
+            let read = || {
+                self.decoder.read_band_window_bytes(
+                    self.ifd,
+                    channel,
+                    place.0,
+                    place.1,
+                    rows_len,
+                    columns_len,
+                )
+            };
+            let bytes = self.stored.lending(read).map_err(problem)?;
+            spread(self.sample, &bytes, slots)?;
+        }
+        if let Some(white) = self.inverted_white {
+            for sample in samples.iter_mut().filter(|sample| Some(**sample) != self.nodata) {
+                *sample = white - *sample;
+            }
+        }
+        let [width, height] = self.size;
+        let [columns_turned, rows_turned] = self.turned_over;
+        let column = if columns_turned { width - left - columns } else { left };
+        for (row, samples) in (top..).zip(samples.chunks_exact_mut(columns_len * channels.len())) {
+            if columns_turned {
+                samples.reverse();
+                samples.chunks_exact_mut(channels.len()).for_each(<[f64]>::reverse);
+            }
+            let row = if rows_turned { height - 1 - row } else { row };
+            sink(Span { row, column, step: 1, samples })?;
+        }
+        Ok(())
+    }
+
+    /// Whether a sparse file leaves out the block at that texel.
+    fn left_out(&self, left: u32, top: u32, channel: usize) -> bool {
+        let [width, height] = self.size;
+        let across = width.div_ceil(self.blocks.columns) as usize;
+        let down = height.div_ceil(self.blocks.rows) as usize;
+        let plane = if self.blocks.planar { channel * across * down } else { 0 };
+        let block = (top / self.blocks.rows) as usize * across + (left / self.blocks.columns) as usize;
+        self.blocks.offsets.get(plane + block) == Some(&0)
+    }
+}
+
+fn options(cache_bytes: u64) -> OpenOptions {
+    let cache_bytes = usize::try_from(cache_bytes).unwrap_or(usize::MAX);
+    OpenOptions {
+        block_cache_bytes: cache_bytes,
+        block_cache_slots: 16,
+        parse_budgets: PARSE_BUDGETS,
+        decode_output_bytes: cache_bytes.max(16 * WINDOW_TEXELS as usize),
+    }
+}
+
+fn sample_type(format: u16, bits: u16) -> Result<SampleType, ReadProblem> {
+    let kind = match format {
+        1 => SampleKind::Unsigned,
+        2 => SampleKind::Signed,
+        _ => SampleKind::Float,
+    };
+    match (kind, bits) {
+        (SampleKind::Unsigned, 1..=16 | 32 | 64)
+        | (SampleKind::Signed, 8 | 16 | 32 | 64)
+        | (SampleKind::Float, 32 | 64) => Ok(SampleType { kind, bits: bits as u8 }),
+        _ => Err(unsupported(format!("{bits}-bit samples of format {format}"))),
+    }
+}
+
+/// Native-endian samples to numbers.
+fn spread<'a>(
+    sample: SampleType,
+    bytes: &[u8],
+    slots: impl ExactSizeIterator<Item = &'a mut f64>,
+) -> Result<(), ReadProblem> {
+    fn each<'a, const N: usize>(
+        bytes: &[u8],
+        slots: impl ExactSizeIterator<Item = &'a mut f64>,
+        value: impl Fn([u8; N]) -> f64,
+    ) -> bool {
+        let fits = bytes.len() == slots.len() * N;
+        slots.zip(bytes.as_chunks::<N>().0).for_each(|(slot, &bytes)| *slot = value(bytes));
+        fits
+    }
+    let fits = match (sample.kind, sample.bits) {
+        (SampleKind::Unsigned, 1..=8) => each(bytes, slots, |b: [u8; 1]| f64::from(b[0])),
+        (SampleKind::Unsigned, 9..=16) => each(bytes, slots, |b| f64::from(u16::from_ne_bytes(b))),
+        (SampleKind::Unsigned, 17..=32) => each(bytes, slots, |b| f64::from(u32::from_ne_bytes(b))),
+        (SampleKind::Unsigned, _) => each(bytes, slots, |b| u64::from_ne_bytes(b) as f64),
+        (SampleKind::Signed, 1..=8) => each(bytes, slots, |b| f64::from(i8::from_ne_bytes(b))),
+        (SampleKind::Signed, 9..=16) => each(bytes, slots, |b| f64::from(i16::from_ne_bytes(b))),
+        (SampleKind::Signed, 17..=32) => each(bytes, slots, |b| f64::from(i32::from_ne_bytes(b))),
+        (SampleKind::Signed, _) => each(bytes, slots, |b| i64::from_ne_bytes(b) as f64),
+        (SampleKind::Float, 1..=32) => each(bytes, slots, |b| f64::from(f32::from_ne_bytes(b))),
+        (SampleKind::Float, _) => each(bytes, slots, f64::from_ne_bytes),
+    };
+    if fits {
+        Ok(())
+    } else {
+        Err(ReadProblem::damaged("TIFF", "a block has another length than its size says"))
+    }
+}
