@@ -10,6 +10,8 @@
 //! | PGM (PPM) | content | 8 and 16 bit, plain and binary | |
 //! | raw | [`RawLayout`] given | 16 bit | |
 //!
+//! Writers leave a whole file or none; [`file_set`] does the same for several files at once.
+//!
 //! Every reader takes a [`Source`]: a file's path, or the bytes of a file that are in memory already.
 //!
 //! # Memory
@@ -29,6 +31,7 @@ mod convention;
 mod elevation;
 mod error;
 mod exr;
+pub mod file_set;
 mod fill;
 mod hdr;
 mod height;

@@ -47,13 +47,22 @@ pub struct Ktx2Texture {
 /// written. Nothing is left behind then.
 pub fn write_ktx2(path: &Path, texture: &Ktx2Texture, rows: &mut RowSource<'_>) -> Result<(), WriteError> {
     write_file(path, |out| {
-        texture.check().map_err(WriteProblem::NotStorable)?;
+        texture.check()?;
         write(out, texture, rows)
     })
 }
 
 impl Ktx2Texture {
-    fn check(&self) -> Result<(), String> {
+    /// Whether a file can hold it; to be asked before its texels are made.
+    ///
+    /// # Errors
+    ///
+    /// As [`write_ktx2`] has them for the description.
+    pub fn check(&self) -> Result<(), WriteProblem> {
+        self.check_description().map_err(WriteProblem::NotStorable)
+    }
+
+    fn check_description(&self) -> Result<(), String> {
         let [width, height, depth] = self.size;
         if self.size.iter().any(|side| !(1..=MAX_SIDE).contains(side)) {
             return Err(format!("a texture has 1 to {MAX_SIDE} texels a side, not {width}x{height}x{depth}"));
