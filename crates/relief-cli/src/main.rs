@@ -11,6 +11,7 @@ mod commands;
 mod failure;
 mod progress;
 mod values;
+mod waiting;
 
 /// Displacement mapping: a height map and a mesh go in, a picture comes out.
 #[derive(Parser)]

@@ -1,11 +1,14 @@
 //! `relief bake`: a height map to the maps that methods read.
 //!
 //! A bake goes into a hidden folder inside the output folder: texels as they come, then the finished files.
-//! Only when all files of a kind are whole do they take their names. A bake that fails or is cancelled
-//! removes the folder.
+//! Only when all files of all kinds are whole do they take their names, with a manifest that lists them. A
+//! bake that fails or is cancelled leaves everything as it was.
 
+mod early;
 mod files;
 pub mod identity;
+mod outputs;
+mod report;
 mod spool;
 mod storage;
 #[cfg(test)]
@@ -13,19 +16,21 @@ mod tests;
 
 use std::borrow::Cow;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use relief_bake::{BakeError, KINDS, Kind, Progress as BakeProgress, Settings, Texture};
+use relief_bake::{BakeError, KINDS, Kind, Progress as BakeProgress, Settings, Shape, Texture};
 use relief_core::registry::UnknownName;
 use relief_core::{ByteSize, HeightMap, Metric, Wrap};
+use relief_io::file_set::is_same_file;
 use relief_io::read_height;
-use serde_json::{Value, json};
 
 use self::files::{FilesError, Packing};
 use self::identity::Identity;
+use self::outputs::{Earlier, Outputs};
+use self::report::Baked;
 use self::spool::Spool;
 use self::storage::{FileFormat, Storage, TexelChoice};
 use super::maps::HeightArguments;
@@ -49,7 +54,7 @@ pub struct Arguments {
     /// Kinds of maps to bake, as in cone,normal; listed below
     #[arg(long, value_name = "KIND[,KIND...]", value_delimiter = ',', required = true)]
     kind: Vec<String>,
-    /// Folder for the files; it must exist
+    /// Folder for the files; it is made if it is missing
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
     /// File format
@@ -75,7 +80,7 @@ pub struct Arguments {
     /// Allow heights in block-compressed texels, which keep 8 levels a block: for copies only
     #[arg(long, help_heading = "Storage")]
     lossy_heights: bool,
-    /// Bake again what has been baked before
+    /// Bake again what has been baked before, and replace files that relief has not baked
     #[arg(long)]
     force: bool,
     /// Print one JSON object about the files
@@ -99,8 +104,11 @@ fn after_help() -> String {
          relief bake dem.tif --fill --wrap clamp --kind normal,horizon -o maps\n\n\
          Files are named HEIGHT.KIND.FORMAT, with the texture's name, channels or mip level between where a kind has \
          several. Each holds its metadata: kind, settings, hash of the source, wrap, tile and scale in metres, channels \
-         with ranges and rounding, names of all files of the bake. A bake whose files are there is not repeated. Ctrl-C \
-         leaves no file behind (exit code 1). While it bakes, a hidden folder in DIR takes 4 bytes a value.\n\n\
+         with ranges and rounding, names of all files of the bake. HEIGHT.relief-manifest lists the files of all bakes of \
+         a map with their hashes: what is there as listed is not baked again, and files that a new bake of a kind no longer \
+         has are removed unless they were changed. Files of other programs are not replaced without --force.\n\n\
+         All files get their names at the end; Ctrl-C leaves everything as it was (exit code 1). While it bakes, a hidden \
+         folder in DIR takes 4 bytes a value; what a killed run leaves is finished or removed by the next.\n\n\
          Kinds:\n",
     );
     for kind in KINDS {
@@ -153,7 +161,7 @@ fn choose<'k>(
 /// What is to be made of a map that has been read.
 struct Job<'a> {
     arguments: &'a Arguments,
-    kinds: Vec<(&'a Kind, Settings)>,
+    tasks: Vec<Task<'a>>,
     size: [u32; 2],
     wrap: Wrap,
     metric: Metric,
@@ -162,23 +170,26 @@ struct Job<'a> {
     stem: String,
 }
 
-/// What became of a kind.
-struct Baked {
-    kind: &'static str,
-    key: String,
-    files: Vec<String>,
-    up_to_date: bool,
-    seconds: f64,
+/// A kind to bake.
+struct Task<'a> {
+    kind: &'a Kind,
+    settings: Settings,
+    packing: Packing,
+    identity: Identity,
+    /// The beginning of its files' names.
+    base: String,
+    /// Its name in the manifest.
+    part: String,
+    /// The names of its files, by the shapes of its textures.
+    names: Vec<String>,
 }
 
 impl<'a> Job<'a> {
-    /// Reads the map, and finds out whether the kinds can be made of it.
+    /// Reads the map, and finds out whether the kinds can be made of it and written.
     fn new(arguments: &'a Arguments, kinds: Vec<(&'a Kind, Settings)>) -> Result<(Self, HeightMap), Failure> {
-        if !arguments.output.is_dir() {
+        if arguments.output.exists() && !arguments.output.is_dir() {
             let folder = arguments.output.display();
-            return Err(Failure::Work(format!(
-                "there is no folder {folder}: create it, or give another --output"
-            )));
+            return Err(Failure::Work(format!("{folder}: is no folder: give another --output")));
         }
         if arguments.zstd && arguments.format != FileFormat::Ktx2 {
             return Err(Failure::usage("--zstd is for --format ktx2"));
@@ -195,61 +206,108 @@ impl<'a> Job<'a> {
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
         let source_hash = map.heights_hash().to_string();
         let (size, wrap) = ([map.width(), map.height()], map.wrap());
-        Ok((Self { arguments, kinds, size, wrap, metric, source_hash, stem }, map))
+        let mut job = Self { arguments, tasks: Vec::new(), size, wrap, metric, source_hash, stem };
+        let count = kinds.len();
+        for (at, (kind, settings)) in kinds.into_iter().enumerate() {
+            let task = job.task(kind, settings, &map, at + 1 < count)?;
+            job.tasks.push(task);
+        }
+        Ok((job, map))
+    }
+
+    /// A kind that can be baked and written, as far as that can be known before.
+    fn task(
+        &self,
+        kind: &'a Kind,
+        settings: Settings,
+        map: &HeightMap,
+        is_followed: bool,
+    ) -> Result<Task<'a>, Failure> {
+        let Arguments { output, format, texels, zstd, lossy_heights, max_memory, .. } = self.arguments;
+        let storage = Storage::choose(*texels, *format, bits(&settings)).map_err(Failure::Usage)?;
+        let packing = Packing { format: *format, storage, zstd: *zstd };
+        let base = format!("{}.{}", self.stem, kind.name);
+        let shapes = (kind.shapes)(self.size, &settings);
+        let plans = files::plan(&base, *format, &shapes);
+        let copies_heights = is_followed && bits(&settings) != 0;
+        early::check_files(&plans, packing, &shapes)
+            .and_then(|()| early::check_memory(&shapes, self.size, copies_heights, *max_memory))
+            .and_then(|()| {
+                early::check_channels(kind, &settings, self.wrap, self.metric, packing, *lossy_heights)
+            })
+            .map_err(Failure::Work)?;
+        let names: Vec<String> = plans.into_iter().map(|plan| plan.name).collect();
+        if let Some(name) = names.iter().find(|name| is_same_file(&output.join(name), &self.arguments.height))
+        {
+            let (file, input) = (output.join(name), &self.arguments.height);
+            return Err(Failure::Usage(format!(
+                "{} would replace {}, which is read: give another --output",
+                file.display(),
+                input.display()
+            )));
+        }
+        let hash = &self.source_hash;
+        let identity = Identity::new(kind, &settings, map, hash, self.metric, *format, storage, *zstd);
+        let part = format!("{}.{}", kind.name, format.extension());
+        Ok(Task { kind, settings, packing, identity, base, part, names })
     }
 
     fn run(&self, map: HeightMap, cancel: &AtomicBool, out: &mut dyn Write) -> Result<(), Failure> {
-        let mut all = Vec::new();
-        let mut finished = |baked: Baked| {
-            let printed = if self.arguments.json { Ok(()) } else { baked.print(&self.arguments.output, out) };
-            all.push(baked);
-            printed
-        };
-        if let Some(((last, settings), others)) = self.kinds.split_last() {
-            for (kind, settings) in others {
-                finished(self.kind(kind, settings, Cow::Borrowed(&map), cancel)?)?;
+        let Arguments { output, force, json, .. } = self.arguments;
+        let mut outputs = match Outputs::open(output, &self.stem, *force, *json, cancel) {
+            Ok(outputs) => outputs,
+            // A folder that nobody may write into may hold all files already.
+            Err(failure) => {
+                let earlier = Earlier::find(output, &self.stem).ok();
+                let all = earlier.map(|earlier| self.up_to_date(&earlier)).unwrap_or_default();
+                let is_whole = all.len() == self.tasks.len() && !cancel.load(Ordering::Relaxed);
+                return if is_whole { self.tell(&all, &[], out) } else { Err(failure) };
             }
-            // The last kind may have the map, and needs no copy where it rounds heights.
-            finished(self.kind(last, settings, Cow::Owned(map), cancel)?)?;
+        };
+        let mut all = self.up_to_date(outputs.earlier());
+        let is_done = |task: &&Task| all.iter().any(|baked| baked.kind == task.kind.name);
+        let tasks: Vec<&Task> = self.tasks.iter().filter(|task| !is_done(task)).collect();
+        let Some((last, others)) = tasks.split_last() else { return self.tell(&all, &[], out) };
+        let manifest = outputs.earlier().name().to_owned();
+        for name in tasks.iter().flat_map(|task| &task.names).chain([&manifest]) {
+            outputs.check(name)?;
         }
-        if self.arguments.json {
-            writeln!(out, "{:#}", self.as_json(&all))?;
+        for task in others {
+            all.push(self.bake(task, Cow::Borrowed(&map), &mut outputs, cancel)?);
         }
-        Ok(())
+        // The last kind may have the map, and needs no copy where it rounds heights.
+        all.push(self.bake(last, Cow::Owned(map), &mut outputs, cancel)?);
+        let kept = outputs.finish(cancel)?;
+        all.sort_by_key(|baked| self.tasks.iter().position(|task| task.kind.name == baked.kind));
+        self.tell(&all, &kept, out)
     }
 
-    /// Bakes a kind into the hidden folder and moves its files to their places.
-    fn kind(
+    /// The kinds whose files are there, unless all are to be baked again.
+    fn up_to_date(&self, earlier: &Earlier) -> Vec<Baked> {
+        let whole = |task: &Task| {
+            let started = Instant::now();
+            let files = earlier.whole(&task.part, task.identity.key())?;
+            Some(Baked::new(task, files, true, started))
+        };
+        if self.arguments.force { Vec::new() } else { self.tasks.iter().filter_map(whole).collect() }
+    }
+
+    /// Bakes a kind and writes its files, which have no names yet.
+    fn bake(
         &self,
-        kind: &Kind,
-        settings: &Settings,
+        task: &Task,
         map: Cow<HeightMap>,
+        outputs: &mut Outputs,
         cancel: &AtomicBool,
     ) -> Result<Baked, Failure> {
-        let Arguments { output, format, texels, zstd, .. } = self.arguments;
+        let Arguments { output, json, lossy_heights, .. } = self.arguments;
+        let Task { kind, settings, packing, identity, base, part, .. } = task;
         let started = Instant::now();
-        let storage = Storage::choose(*texels, *format, bits(settings)).map_err(Failure::Usage)?;
-        let identity =
-            Identity::new(kind, settings, &map, &self.source_hash, self.metric, *format, storage, *zstd);
-        let baked = |files, up_to_date| Baked {
-            kind: kind.name,
-            key: identity.key().to_owned(),
-            files,
-            up_to_date,
-            seconds: started.elapsed().as_secs_f64(),
-        };
-        if !self.arguments.force
-            && let Some(files) = identity.files_in(output, &self.stem, kind.name, *format)
-        {
-            return Ok(baked(files, true));
-        }
         let in_folder =
             |error: io::Error| Failure::Work(format!("{}: cannot write into it: {error}", output.display()));
-        let staging =
-            tempfile::Builder::new().prefix(".relief-bake-").tempdir_in(output).map_err(in_folder)?;
-        let bar = Progress::bar(kind.name, self.arguments.json);
-        let check = |texture: &Texture| self.check(storage, texture);
-        let mut spool = Spool::new(staging.path(), &check).map_err(in_folder)?;
+        let bar = Progress::bar(kind.name, *json);
+        let check = |texture: &Texture| packing.storage.check(packing.format, texture, *lossy_heights);
+        let mut spool = Spool::new(outputs.room(), &check).map_err(in_folder)?;
         let report = |part: f32| bar.show(part * BAKING_PART);
         let progress = BakeProgress::new(&report, cancel);
         let done = match map {
@@ -263,90 +321,25 @@ impl<'a> Job<'a> {
             other => Failure::work(other),
         })?;
         let (textures, mut reader) = spool.finish().map_err(Failure::work)?;
-        let base = format!("{}.{}", self.stem, kind.name);
-        let packing = Packing { format: *format, storage, zstd: *zstd };
+        let shapes: Vec<Shape> = textures.iter().map(|spooled| spooled.texture.shape()).collect();
+        let plans = files::plan(base, packing.format, &shapes);
+        let places = plans.iter().map(|plan| outputs.place(&plan.name)).collect::<Result<Vec<_>, _>>()?;
         let mut at = |part: f32| {
             bar.show(BAKING_PART + part * (1.0 - BAKING_PART));
             !cancel.load(Ordering::Relaxed)
         };
-        let files = files::write(staging.path(), &base, packing, &textures, &mut reader, &identity, &mut at);
-        let files = files.map_err(|error| match error {
+        let written = files::write(&plans, &places, *packing, &textures, &mut reader, identity, &mut at);
+        written.map_err(|error| match error {
             FilesError::Cancelled => cancelled(),
-            // The file is named by where it was to go, not by the hidden folder.
-            FilesError::Write(error) => {
-                let name = error.path.file_name().unwrap_or_default();
-                Failure::Work(format!("{}: {}", output.join(name).display(), error.problem))
+            FilesError::Write { name, problem } => {
+                Failure::Work(format!("{}: {problem}", output.join(name).display()))
             }
-            other => Failure::work(other),
+            other @ FilesError::Value(_) => Failure::work(other),
         })?;
-        for file in &files {
-            let target = output.join(file);
-            std::fs::rename(staging.path().join(file), &target).map_err(|error| {
-                Failure::Work(format!("{}: cannot be replaced: {error}", target.display()))
-            })?;
-        }
-        Ok(baked(files, false))
-    }
-
-    /// Whether a texture can be stored, and fits: a 2-D bake holds its input and its output, and half as much
-    /// again.
-    fn check(&self, storage: Storage, texture: &Texture) -> Result<(), String> {
-        storage.check(self.arguments.format, texture, self.arguments.lossy_heights)?;
-        let [width, height, depth] = texture.size.map(u64::from);
-        if let Some(ByteSize(limit)) = self.arguments.max_memory
-            && depth == 1
-        {
-            let output = width.saturating_mul(height).saturating_mul(4 * texture.channels.len() as u64);
-            let [columns, rows] = self.size.map(u64::from);
-            let input = 4 * columns * rows;
-            let needed = output.saturating_add(input).saturating_mul(3) / 2;
-            if needed > limit {
-                return Err(format!(
-                    "{width}x{height} texels of {} channels need about {needed} bytes of memory, {limit} are allowed: \
-                     raise --max-memory",
-                    texture.channels.len()
-                ));
-            }
-        }
-        Ok(())
-    }
-
-    fn as_json(&self, all: &[Baked]) -> Value {
-        let baked: Vec<Value> = all
-            .iter()
-            .map(|baked| {
-                json!({
-                    "kind": baked.kind, "key": baked.key, "files": baked.files, "up_to_date": baked.up_to_date,
-                    "seconds": baked.seconds,
-                })
-            })
-            .collect();
-        json!({
-            "height": self.arguments.height, "folder": self.arguments.output, "source": self.source_hash,
-            "width": self.size[0], "height_texels": self.size[1], "wrap": self.wrap.name(),
-            "tile_m": self.metric.tile_m, "scale_m": self.metric.scale_m, "baked": baked,
-        })
-    }
-}
-
-impl Baked {
-    fn print(&self, folder: &Path, out: &mut dyn Write) -> io::Result<()> {
-        let files: Vec<String> =
-            self.files.iter().map(|file| folder.join(file).display().to_string()).collect();
-        let files = files.join(", ");
-        if self.up_to_date {
-            let (verb, files) = match self.files.len() {
-                1 => ("is", files),
-                count => ("are", format!("the {count} files {files}")),
-            };
-            writeln!(
-                out,
-                "{}: nothing to do, {files} {verb} baked from the same inputs already (--force bakes again)",
-                self.kind
-            )
-        } else {
-            writeln!(out, "{}: {files} in {:.2} s", self.kind, self.seconds)
-        }
+        let names: Vec<String> = plans.into_iter().map(|plan| plan.name).collect();
+        let files: Vec<(String, PathBuf)> = names.iter().cloned().zip(places).collect();
+        outputs.add(part, identity.key(), &files).map_err(in_folder)?;
+        Ok(Baked::new(task, names, false, started))
     }
 }
 

@@ -42,7 +42,7 @@ const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.pn
 /// What a height map says of its texels, at the end of both helps.
 const WRITTEN: &str = "The height map has texels from 0 (lowest) to 1: PNG of 16 bit or EXR of 32-bit floats, by the \
     output's name. The metres that belong to them are printed and stand in the file: `relief inspect` shows them, `relief bake` \
-    uses them. It is written aside and then renamed; Ctrl-C leaves nothing behind (exit code 1).";
+    uses them. All files get their names at the end; Ctrl-C leaves everything as it was (exit code 1).";
 
 /// Flags of both ways.
 #[derive(Args)]

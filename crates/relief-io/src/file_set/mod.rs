@@ -67,6 +67,9 @@ use self::journal::{Action, Step};
 use self::place::Place;
 use self::room::Room;
 
+/// How often a folder is made that others remove.
+const MOST_TRIES: usize = 100;
+
 /// Files that are about to be written, all of them or none. Dropped without [`commit`](FileSet::commit),
 /// everything is as it was before.
 #[derive(Debug)]
@@ -110,10 +113,19 @@ impl FileSet {
         let given = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
         let of_folder = |source| FileSetError::Folder { folder: given.to_owned(), source };
         let mut made = Vec::new();
-        let taken = make_folders(&disk, given, &mut made).and_then(|()| {
+        let mut take = || -> io::Result<_> {
+            make_folders(&disk, given, &mut made)?;
             let folder = given.canonicalize()?;
             Ok(Room::take(&disk, &folder, name, wait)?.map(|room| (folder, room)))
-        });
+        };
+        let mut taken = take();
+        // Who held the set may have made the folder, and removed it again.
+        for _ in 0..MOST_TRIES {
+            match &taken {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => taken = take(),
+                _ => break,
+            }
+        }
         let (folder, room) = match taken {
             Ok(Some(taken)) => taken,
             Ok(None) => {

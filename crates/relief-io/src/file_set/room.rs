@@ -13,7 +13,6 @@ use std::time::{Duration, Instant};
 
 use same_file::Handle;
 
-use super::FileSetError;
 use super::disk::{Disk, is_there};
 use super::place::{from_bytes, to_bytes};
 

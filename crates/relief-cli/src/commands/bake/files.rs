@@ -2,11 +2,12 @@
 
 use std::io;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use relief_bake::Texture;
+use relief_bake::Shape;
+use relief_core::{HeightMap, MAX_SIDE, MAX_TEXELS};
 use relief_io::{
-    Ktx2Texture, Metadata, PngTexture, Row, WriteError, write_exr_rows, write_ktx2, write_png_rows,
+    Ktx2Texture, Metadata, PngTexture, Row, WriteProblem, write_exr_rows, write_ktx2, write_png_rows,
 };
 
 use super::identity::Identity;
@@ -14,8 +15,10 @@ use super::spool::{SpoolReader, Spooled};
 use super::storage::{FileFormat, Storage};
 
 /// A file to be written: of a texture some channels and some mip levels.
-struct Plan {
-    name: String,
+#[derive(Debug)]
+pub struct Plan {
+    /// Its name.
+    pub name: String,
     texture: usize,
     channels: Range<usize>,
     levels: Range<usize>,
@@ -24,9 +27,14 @@ struct Plan {
 /// Why files were not written.
 #[derive(Debug, thiserror::Error)]
 pub enum FilesError {
-    /// A file cannot be written.
-    #[error(transparent)]
-    Write(#[from] WriteError),
+    /// The file of that name cannot be written.
+    #[error("{name}: {problem}")]
+    Write {
+        /// Its name.
+        name: String,
+        /// Why.
+        problem: WriteProblem,
+    },
     /// A value cannot be stored.
     #[error("{0}")]
     Value(String),
@@ -46,52 +54,21 @@ pub struct Packing {
     pub zstd: bool,
 }
 
-/// Writes the files of a bake into a folder and gives their names. `base` is the names' beginning; `at` is
-/// told the finished part and answers whether to go on.
-pub fn write(
-    folder: &Path,
-    base: &str,
-    packing: Packing,
-    textures: &[Spooled],
-    reader: &mut SpoolReader,
-    identity: &Identity,
-    at: &mut dyn FnMut(f32) -> bool,
-) -> Result<Vec<String>, FilesError> {
-    let plans: Vec<Plan> = textures
-        .iter()
-        .enumerate()
-        .flat_map(|(index, spooled)| plan(base, packing.format, index, &spooled.texture))
-        .collect();
-    let names: Vec<String> = plans.iter().map(|plan| plan.name.clone()).collect();
-    let rows_of = |plan: &Plan| -> u64 {
-        let rows = plan.levels.clone().map(|level| {
-            let [_, height, depth] = textures[plan.texture].texture.level_size(level);
-            u64::from(height) * u64::from(depth)
-        });
-        rows.sum::<u64>() * plan.channels.len() as u64
-    };
-    let all = plans.iter().map(rows_of).sum::<u64>().max(1) as f32;
-    let mut done = 0u64;
-    for plan in &plans {
-        let spooled = &textures[plan.texture];
-        let mut count = || {
-            done += 1;
-            at(done as f32 / all)
-        };
-        write_one(&folder.join(&plan.name), plan, packing, spooled, reader, identity, &names, &mut count)?;
-    }
-    Ok(names)
+/// The files of textures of those shapes. `base` is the names' beginning.
+pub fn plan<'a>(base: &str, format: FileFormat, shapes: impl IntoIterator<Item = &'a Shape>) -> Vec<Plan> {
+    let numbered = shapes.into_iter().enumerate();
+    numbered.flat_map(|(index, shape)| plan_texture(base, format, index, shape)).collect()
 }
 
 /// The files of a texture. PNG and KTX2 files hold up to four channels; PNG and EXR files hold one mip level,
 /// and so do KTX2 files where levels are not each half the one before it, rounded down, which the format
 /// takes for granted.
-fn plan(base: &str, format: FileFormat, index: usize, texture: &Texture) -> Vec<Plan> {
-    let count = texture.channels.len();
-    let levels = texture.mips.len() + 1;
+fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> Vec<Plan> {
+    let count = shape.channels as usize;
+    let levels = shape.mips.len() + 1;
     let halves = (1..levels).all(|level| {
-        let half = texture.size.map(|side| (side >> level.min(31)).max(1));
-        texture.level_size(level) == half && texture.level_size(level - 1) != [1; 3]
+        let half = shape.size.map(|side| (side >> level.min(31)).max(1));
+        level_size(shape, level) == half && level_size(shape, level - 1) != [1; 3]
     });
     let together = levels == 1 || (format == FileFormat::Ktx2 && halves);
     let step = format.channels().min(count.max(1));
@@ -100,8 +77,8 @@ fn plan(base: &str, format: FileFormat, index: usize, texture: &Texture) -> Vec<
         let channels = from..(from + step).min(count);
         for level in 0..if together { 1 } else { levels } {
             let mut parts = vec![base.to_owned()];
-            if !texture.name.is_empty() {
-                parts.push(texture.name.to_owned());
+            if !shape.name.is_empty() {
+                parts.push(shape.name.to_owned());
             }
             if count > step {
                 parts.push(format!("channels{}-{}", channels.start, channels.end - 1));
@@ -115,6 +92,73 @@ fn plan(base: &str, format: FileFormat, index: usize, texture: &Texture) -> Vec<
         }
     }
     plans
+}
+
+fn level_size(shape: &Shape, level: usize) -> [u32; 3] {
+    if level == 0 { shape.size } else { shape.mips[level - 1] }
+}
+
+impl Plan {
+    /// Whether a file can hold it, of textures of those shapes.
+    ///
+    /// # Errors
+    ///
+    /// When it cannot; the text says what to do.
+    pub fn check(&self, packing: Packing, shapes: &[Shape]) -> Result<(), String> {
+        let size = level_size(&shapes[self.texture], self.levels.start);
+        let [width, height, depth] = size;
+        match packing.format {
+            FileFormat::Ktx2 => {
+                let (count, levels) = (self.channels.len(), self.levels.len() as u32);
+                let (format, metadata) = (packing.storage.ktx2(count), Metadata::default());
+                let texture =
+                    Ktx2Texture { format, size, levels, channels: count, zstd: packing.zstd, metadata };
+                texture.check().map_err(|problem| problem.to_string())
+            }
+            FileFormat::Exr | FileFormat::Png => {
+                let fits = HeightMap::check_size(width, height.saturating_mul(depth));
+                fits.map_err(|_| {
+                    let format = packing.format.extension();
+                    format!(
+                        "{width}x{height}x{depth} texels do not go into an {format} file, where slices lie below each \
+                         other: {MAX_SIDE} texels a side and {MAX_TEXELS} in all do; use --format ktx2, or fewer slices"
+                    )
+                })
+            }
+        }
+    }
+}
+
+/// Writes the files of a bake, each to its place. `at` is told the finished part and answers whether to go
+/// on.
+pub fn write(
+    plans: &[Plan],
+    places: &[PathBuf],
+    packing: Packing,
+    textures: &[Spooled],
+    reader: &mut SpoolReader,
+    identity: &Identity,
+    at: &mut dyn FnMut(f32) -> bool,
+) -> Result<(), FilesError> {
+    let names: Vec<String> = plans.iter().map(|plan| plan.name.clone()).collect();
+    let rows_of = |plan: &Plan| -> u64 {
+        let rows = plan.levels.clone().map(|level| {
+            let [_, height, depth] = textures[plan.texture].texture.level_size(level);
+            u64::from(height) * u64::from(depth)
+        });
+        rows.sum::<u64>() * plan.channels.len() as u64
+    };
+    let all = plans.iter().map(rows_of).sum::<u64>().max(1) as f32;
+    let mut done = 0u64;
+    for (plan, place) in plans.iter().zip(places) {
+        let spooled = &textures[plan.texture];
+        let mut count = || {
+            done += 1;
+            at(done as f32 / all)
+        };
+        write_one(place, plan, packing, spooled, reader, identity, &names, &mut count)?;
+    }
+    Ok(())
 }
 
 fn write_one(
@@ -183,6 +227,8 @@ fn write_one(
     };
     match failure {
         Some(failure) => Err(failure),
-        None => written.map_err(FilesError::Write),
+        None => {
+            written.map_err(|error| FilesError::Write { name: plan.name.clone(), problem: error.problem })
+        }
     }
 }

@@ -1,10 +1,10 @@
-//! What a baked file says of itself, and whether a bake has been done before.
+//! What a baked file says of itself.
 
 use std::path::Path;
 
 use relief_bake::{Kind, Settings, Texture};
 use relief_core::{HeightMap, Metric, Rounding};
-use relief_io::{Metadata, read_metadata};
+use relief_io::read_metadata;
 
 use super::storage::{FileFormat, Storage};
 
@@ -136,26 +136,11 @@ impl Identity {
         }
         entries
     }
+}
 
-    /// The files of an earlier bake of the same inputs, if all of them are there: those that the first file
-    /// found with this hash names, each with this hash. Their texels are not compared.
-    pub fn files_in(&self, folder: &Path, stem: &str, kind: &str, format: FileFormat) -> Option<Vec<String>> {
-        let (prefix, suffix) = (format!("{stem}.{kind}."), format!(".{}", format.extension()));
-        let same = |name: &str| -> Option<Metadata> {
-            let found = read_metadata(&folder.join(name)).ok()?;
-            (found.get(KEY) == Some(self.key.as_str())).then_some(found)
-        };
-        let mut names: Vec<String> = std::fs::read_dir(folder)
-            .ok()?
-            .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-            .filter(|name| name.starts_with(&prefix) && name.ends_with(&suffix))
-            .collect();
-        names.sort_unstable();
-        let first = names.iter().find_map(|name| same(name))?;
-        let files: Vec<String> = serde_json::from_str(first.get(FILES)?).ok()?;
-        let all_there = files.iter().all(|file| names.contains(file) && same(file).is_some());
-        (all_there && !files.is_empty()).then_some(files)
-    }
+/// Whether a file says that it was baked.
+pub fn is_baked(path: &Path) -> bool {
+    read_metadata(path).is_ok_and(|found| found.get(KEY).is_some())
 }
 
 const fn rounding_name(rounding: Rounding) -> &'static str {

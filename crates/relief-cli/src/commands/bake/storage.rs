@@ -141,16 +141,30 @@ impl Storage {
     ///
     /// When it cannot; the text says what to do.
     pub fn check(self, format: FileFormat, texture: &Texture, lossy_heights: bool) -> Result<(), String> {
-        if texture.size[2] > 1 && format == FileFormat::Png {
+        self.check_depth(format, texture.size[2])?;
+        self.check_channels(&texture.channels, lossy_heights)
+    }
+
+    /// Whether textures of so many slices can be stored so.
+    ///
+    /// # Errors
+    ///
+    /// When they cannot; the text says what to do.
+    pub fn check_depth(self, format: FileFormat, slices: u32) -> Result<(), String> {
+        if slices > 1 && format == FileFormat::Png {
             return Err("a volume does not go into a PNG file: use --format ktx2 or exr".to_owned());
         }
+        if slices > 1 && self == Storage::Block {
+            return Err("a volume does not go into block-compressed texels: leave --texels bc out".to_owned());
+        }
+        Ok(())
+    }
+
+    fn check_channels(self, channels: &[Channel], lossy_heights: bool) -> Result<(), String> {
         if self != Storage::Block {
             return Ok(());
         }
-        if texture.size[2] > 1 {
-            return Err("a volume does not go into block-compressed texels: leave --texels bc out".to_owned());
-        }
-        for Channel { name, rounding, .. } in &texture.channels {
+        for Channel { name, rounding, .. } in channels {
             if *rounding != Rounding::Nearest {
                 return Err(format!(
                     "block compression would break the promise of the channel '{name}', whose values may only be \

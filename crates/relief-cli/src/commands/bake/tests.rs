@@ -2,18 +2,19 @@
 
 #[cfg(unix)]
 mod disk;
+mod kinds;
 #[cfg(target_os = "linux")]
 mod memory;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Parser;
-use relief_bake::kind::{BITS, Reach};
-use relief_bake::{BakeInput, Channel, Sink};
+use relief_bake::Channel;
 use relief_core::Rounding;
-use relief_core::registry::{Param, Publication};
 use relief_io::{TexelFormat, read_ktx2, read_metadata, write_png16};
+use serde_json::{Value, json};
 
+use self::kinds::{find, shade};
 use super::*;
 
 const WIDTH: u32 = 20;
@@ -23,99 +24,6 @@ const HEIGHT: u32 = 12;
 struct Line {
     #[command(flatten)]
     arguments: Arguments,
-}
-
-const fn kind(
-    name: &'static str,
-    params: &'static [Param],
-    bake: fn(&BakeInput, &Settings, &BakeProgress, &mut dyn Sink) -> Result<(), BakeError>,
-) -> Kind {
-    Kind {
-        name,
-        summary: "for tests",
-        revision: 1,
-        publication: Publication { paper: "Relief", section: "tests" },
-        params,
-        guarantee: "none",
-        shapes: |_, _| Vec::new(),
-        reach: |_| Reach::Texels(0),
-        bake,
-    }
-}
-
-const fn channel(name: &'static str, rounding: Rounding) -> Channel {
-    Channel { name, unit: "1", range: [0.0, 2.0], rounding }
-}
-
-fn texture(name: &'static str, size: [u32; 3], channels: &[Channel]) -> Texture {
-    let notes = vec![("reach", "0 texels".to_owned())];
-    Texture { name, size, mips: Vec::new(), channels: channels.to_vec(), notes }
-}
-
-/// What the kinds below store: 1 and a third of the height, in a range of 0 to 2.
-fn shade(texel: f32) -> f32 {
-    1.0 + texel / 3.0
-}
-
-/// One channel; its progress is reported.
-const SHADE: Kind = kind("shade", &[BITS], |source, _, progress, sink| {
-    progress.at(0.0)?;
-    let map = source.map;
-    sink.begin(&texture("", [map.width(), map.height(), 1], &[channel("shade", Rounding::Down)]))?;
-    let plane: Vec<f32> = map.texels().iter().map(|&texel| shade(texel)).collect();
-    Ok(sink.slice(&[&plane])?)
-});
-
-/// Five channels with a chain of halves, then a texture whose levels are no halves; asks for no cancellation.
-const LEVELS: Kind = kind("levels", &[], |source, _, _, sink| {
-    let names = ["a", "b", "c", "d", "e"];
-    let [width, height] = [source.map.width(), source.map.height()];
-    let mut five = texture("five", [width, height, 1], &names.map(|name| channel(name, Rounding::Nearest)));
-    five.mips = vec![[width / 2, height / 2, 1], [width / 4, height / 4, 1]];
-    let mut odd = texture("odd", [width, height, 1], &[channel("height", Rounding::Nearest)]);
-    odd.mips = vec![[width / 2 + 1, height / 2 + 1, 1]];
-    for texture in [five, odd] {
-        sink.begin(&texture)?;
-        for level in 0..=texture.mips.len() {
-            let [width, height, _] = texture.level_size(level);
-            let planes: Vec<Vec<f32>> = (0..texture.channels.len())
-                .map(|at| vec![(level as f32 + at as f32) / 8.0; (width * height) as usize])
-                .collect();
-            let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
-            sink.slice(&planes)?;
-        }
-    }
-    Ok(())
-});
-
-/// Three slices of 0, 1 and 2.
-const VOLUME: Kind = kind("volume", &[], |source, _, _, sink| {
-    let [width, height] = [source.map.width(), source.map.height()];
-    sink.begin(&texture("", [width, height, 3], &[channel("distance", Rounding::Down)]))?;
-    for slice in [0.0, 1.0, 2.0] {
-        sink.slice(&[&vec![slice; (width * height) as usize]])?;
-    }
-    Ok(())
-});
-
-/// Announces two slices and gives one.
-const SHORT: Kind = kind("short", &[], |_, _, _, sink| {
-    sink.begin(&texture("", [2, 1, 2], &[channel("x", Rounding::Nearest)]))?;
-    Ok(sink.slice(&[&[0.0, 0.0]])?)
-});
-
-/// A value that no integer of its range holds.
-const OUTSIDE: Kind = kind("outside", &[], |_, _, _, sink| {
-    sink.begin(&texture("", [2, 1, 1], &[channel("x", Rounding::Up)]))?;
-    Ok(sink.slice(&[&[0.0, 2.5]])?)
-});
-
-const TEST_KINDS: [Kind; 5] = [SHADE, LEVELS, VOLUME, SHORT, OUTSIDE];
-
-fn find(name: &str) -> Result<&'static Kind, UnknownName> {
-    static FOUND: [Kind; 5] = TEST_KINDS;
-    let unknown = || UnknownName::new("map kind", name, FOUND.iter().map(|kind| kind.name));
-    FOUND.iter().find(|kind| kind.name == name).ok_or_else(unknown)
 }
 
 /// A folder with a height map of that size.
@@ -157,12 +65,12 @@ impl Room {
         self.bake_unless(false, line).expect("it can be baked")
     }
 
-    /// What the folder holds besides the map.
+    /// What the folder holds besides the map and the manifest.
     fn files(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.folder.path()).expect("the folder is there");
         let mut names: Vec<String> = entries
             .map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned())
-            .filter(|name| name != "map.png")
+            .filter(|name| name != "map.png" && name != "map.relief-manifest")
             .collect();
         names.sort();
         names
@@ -261,6 +169,13 @@ fn a_second_run_does_nothing_until_an_input_changes() {
     assert!(!up_to_date(&room.bake(line)));
     std::fs::write(room.path("map.levels.odd.level1.ktx2"), b"something else").expect("writable");
     assert!(!up_to_date(&room.bake(line)));
+    // Only what is damaged.
+    let path = room.path("map.shade.ktx2");
+    let whole = std::fs::read(&path).expect("it was written");
+    std::fs::write(&path, &whole[..whole.len() / 2]).expect("writable");
+    let third = room.bake(line);
+    assert!(up_to_date(&third) && third["baked"][1]["up_to_date"] == json!(false));
+    assert_eq!((std::fs::read(&path).expect("it was written"), before), (whole, bytes()));
 }
 
 #[test]
@@ -303,6 +218,12 @@ fn cancelled_bakes_leave_nothing() {
         let failure = room.bake_unless(true, line).expect_err("it was cancelled");
         assert!(matches!(&failure, Failure::Work(text) if text.starts_with("cancelled")), "{failure:?}");
         assert_eq!(room.files(), [""; 0], "{line}");
+        // What was there stays, and is not said to be gone.
+        room.bake(line);
+        let before = room.files();
+        room.bake_unless(true, &format!("{line} --scale 3")).expect_err("it was cancelled");
+        assert_eq!(room.files(), before);
+        assert!(up_to_date(&room.bake(line)));
     }
 }
 
@@ -350,7 +271,10 @@ fn what_fails_leaves_nothing() {
     assert!(room.bake_unless(false, "--kind shade").is_err());
     let gone = Room { map: room.map.clone(), folder: tempfile::tempdir().expect("a temporary folder") };
     std::fs::remove_dir(gone.folder.path()).expect("it is empty");
-    assert!(matches!(gone.bake_unless(false, "--kind shade"), Err(Failure::Work(_))));
+    assert!(matches!(gone.bake_unless(true, "--kind shade"), Err(Failure::Work(_))));
+    assert!(!gone.folder.path().exists(), "a folder that was made is removed again");
+    gone.bake("--kind shade");
+    assert_eq!(gone.files(), ["map.shade.exr"]);
 }
 
 #[test]

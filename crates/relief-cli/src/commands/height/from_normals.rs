@@ -103,6 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = catch_interrupts()?;
+    let mut staged = Staged::open(&[&output], common.json, cancel)?;
     let (heights, slopes, fit) = {
         let bar = Progress::bar("integrating", common.json);
         let report = |part: f32| bar.show(part);
@@ -132,7 +133,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("source_green", green.way.to_owned()),
     ];
     let relief = Relief::new(heights, steepness, how, &output, more)?;
-    let mut staged = Staged::default();
     staged.add(&output, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();

@@ -9,10 +9,11 @@ use relief_bake::Progress as BakeProgress;
 use relief_bake::from_normals::{Integration, NormalSlopes, heights_from_slopes};
 use relief_bake::kind::normal::Axes;
 use relief_bake::photometric::{ColourAlbedo, Photo, PhotometricError, Photometry, normals_from_photos};
+use relief_io::file_set::is_same_file;
 use relief_io::{Metadata, Picture, linear_to_srgb, read_picture_as};
 
 use super::lights::Lights;
-use super::output::{Content, Format, Output, Staged, is_same};
+use super::output::{Content, Format, Output, Staged};
 use super::{Common, Relief, WRITTEN, cancelled, catch_interrupts, of_integration, of_photos};
 use crate::advice;
 use crate::failure::Failure;
@@ -84,13 +85,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     // Until here nothing exists that an interrupted program would leave behind.
     let cancel = catch_interrupts()?;
+    let named: Vec<&Output> = [Some(&outputs.height), outputs.normals.as_ref(), outputs.albedo.as_ref()]
+        .into_iter()
+        .flatten()
+        .collect();
+    let mut staged = Staged::open(&named, common.json, cancel)?;
     let photos = with_lights(&lights, &pixels);
     let bar = Progress::bar("solving", common.json);
     let report = |part: f32| bar.show(part);
     let progress = BakeProgress::new(&report, cancel);
     let found = normals_from_photos(size, &photos, lights.exposure, &progress.piece(0.0, 0.5));
     let found = found.map_err(|error| of_solving(error, &lights))?;
-    let mut staged = Staged::default();
     let mut brightest = None;
     if let Some(albedo) = &outputs.albedo {
         let content = colours(&lights, &photos, &found, size, albedo, common, || {
@@ -179,7 +184,7 @@ impl Arguments {
         let named = [Some(&self.output), self.normals.as_ref(), self.albedo.as_ref()];
         for (at, path) in named.iter().enumerate() {
             let Some(path) = path else { continue };
-            if named[..at].iter().flatten().any(|other| is_same(other, path)) {
+            if named[..at].iter().flatten().any(|other| is_same_file(other, path)) {
                 return Err(Failure::Usage(format!("{} is named for two outputs", path.display())));
             }
         }

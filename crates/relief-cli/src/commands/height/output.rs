@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use relief_core::registry::UnknownName;
+use relief_io::file_set::{FileSet, FileSetError, is_same_file};
 use relief_io::{Metadata, PngTexture, write_exr_rows, write_png_rows};
-use tempfile::TempDir;
 
 use super::cancelled;
 use crate::failure::Failure;
+use crate::waiting::waiting;
 
 /// A file format, by the ending of the output's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +60,7 @@ impl Output {
             return Err(Failure::Work(format!("{name}: cannot be written: it is a folder")));
         }
         let output = Self { path: path.to_owned(), format };
-        match inputs.iter().find(|input| is_same(path, input)) {
+        match inputs.iter().find(|input| is_same_file(path, input)) {
             Some(input) => {
                 let input = input.display();
                 Err(Failure::Usage(format!("{flag} {name}: would replace {input}, which is read")))
@@ -81,28 +82,28 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Whether two names are of one file, which need not be there yet.
-pub fn is_same(a: &Path, b: &Path) -> bool {
-    let place = |path: &Path| match path.canonicalize() {
-        Ok(place) => Some(place),
-        Err(_) => Some(folder_of(path).canonicalize().ok()?.join(path.file_name()?)),
-    };
-    place(a).is_some_and(|a| Some(a) == place(b))
-}
-
-/// Files that are whole, in hidden folders beside the places that they are meant for. Dropped, they are gone.
-#[derive(Default)]
-pub struct Staged(Vec<(TempDir, PathBuf)>);
+/// Files that are whole, in a hidden folder beside their places. Dropped, they are gone.
+pub struct Staged(FileSet);
 
 impl Staged {
+    /// Finds out whether all of the outputs can be written, of which there is at least one. Waits for another
+    /// process that writes the first, and mends what a killed one left.
+    pub fn open(outputs: &[&Output], quiet: bool, cancel: &AtomicBool) -> Result<Self, Failure> {
+        let first = outputs.first().map_or(Path::new(""), |output| output.path.as_path());
+        let (folder, name) = (folder_of(first), first.file_name().unwrap_or_default());
+        let set = FileSet::open(folder, name, &mut waiting(folder, quiet, cancel));
+        let mut set = set.map_err(|error| match error {
+            FileSetError::Busy { .. } if cancel.load(Ordering::Relaxed) => cancelled(),
+            other => Failure::work(other),
+        })?;
+        outputs.iter().try_for_each(|output| set.check(&output.path)).map_err(Failure::work)?;
+        Ok(Self(set))
+    }
+
     /// Writes a file aside.
     pub fn add(&mut self, output: &Output, content: &Content, cancel: &AtomicBool) -> Result<(), Failure> {
         let Output { path, format } = output;
-        let failed = |what: &dyn std::fmt::Display| Failure::Work(format!("{}: {what}", path.display()));
-        let file = path.file_name().ok_or_else(|| failed(&"is no file name"))?;
-        let folder = tempfile::Builder::new().prefix(".relief-height-").tempdir_in(folder_of(path));
-        let folder = folder.map_err(|error| failed(&format!("cannot write into its folder ({error})")))?;
-        let aside = folder.path().join(file);
+        let aside = self.0.put(path).map_err(Failure::work)?;
         let [width, height] = content.size;
         let mut rows = |row: relief_io::Row, texels: &mut [f32]| -> io::Result<()> {
             if cancel.load(Ordering::Relaxed) {
@@ -123,18 +124,11 @@ impl Staged {
         if cancel.load(Ordering::Relaxed) {
             return Err(cancelled());
         }
-        written.map_err(|error| failed(&error.problem))?;
-        self.0.push((folder, path.clone()));
-        Ok(())
+        written.map_err(|error| Failure::Work(format!("{}: {}", path.display(), error.problem)))
     }
 
     /// Gives all files their names.
     pub fn finish(self) -> Result<(), Failure> {
-        for (folder, path) in &self.0 {
-            let aside = folder.path().join(path.file_name().unwrap_or_default());
-            std::fs::rename(aside, path)
-                .map_err(|error| Failure::Work(format!("{}: cannot be replaced: {error}", path.display())))?;
-        }
-        Ok(())
+        self.0.commit().map_err(Failure::work)
     }
 }

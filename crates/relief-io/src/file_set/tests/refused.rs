@@ -79,7 +79,7 @@ fn names_of_any_bytes_are_written() {
 }
 
 /// The room of the tests' set, with a file to lock.
-fn room_in(folder: &Path) -> std::path::PathBuf {
+fn room_in(folder: &Path) -> PathBuf {
     let set = open(&Disk::default(), folder).expect("writable");
     let room = set.room.path.clone();
     drop(set);

@@ -206,6 +206,16 @@ fn one_process_at_a_time_works_on_a_set() {
         drop(set);
         waiting.join().expect("it ends").expect("it is free");
     });
+    // Who waits for a set whose folder goes makes it again.
+    let made = root.path().join("made/folder");
+    let set = open(&Disk::default(), &made).expect("the folder can be made");
+    std::thread::scope(|scope| {
+        let waiting = scope.spawn(|| FileSet::open(&made, "wall", &mut |_| true).map(drop));
+        std::thread::sleep(Duration::from_millis(60));
+        drop(set);
+        waiting.join().expect("it ends").expect("it is free");
+    });
+    assert!(!root.path().join("made").exists());
     // Many at once: each adds its letter to what is there.
     std::thread::scope(|scope| {
         for _ in 0..8 {

@@ -1,0 +1,154 @@
+//! The files of all bakes of a height map in a folder: which are whole, which may be written, and writing
+//! them all at once.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use relief_io::file_set::{FileSet, FileSetError, FoundManifest, ListedFile, Manifest, Part};
+use relief_io::write_atomically;
+
+use super::cancelled;
+use super::identity::is_baked;
+use crate::failure::Failure;
+use crate::waiting::waiting;
+
+/// How the manifest's name ends.
+const MANIFEST: &str = ".relief-manifest";
+
+/// What the manifest of a height map says of earlier bakes.
+pub struct Earlier<'a> {
+    folder: &'a Path,
+    /// The manifest's name.
+    name: String,
+    manifest: Manifest,
+    /// Whether another program's file has the manifest's name.
+    is_strange: bool,
+}
+
+impl<'a> Earlier<'a> {
+    /// The bakes of the height map of that name in a folder.
+    pub fn find(folder: &'a Path, stem: &str) -> Result<Self, Failure> {
+        let name = format!("{stem}{MANIFEST}");
+        let path = folder.join(&name);
+        let found = Manifest::find(&path);
+        let found = found.map_err(|error| Failure::Work(format!("{}: {error}", path.display())))?;
+        let is_strange = found == FoundManifest::Stranger;
+        let manifest =
+            if let FoundManifest::Whole(manifest) = found { manifest } else { Manifest::default() };
+        Ok(Self { folder, name, manifest, is_strange })
+    }
+
+    /// The manifest's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The names of the files of a part, if it was made from that and all of them are as they were.
+    pub fn whole(&self, part: &str, made_from: &str) -> Option<Vec<String>> {
+        let part = self.manifest.whole(self.folder, part, made_from)?;
+        Some(part.files.iter().map(|file| file.name.clone()).collect())
+    }
+}
+
+/// The files of a run on their way to a folder. Dropped before [`finish`](Self::finish), everything is as it
+/// was.
+pub struct Outputs<'a> {
+    set: FileSet,
+    earlier: Earlier<'a>,
+    /// Whether files of other programs are replaced.
+    force: bool,
+    parts: Vec<Part>,
+}
+
+impl<'a> Outputs<'a> {
+    /// Makes the folder if it is missing, waits for other processes, and mends what killed ones left.
+    pub fn open(
+        folder: &'a Path,
+        stem: &str,
+        force: bool,
+        quiet: bool,
+        cancel: &AtomicBool,
+    ) -> Result<Self, Failure> {
+        let set = FileSet::open(folder, stem, &mut waiting(folder, quiet, cancel));
+        let set = set.map_err(|error| match error {
+            FileSetError::Busy { .. } if cancel.load(Ordering::Relaxed) => cancelled(),
+            other => Failure::work(other),
+        })?;
+        Ok(Self { set, earlier: Earlier::find(folder, stem)?, force, parts: Vec::new() })
+    }
+
+    /// What was baked before.
+    pub fn earlier(&self) -> &Earlier<'a> {
+        &self.earlier
+    }
+
+    /// A folder for files without a name.
+    pub fn room(&self) -> &Path {
+        self.set.room()
+    }
+
+    /// Whether a file of that name can be written, and is none of another program.
+    pub fn check(&mut self, name: &str) -> Result<(), Failure> {
+        let path = self.earlier.folder.join(name);
+        self.set.check(&path).map_err(Failure::work)?;
+        let is_ours = if name == self.earlier.name {
+            !self.earlier.is_strange
+        } else {
+            self.earlier.manifest.lists(name) || !path.exists() || is_baked(&path)
+        };
+        if is_ours || self.force {
+            return Ok(());
+        }
+        Err(Failure::Work(format!(
+            "{}: is there already, and relief has not baked it: move it away, give another --output, or replace it \
+             with --force",
+            path.display()
+        )))
+    }
+
+    /// Where to write a file of that name.
+    pub fn place(&mut self, name: &str) -> Result<PathBuf, Failure> {
+        // It may have come since the first look.
+        self.check(name)?;
+        self.set.put(&self.earlier.folder.join(name)).map_err(Failure::work)
+    }
+
+    /// Takes note of a part whose files have been written, each to its place.
+    pub fn add(&mut self, name: &str, made_from: &str, files: &[(String, PathBuf)]) -> io::Result<()> {
+        let listed = files.iter().map(|(name, place)| ListedFile::of(place, name));
+        let files = listed.collect::<io::Result<_>>()?;
+        self.parts.push(Part { name: name.to_owned(), made_from: made_from.to_owned(), files });
+        Ok(())
+    }
+
+    /// Gives all files their names, and removes those of earlier bakes of the same parts that are no longer
+    /// among them. Gives the names of those that were left, since somebody has changed them.
+    pub fn finish(mut self, cancel: &AtomicBool) -> Result<Vec<String>, Failure> {
+        let mut manifest = self.earlier.manifest.clone();
+        let mut before = Vec::new();
+        for part in self.parts {
+            before.extend(manifest.part(&part.name).into_iter().flat_map(|part| part.files.clone()));
+            manifest.set(part);
+        }
+        let mut kept = Vec::new();
+        for file in before.into_iter().filter(|file| !manifest.lists(&file.name)) {
+            match std::fs::symlink_metadata(self.earlier.folder.join(&file.name)) {
+                Ok(about) if about.is_file() && file.is_in(self.earlier.folder) => {
+                    self.set.remove(&file.name).map_err(Failure::work)?;
+                }
+                Ok(_) => kept.push(file.name),
+                Err(_) => {}
+            }
+        }
+        let path = self.earlier.folder.join(&self.earlier.name);
+        let aside = self.set.put(&path).map_err(Failure::work)?;
+        let written = write_atomically(&aside, |out| out.write_all(manifest.to_text().as_bytes()));
+        written.map_err(|error| Failure::Work(format!("{}: {}", path.display(), error.problem)))?;
+        if cancel.load(Ordering::Relaxed) {
+            return Err(cancelled());
+        }
+        self.set.commit().map_err(Failure::work)?;
+        Ok(kept)
+    }
+}

@@ -1,0 +1,83 @@
+//! What is said of a run.
+
+use std::io::{self, Write};
+use std::path::Path;
+use std::time::Instant;
+
+use serde_json::{Value, json};
+
+use super::{Job, Task};
+use crate::failure::Failure;
+
+/// What became of a kind.
+pub struct Baked {
+    /// Its name.
+    pub kind: &'static str,
+    key: String,
+    files: Vec<String>,
+    up_to_date: bool,
+    seconds: f64,
+}
+
+impl Baked {
+    /// A task whose files are there; they were before when it is `up_to_date`.
+    pub fn new(task: &Task, files: Vec<String>, up_to_date: bool, started: Instant) -> Self {
+        let (kind, key) = (task.kind.name, task.identity.key().to_owned());
+        Self { kind, key, files, up_to_date, seconds: started.elapsed().as_secs_f64() }
+    }
+
+    fn print(&self, folder: &Path, out: &mut dyn Write) -> io::Result<()> {
+        let files: Vec<String> =
+            self.files.iter().map(|file| folder.join(file).display().to_string()).collect();
+        let files = files.join(", ");
+        if self.up_to_date {
+            let (verb, files) = match self.files.len() {
+                1 => ("is", files),
+                count => ("are", format!("the {count} files {files}")),
+            };
+            writeln!(
+                out,
+                "{}: nothing to do, {files} {verb} baked from the same inputs already (--force bakes again)",
+                self.kind
+            )
+        } else {
+            writeln!(out, "{}: {files} in {:.2} s", self.kind, self.seconds)
+        }
+    }
+}
+
+impl Job<'_> {
+    /// Says what became of the kinds, and which files of earlier bakes were left.
+    pub fn tell(&self, all: &[Baked], kept: &[String], out: &mut dyn Write) -> Result<(), Failure> {
+        let folder = &self.arguments.output;
+        if self.arguments.json {
+            writeln!(out, "{:#}", self.as_json(all, kept))?;
+            return Ok(());
+        }
+        for name in kept {
+            eprintln!(
+                "note: {} was left: an earlier bake wrote it, this one does not, and it has been changed since",
+                folder.join(name).display()
+            );
+        }
+        all.iter().try_for_each(|baked| baked.print(folder, out))?;
+        Ok(())
+    }
+
+    fn as_json(&self, all: &[Baked], kept: &[String]) -> Value {
+        let baked: Vec<Value> = all
+            .iter()
+            .map(|baked| {
+                json!({
+                    "kind": baked.kind, "key": baked.key, "files": baked.files, "up_to_date": baked.up_to_date,
+                    "seconds": baked.seconds,
+                })
+            })
+            .collect();
+        json!({
+            "height": self.arguments.height, "folder": self.arguments.output, "source": self.source_hash,
+            "width": self.size[0], "height_texels": self.size[1], "wrap": self.wrap.name(),
+            "tile_m": self.metric.tile_m, "scale_m": self.metric.scale_m, "baked": baked, "kept": kept,
+        })
+    }
+}
