@@ -45,7 +45,8 @@ pub fn bake_last(
     (kind.bake)(&BakeInput { map: &map, metric }, settings, progress, sink)
 }
 
-/// To how many bits heights are rounded before they are baked; 0 for none.
-fn bits_of_heights(kind: &Kind, settings: &Settings) -> u32 {
+/// To how many bits a bake of that kind rounds heights first; 0 for none. What the kind promises holds for the
+/// rounded heights: a search over the map must read those, which [`quantise::heights`] gives.
+pub fn bits_of_heights(kind: &Kind, settings: &Settings) -> u32 {
     kind.params.iter().position(|param| *param == BITS).map_or(0, |place| settings.count(place))
 }

@@ -29,7 +29,7 @@ mod sink;
 mod texel_pyramid;
 mod transpose;
 
-pub use bake::{bake, bake_last};
+pub use bake::{bake, bake_last, bits_of_heights};
 pub use baked_map::{WantedMap, baked_map};
 pub use error::BakeError;
 pub use input::BakeInput;

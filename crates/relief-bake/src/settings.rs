@@ -2,6 +2,12 @@
 
 use relief_core::registry::Param;
 
+/// The name of the parameter that says in how many bits values are stored.
+pub(crate) const BITS: &str = "bits";
+
+/// What that parameter may be: those that files store, or 0 for floats.
+const STORED_BITS: [f64; 3] = [0.0, 8.0, 16.0];
+
 /// The values of a kind's parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
@@ -39,6 +45,14 @@ pub enum SettingsError {
         /// Whether only whole numbers are accepted.
         integer: bool,
     },
+    /// No file stores values in so many bits.
+    #[error("{kind}.bits is {value}: it must be 8 or 16, or 0 for floats")]
+    Bits {
+        /// The kind.
+        kind: &'static str,
+        /// The value given.
+        value: f64,
+    },
 }
 
 impl Settings {
@@ -51,7 +65,7 @@ impl Settings {
     ///
     /// # Errors
     ///
-    /// When there is no such parameter, or the value is out of range.
+    /// When there is no such parameter, or it cannot have that value.
     pub fn set(&mut self, name: &str, value: f64) -> Result<(), SettingsError> {
         let kind = self.kind;
         let Some(place) = self.params.iter().position(|param| param.name == name) else {
@@ -61,6 +75,9 @@ impl Settings {
         let Param { name, min, max, integer, .. } = self.params[place];
         if !(f64::from(min)..=f64::from(max)).contains(&value) || (integer && value.fract() != 0.0) {
             return Err(SettingsError::Value { kind, name, value, min, max, integer });
+        }
+        if name == BITS && !STORED_BITS.contains(&value) {
+            return Err(SettingsError::Bits { kind, value });
         }
         self.values[place] = value as f32;
         Ok(())
@@ -87,5 +104,27 @@ impl Settings {
     /// Names and values, in the order of the kind's list.
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, f32)> + '_ {
         self.params.iter().map(|param| param.name).zip(self.values.iter().copied())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kind;
+
+    #[test]
+    fn only_bits_that_files_store_are_accepted() {
+        for name in ["cone", "horizon"] {
+            let mut settings = kind(name).expect("a kind").defaults();
+            for good in [8.0, 16.0, 0.0] {
+                assert_eq!(settings.set(BITS, good), Ok(()), "{name} {good}");
+            }
+            for bad in [7.0, 1.0, 15.0] {
+                assert!(matches!(settings.set(BITS, bad), Err(SettingsError::Bits { .. })), "{name} {bad}");
+            }
+            for bad in [-8.0, 32.0, f64::NAN, 8.5] {
+                assert!(matches!(settings.set(BITS, bad), Err(SettingsError::Value { .. })), "{name} {bad}");
+            }
+        }
     }
 }

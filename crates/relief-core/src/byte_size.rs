@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// A number of bytes, written as `4GiB`, `512 MiB`, `64KiB` or a plain number.
+/// A number of bytes, written as `4GiB`, `512 MiB`, `64KiB`, `100B` or a plain number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ByteSize(pub u64);
 
@@ -12,7 +12,7 @@ pub struct ByteSize(pub u64);
 #[error("'{0}' is no amount of memory: write a whole number of bytes, or of KiB, MiB, GiB or TiB as in 4GiB")]
 pub struct BadByteSize(String);
 
-const UNITS: [(&str, u32); 4] = [("TiB", 40), ("GiB", 30), ("MiB", 20), ("KiB", 10)];
+const UNITS: [(&str, u32); 5] = [("TiB", 40), ("GiB", 30), ("MiB", 20), ("KiB", 10), ("B", 0)];
 
 impl FromStr for ByteSize {
     type Err = BadByteSize;
@@ -29,7 +29,7 @@ impl fmt::Display for ByteSize {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match UNITS.iter().find(|(_, bits)| self.0 != 0 && self.0.trailing_zeros() >= *bits) {
             Some((unit, bits)) => write!(f, "{}{unit}", self.0 >> bits),
-            None => write!(f, "{}", self.0),
+            None => write!(f, "0B"),
         }
     }
 }
@@ -46,7 +46,9 @@ mod tests {
             assert_eq!(text.parse(), Ok(ByteSize(bytes)), "{text}");
             assert_eq!(ByteSize(bytes).to_string().parse(), Ok(ByteSize(bytes)), "{text}");
         }
-        for text in ["", "GiB", "-1", "1.5GiB", "4GB", "20000000TiB", "4 gib"] {
+        // A plain number would be read as so many of another amount beside it.
+        assert_eq!(ByteSize(1).to_string(), "1B");
+        for text in ["", "GiB", "B", "-1", "1.5GiB", "4GB", "20000000TiB", "4 gib"] {
             assert!(text.parse::<ByteSize>().is_err(), "{text}");
         }
     }

@@ -85,8 +85,9 @@ pub fn kind(name: &str) -> Result<&'static Kind, UnknownName> {
 
 /// The parameter that quantises.
 pub const BITS: Param = Param {
-    name: "bits",
-    summary: "bits of the stored values, rounded to the safe side: 8 or 16, 0 for floats",
+    name: crate::settings::BITS,
+    summary: "bits of the stored values, rounded to the side that is safe for heights of as many bits: 8 or 16, \
+        0 for floats",
     unit: "bits",
     min: 0.0,
     max: 16.0,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use relief_bake::{Kind, Settings, Texture};
+use relief_bake::{Kind, Settings, Texture, bits_of_heights};
 use relief_core::{HeightMap, Metric, Rounding};
 use relief_io::read_metadata;
 
@@ -27,6 +27,10 @@ fn inputs(
     metric: Metric,
 ) -> Vec<(&'static str, String)> {
     let [tile_u, tile_v] = metric.tile_m;
+    let guarantee = match bits_of_heights(kind, settings) {
+        0 => kind.guarantee.to_owned(),
+        bits => format!("{} It holds for the heights rounded to {bits} bits.", kind.guarantee),
+    };
     let settings: Vec<String> = settings.iter().map(|(name, value)| format!("{name}={value}")).collect();
     vec![
         ("kind", kind.name.to_owned()),
@@ -38,7 +42,7 @@ fn inputs(
         ("settings", settings.join(" ")),
         ("convention", "height 1 is highest; row 0 is on top, v grows downward".to_owned()),
         ("units", "lengths in metres; heights in fractions of the scale; u and v in tiles".to_owned()),
-        ("guarantee", kind.guarantee.to_owned()),
+        ("guarantee", guarantee),
         (
             "published",
             format!("{} {}", kind.publication.paper, kind.publication.section).trim_end().to_owned(),
