@@ -9,7 +9,7 @@ use std::process::Command;
 
 use ::exr::prelude::{Compression, SampleType as ExrSample};
 use common::files::{Scan, hdr, jpeg, png};
-use common::tiff_file::Tiff;
+use common::tiff_file::{Tiff, Value};
 use common::{Folder, exr_file, landscape};
 use png::{BitDepth, ColorType};
 use relief_io::{Fill, HeightOptions, Source, read_height};
@@ -125,6 +125,10 @@ fn tiff_in_small_and_in_large_blocks() {
     assert_within("doubles.tif", &Tiff { bits: 64, ..float.clone() }.bytes(&values), "", BUDGET);
     let tiles = Tiff { tile_width: Some(256), block_rows: 256, ..float.clone() };
     assert_within("tiles.tif", &tiles.bytes(&values), "", BUDGET);
+    let kind = vec![(254, Value::Long(vec![4]))];
+    let mask = Tiff { bits: 1, format: 1, photometric: 4, extra: kind, ..float.clone() };
+    let masked = float.bytes_before(&values, &[(mask, values.clone())]);
+    assert_within("masked.tif", &masked, "", BUDGET);
     // A single strip is held whole, compressed and not: the documented exception.
     let whole = Tiff { block_rows: SIDE, ..float };
     assert_within("one strip.tif", &whole.bytes(&values), "", 32 * MIB + 16 * TEXELS);

@@ -186,12 +186,13 @@ pub fn tiff_header(
     file
 }
 
-fn tiff(size: [u32; 2], samples: Samples, data: &[u8], more: &[Tag]) -> Vec<u8> {
+/// A TIFF of one strip.
+pub fn tiff(size: [u32; 2], samples: Samples, data: &[u8], more: &[Tag]) -> Vec<u8> {
     [&tiff_header(size, size[1], samples, more), data].concat()
 }
 
 /// Texels of 30 m in a projected system, and a nodata value.
-fn georeference() -> Vec<Tag> {
+pub fn georeference() -> Vec<Tag> {
     let doubles = |values: &[f64]| values.iter().flat_map(|value| value.to_le_bytes()).collect();
     let shorts = |values: &[u16]| values.iter().flat_map(|value| value.to_le_bytes()).collect();
     vec![
