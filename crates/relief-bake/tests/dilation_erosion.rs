@@ -68,7 +68,7 @@ fn probes_catch_the_bounds_of_a_smaller_window() {
 
 #[test]
 fn rounded_bounds_are_the_bounds_of_rounded_heights() {
-    for (wrap, bits) in Wrap::ALL.into_iter().zip([8, 5, 16]) {
+    for (wrap, bits) in Wrap::ALL.into_iter().zip([8, 16, 8]) {
         let map = maps::ALL[0].build(wrap);
         let rounded = quantise::heights(&map, bits).expect("a valid map");
         assert_eq!(baked(&map, 3, bits), baked(&rounded, 3, 0), "{wrap}, {bits} bits");
