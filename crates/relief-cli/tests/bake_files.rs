@@ -229,11 +229,10 @@ fn what_cannot_be_written_is_said_before_the_work() {
 #[cfg(target_os = "linux")]
 #[test]
 fn memory_that_the_system_refuses_is_an_error() {
-    let folder = room(1500);
-    // Four planes of the frusta and the one above, with half as much again: 67 MB more than the map.
-    let line = line("--kind frustum");
+    let folder = room(700);
+    let line = line("--kind normal");
     let mut refused = 0;
-    for mebibytes in (40..400).step_by(8) {
+    for mebibytes in (16..400).step_by(4) {
         let script = format!("ulimit -v {}; exec {} {line}", mebibytes * 1024, env!("CARGO_BIN_EXE_relief"));
         let mut shell = Command::new("sh");
         shell.args(["-c", &script]).current_dir(folder.path("")).env("RAYON_NUM_THREADS", "1");
@@ -241,11 +240,11 @@ fn memory_that_the_system_refuses_is_an_error() {
         if ran.code == Some(0) {
             break;
         }
-        if ran.stderr.contains("memory, which the system refuses") {
-            assert_eq!(ran.code, Some(1), "{ran:?}");
-            assert!(!folder.path("out").exists());
-            refused += 1;
-        }
+        let is_refused = ran.code == Some(1) && ran.stderr.contains("memory, which the system refuses");
+        // With less the program itself has no room; with more, nothing else stops it.
+        assert!(is_refused || refused == 0, "{mebibytes} MiB: {ran:?}");
+        assert!(!folder.path("out").exists());
+        refused += usize::from(is_refused);
     }
     assert!(refused >= 3, "{refused}");
 }

@@ -9,6 +9,9 @@ use super::storage::Storage;
 /// Side of the map that is baked to see what channels a kind has.
 const TRIAL_SIDE: u32 = 8;
 
+/// Bytes that a program takes whatever the size of the map: threads, and a few rows in the writers.
+const FIXED: u64 = 16 << 20;
+
 /// Whether the files of textures of those shapes can be written.
 ///
 /// # Errors
@@ -70,7 +73,7 @@ pub fn check_memory(
     }
     // The map is in memory already. Asking for the rest is no proof that it can be used, but what is refused
     // now would end the program later.
-    let more = usize::try_from(needed - input).unwrap_or(usize::MAX);
+    let more = usize::try_from((needed - input).saturating_add(FIXED)).unwrap_or(usize::MAX);
     let refused = Vec::<u8>::new().try_reserve_exact(more).is_err();
     if refused {
         return Err(format!(

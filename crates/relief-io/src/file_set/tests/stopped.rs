@@ -117,7 +117,7 @@ fn an_operation_that_fails_is_undone() {
             match result {
                 Ok(()) => assert_eq!(left, after, "stop {stop}"),
                 Err(FileSetError::Stuck { .. }) => {
-                    assert!(left == before || left == after, "{stop}: {left:?}")
+                    assert!(left == before || left == after, "{stop}: {left:?}");
                 }
                 Err(error) => {
                     assert_eq!(left, before, "stop {stop}: {error}");
