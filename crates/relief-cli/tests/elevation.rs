@@ -36,6 +36,7 @@ fn a_picture_of_one_with_holes_is_rendered_and_says_so() {
     assert_eq!(ran.stderr, note);
     assert!(!ran.stdout.contains("no pixel"), "{}", ran.stdout);
     folder.relief(&format!("{line} whole.tif")).fine();
+    folder.relief(&format!("{line} dem.tif --fill")).fine();
 
     let about = json_of(&folder.relief(&format!("{line} dem.tif --json")).fine().stdout);
     let surface = &about["surfaces"][0];

@@ -256,7 +256,7 @@ fn check_outputs(arguments: &Arguments, spec: &SceneSpec) -> Result<(), Failure>
     Ok(())
 }
 
-/// Of each height map whose holes were filled that it was so, once.
+/// Of each height map whose holes were filled without being asked for that it was so, once.
 fn filled(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
     let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
     let notes = surfaces.filter_map(|(described, surface)| {
@@ -265,7 +265,7 @@ fn filled(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
             let name = path.display();
             format!("{name}: {count} of its texels have no value; they are filled from their surroundings")
         };
-        (count > 0).then(note)
+        (count > 0 && described.fill.is_none()).then(note)
     });
     notes.collect()
 }
