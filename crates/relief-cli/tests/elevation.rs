@@ -70,8 +70,7 @@ fn inspect_says_what_is_known_of_it() {
     let folder = Folder::new();
     let mut tags = georeference();
     // Rows from the south, heights in feet with a scale and an offset.
-    let doubles = |values: &[f64]| values.iter().flat_map(|value| value.to_le_bytes()).collect();
-    tags[0].2 = doubles(&[30.0, -30.0, 0.0]);
+    tags[0].2 = [30.0f64, -30.0, 0.0].iter().flat_map(|value| value.to_le_bytes()).collect();
     let items = "<Item sample=\"0\" role=\"scale\">0.5</Item><Item sample=\"0\" role=\"offset\">10</Item>\
                  <Item sample=\"0\" role=\"unittype\">ft</Item>";
     tags.push((42112, 2, format!("<GDALMetadata>{items}</GDALMetadata>\0").into_bytes()));
