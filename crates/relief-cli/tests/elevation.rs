@@ -116,6 +116,6 @@ fn real_models_of_unsigned_integers_are_seen() {
         let words = line.split_ascii_whitespace().map(Into::into).chain([height.into_os_string()]);
         let about = json_of(&folder.with(line, words).fine().stdout);
         assert_eq!(about["surfaces"][0]["filled_texels"], json!(filled), "{name}");
-        assert!(about["covered"].as_u64().is_some_and(|covered| covered > 800), "{name}: {about}");
+        assert!(about["covered"].as_u64().is_some_and(|covered| covered > 100), "{name}: {about}");
     }
 }
