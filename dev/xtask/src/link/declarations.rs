@@ -174,8 +174,7 @@ fn head(source: &str) -> String {
 mod tests {
     use super::*;
 
-    const SOURCE: &str =
-        "// The head.\n\nimport package::other::helper;\n\n// A number.\nconst ONE = 1.0;\n\n\
+    const SOURCE: &str = "// The head.\n\nimport package::other::helper;\n\n// A number.\nconst ONE = 1.0;\n\n\
         // Doubled.\n// Twice.\n@if(fast)\nfn twice(at: Pair) -> f32 {\n    // not helper\n    \
         return at.ONE * 2.0;\n}\n\n\
         @if(!fast)\nfn twice(at: Pair) -> f32 {\n    return helper(at.x) + ONE;\n}\n";
