@@ -15,9 +15,14 @@ use relief_tests::rng::Rng;
 /// Probes of each map in each form.
 const PROBES: usize = 100_000;
 
-/// Texels of each map, in each wrap, that brute force is run on, and its samples along the side of a patch.
+/// Texels of each map, in each wrap, that brute force is run on.
 const TEXELS: usize = 12;
-const SAMPLES: i32 = 16;
+
+/// Samples along the side of a patch, and how many times finer they are on its edges.
+const SAMPLES: [usize; 2] = [16, 1];
+
+/// The same beside level ground, where the supremum is mostly at a place between these, often on an edge.
+const FINE_SAMPLES: [usize; 2] = [32, 5];
 
 fn metric(k: usize) -> Metric {
     Metric::new([[1.0, 1.0], [3.0, 0.7]][k % 2], 0.1).expect("positive lengths")
@@ -31,50 +36,127 @@ fn slope(ratios: &[f32], place: usize) -> f64 {
     1.0 / f64::from(ratios[place])
 }
 
-/// The slopes that brute force asks for, from apexes of texels of every map in every wrap, beside those of
-/// relaxed cones and of cones. Sampling patches misses some of a supremum, never finds more.
+/// The slopes that brute force asks for, from apexes of texels of a map, beside those of relaxed cones and of
+/// cones. Sampling patches misses some of a supremum, never finds more.
+fn compare(name: &str, map: &HeightMap, metric: &Metric, seed: u64, samples: [usize; 2]) {
+    let name = &format!("{name} {}", map.wrap());
+    let texel_m = metric.texel_m(map);
+    let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
+    let most = 2 * i64::from(map.width().max(map.height())) + 2;
+    let find = |texel: [i64; 2], apex: [f64; 2], samples: [usize; 2]| {
+        brute::slope(map, texel_m, texel, apex, samples, highest, most)
+    };
+    // What an error of a few 1e-15 heights makes of slopes that are 0.
+    let least = 1e-11 / texel_m[0].min(texel_m[1]);
+    let from_centre = relaxed(map, metric, RelaxedApex::Centre);
+    let from_square = relaxed(map, metric, RelaxedApex::Footprint);
+    let mut rng = Rng::new(seed);
+    let (mut sum, mut slow_sum) = (0.0, 0.0);
+    for _ in 0..TEXELS {
+        let texel = [rng.below(map.width()), rng.below(map.height())].map(i64::from);
+        let place = texel[1] as usize * map.width() as usize + texel[0] as usize;
+        let (fast, slow) = (slope(&from_centre, place), find(texel, [0.0; 2], samples));
+        assert!(fast >= slow, "{name} {texel:?}: {fast} and {slow} found");
+        assert!(fast <= 1.2 * slow + least, "{name} {texel:?}: {fast} and {slow}");
+        (sum, slow_sum) = (sum + fast, slow_sum + slow);
+        let bound = slope(&from_square, place);
+        for _ in 0..3 {
+            let apex = [0; 2].map(|_| match rng.below(3) {
+                0 => rng.pick(&[-0.5, 0.0, 0.5]),
+                _ => rng.between(-0.5, 0.5),
+            });
+            let slow = find(texel, apex, SAMPLES);
+            assert!(bound >= slow * (1.0 - 1e-9), "{name} {texel:?} {apex:?}: {bound} and {slow} found");
+        }
+    }
+    let lost = sum / slow_sum.max(1e-9);
+    assert!(sum <= TEXELS as f64 * least || lost < 1.02, "{name}: {lost} of what brute force finds");
+    for (ratios, apex) in [(from_centre, ConeApex::Centre), (from_square, ConeApex::Footprint)] {
+        let cones = cone_ratios(map, metric, apex, &Progress::none()).expect("nobody cancels");
+        for place in 0..cones.len() {
+            let (relaxed, cone) = (slope(&ratios, place), slope(&cones, place));
+            assert!(
+                relaxed <= cone * (1.0 + 1e-6) + least,
+                "{name} {apex:?} texel {place}: {relaxed} and {cone} of a cone"
+            );
+        }
+    }
+}
+
 #[test]
 fn is_between_brute_force_and_the_cone_and_from_centres_equal_to_brute_force() {
     let cases: Vec<(usize, usize)> =
         (0..maps::ALL.len()).flat_map(|k| (0..Wrap::ALL.len()).map(move |wrap| (k, wrap))).collect();
     cases.into_par_iter().for_each(|(k, wrap)| {
         let map = maps::ALL[k].build(Wrap::ALL[wrap]);
-        let (name, metric) = (maps::ALL[k].name, metric(k + wrap));
-        let texel_m = metric.texel_m(&map);
-        let highest = f64::from(map.texels().iter().copied().fold(0.0, f32::max));
-        let most = 2 * i64::from(map.width().max(map.height())) + 2;
-        let find = |texel: [i64; 2], apex: [f64; 2]| {
-            brute::slope(&map, texel_m, texel, apex, SAMPLES, highest, most)
-        };
-        // What an error of a few 1e-15 heights makes of slopes that are 0.
-        let least = 1e-11 / texel_m[0].min(texel_m[1]);
-        let from_centre = relaxed(&map, &metric, RelaxedApex::Centre);
-        let from_square = relaxed(&map, &metric, RelaxedApex::Footprint);
-        let cones = cone_ratios(&map, &metric, ConeApex::Footprint, &Progress::none());
-        let cones = cones.expect("nobody cancels");
-        let mut rng = Rng::new(k as u64);
-        let (mut sum, mut slow_sum) = (0.0, 0.0);
-        for _ in 0..TEXELS {
-            let texel = [rng.below(map.width()), rng.below(map.height())].map(i64::from);
-            let place = texel[1] as usize * map.width() as usize + texel[0] as usize;
-            let (fast, slow) = (slope(&from_centre, place), find(texel, [0.0; 2]));
-            assert!(fast >= slow, "{name} {} {texel:?}: {fast} and {slow} found", Wrap::ALL[wrap]);
-            assert!(fast <= 1.2 * slow + least, "{name} {} {texel:?}: {fast} and {slow}", Wrap::ALL[wrap]);
-            (sum, slow_sum) = (sum + fast, slow_sum + slow);
-            let (bound, cone) = (slope(&from_square, place), slope(&cones, place));
-            assert!(bound <= cone * (1.0 + 1e-6) + least, "{name} {texel:?}: {bound} and {cone} of a cone");
-            for _ in 0..3 {
-                let apex = [0; 2].map(|_| match rng.below(3) {
-                    0 => rng.pick(&[-0.5, 0.0, 0.5]),
-                    _ => rng.between(-0.5, 0.5),
-                });
-                let slow = find(texel, apex);
-                assert!(bound >= slow * (1.0 - 1e-9), "{name} {texel:?} {apex:?}: {bound} and {slow} found");
+        compare(maps::ALL[k].name, &map, &metric(k + wrap), k as u64, SAMPLES);
+    });
+}
+
+/// The number of a level at a column and a row.
+type Level = fn(u32, u32) -> u32;
+
+/// Maps with level ground, sizes and heights of them: terraces that run along an axis and askew, whose steps
+/// are as wide as they like, plateaus, and natural ground of few heights.
+const LEVEL: [(&str, [u32; 2], Level); 9] = [
+    ("row with a plateau", [8, 1], |i, _| u32::from((2..6).contains(&i))),
+    ("column of terraces", [1, 31], |_, j| j / 4),
+    ("terraces", [40, 19], |i, _| i / 5),
+    ("terraces to and fro", [37, 24], |i, _| (i / 6).min((36 - i) / 6)),
+    ("terraces askew", [33, 29], |i, j| (i + j) / 4),
+    ("terraces of an odd tilt", [31, 34], |i, j| (2 * i + 3 * j) / 9),
+    ("plateaus", [32, 27], |i, j| u32::from(i / 5 % 2 == 0) + 2 * u32::from(j / 7 % 2 == 0)),
+    ("a stepped pyramid", [35, 33], |i, j| i.abs_diff(17).max(j.abs_diff(16)) / 3),
+    ("hollows", [30, 30], |i, j| 5 - (i * i / 7 + j * j / 5 + 3 * i) % 6),
+];
+
+fn level(k: usize, wrap: Wrap) -> HeightMap {
+    let (_, [width, height], heights) = LEVEL[k];
+    HeightMap::from_fn(width, height, wrap, |i, j| heights(i, j) as f32 / 12.0).expect("a valid map")
+}
+
+#[test]
+fn level_ground_limits_no_cone_but_where_it_falls_off() {
+    let cases: Vec<(usize, usize)> =
+        (0..LEVEL.len()).flat_map(|k| (0..Wrap::ALL.len()).map(move |wrap| (k, wrap))).collect();
+    cases.into_par_iter().for_each(|(k, wrap)| {
+        compare(LEVEL[k].0, &level(k, Wrap::ALL[wrap]), &metric(k + wrap), k as u64, FINE_SAMPLES);
+    });
+    let row = HeightMap::from_fn(8, 1, Wrap::Clamp, |i, _| f32::from(u8::from((2..6).contains(&i))));
+    let (row, metric) = (row.expect("a valid map"), Metric::new([8.0, 1.0], 0.1).expect("lengths"));
+    let ratios = relaxed(&row, &metric, RelaxedApex::Centre);
+    // From the foot to the far edge of the level ground.
+    assert!((ratios[1] - 4.0).abs() < 1e-4 && (ratios[0] - 5.0).abs() < 1e-4, "{ratios:?}");
+    assert!(ratios[2..6].iter().all(|ratio| *ratio > 1e9), "{ratios:?}");
+    // From the square of the texel at the foot half a texel less lies before that edge, and half of the rise.
+    let ratios = relaxed(&row, &metric, RelaxedApex::Footprint);
+    assert!(ratios[1] > 3.4 && ratios[2] > 4.9, "{ratios:?}");
+}
+
+#[test]
+fn no_falling_ray_comes_out_in_a_cone_beside_level_ground() {
+    (0..LEVEL.len()).into_par_iter().for_each(|k| {
+        for wrap in Wrap::ALL {
+            let (map, metric) = (level(k, wrap), metric(k));
+            for (apex, footprint) in [(RelaxedApex::Centre, false), (RelaxedApex::Footprint, true)] {
+                let ratios = relaxed(&map, &metric, apex);
+                let probes = Probes::new(&map, metric.texel_m(&map), footprint, 7);
+                let (found, _) = attack(probes, PROBES / 4, |exit| f64::from(at(&map, &ratios, exit.texel)));
+                assert_eq!(found, 0, "{} {wrap} {apex:?}", LEVEL[k].0);
             }
         }
-        let lost = sum / slow_sum.max(1e-9);
-        assert!(sum <= TEXELS as f64 * least || lost < 1.02, "{name}: {lost} of what brute force finds");
     });
+}
+
+#[test]
+fn what_rounding_makes_of_a_rise_is_no_fall() {
+    let height = 27_585.0 / 65_535.0;
+    let map = HeightMap::from_fn(3, 3, Wrap::Clamp, |i, j| if (i, j) == (0, 0) { height } else { 0.0 });
+    let (map, metric) = (map.expect("a valid map"), Metric::new([4.23, 1.0], 0.1).expect("lengths"));
+    let ratios = relaxed(&map, &metric, RelaxedApex::Centre);
+    let cones = cone_ratios(&map, &metric, ConeApex::Centre, &Progress::none()).expect("nobody cancels");
+    // Seen from the middle the patch beside the peak only rises.
+    assert!(cones[4] > 3.44 && ratios[4] >= cones[4], "{} and {} of a cone", ratios[4], cones[4]);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! `bake`: time and memory of every kind of map, and what brute force would take.
 
 mod brute;
+mod grounds;
 mod measure;
 mod python;
 
@@ -13,9 +14,9 @@ use comfy_table::presets::ASCII_MARKDOWN;
 use rayon::ThreadPool;
 use relief_bake::{KINDS, Kind, Settings};
 use relief_core::{HeightMap, Metric, Wrap};
-use relief_tests::maps::fractal;
 
 use self::brute::Brute;
+use self::grounds::Ground;
 use self::measure::Measured;
 
 /// Depth of the relief in tiles.
@@ -47,6 +48,13 @@ pub struct Arguments {
     /// 0 leaves it out
     #[arg(long, default_value_t = 1.5, value_name = "SECONDS")]
     brute: f64,
+    /// Measure these sorts of ground beside natural ground, instead of the tables of all kinds. A size that
+    /// takes longer than the limit is the last one
+    #[arg(long, value_enum, value_delimiter = ',')]
+    ground: Vec<Ground>,
+    /// How these maps go on beyond their edges
+    #[arg(long, default_value_t = Wrap::Repeat)]
+    wrap: Wrap,
     /// A Python with numpy, edt and topocalc: times distance and horizon beside these two
     #[arg(long, value_name = "PYTHON")]
     beside_python: Option<PathBuf>,
@@ -77,6 +85,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
         return Ok(code);
     }
     let variants = variants(&chosen(&arguments.kinds)?, arguments.bits)?;
+    if !arguments.ground.is_empty() {
+        return grounds::run(arguments, &variants).map(|()| ExitCode::SUCCESS);
+    }
     let pools = [pool(1)?, pool(2)?];
     if let Some(python) = &arguments.beside_python {
         return python::run(python, &arguments.sizes, &pools[0]).map(|()| ExitCode::SUCCESS);
@@ -268,6 +279,5 @@ fn metric() -> Result<Metric, String> {
 }
 
 fn ground(side: u32) -> Result<HeightMap, String> {
-    let map = HeightMap::new(side, side, fractal(7, side, side, 0.5), Wrap::Repeat);
-    map.and_then(|map| map.with_displacement(SCALE_M, -SCALE_M)).map_err(|error| error.to_string())
+    Ground::Natural.map(side, Wrap::Repeat)
 }

@@ -37,7 +37,7 @@ impl Sort for Empty {
                 let height = f64::from(search.field.map.texel(seed[0], seed[1]));
                 *best = most(&search.places.to_vertex(simd, apexes, by, height)).max(*best);
             }
-            search.walk.lower(group, lane, apexes.low);
+            search.walk.lower(group, lane, apexes);
             search.walk.raise_bar(group, lane, *best);
         }
         // Distances along the axes are independent: the nearest image is in a tile beside the apex's.

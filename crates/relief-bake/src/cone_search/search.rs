@@ -59,7 +59,7 @@ impl<'a> Search<'a> {
             field: Field::new(map),
             places: Places::new(region, texel_m),
             near: Near::new(texel_m, region),
-            walk: Walk::new(map, texel_m, region.half()),
+            walk: Walk::new(map, texel_m, region),
         }
     }
 

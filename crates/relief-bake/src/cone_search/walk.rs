@@ -1,27 +1,41 @@
 //! A walk down a maximum pyramid, shared by texels side by side, to the vertices that may matter to them.
 
+mod above_plane;
+
 use pulp::Simd;
 use relief_core::{HeightMap, Wrap};
 
+use super::apexes::{APEXES, Apexes, Region};
 use super::block::REACH;
-use super::lanes::{COLUMNS_F32, LANES};
+use super::lanes::{COLUMNS_F32, LANE_BITS, LANES, Lanes};
 use crate::texel_pyramid::TexelPyramid;
+use crate::upper_planes::UpperPlanes;
 
 /// Lowers squared slopes, so that in `f32`, with some twelve roundings of 2⁻²⁴, no node that matters is
 /// passed over.
 const CAUTION: f64 = 1.0 - 1.0 / (1u64 << 19) as f64;
 
+/// Raises slopes by more than rounding, so that a plane as steep as what was found is not above it.
+const TIE: f64 = 1.0 + 1e-12;
+
+/// Nodes that a walk looks into before it asks for planes: natural ground mostly takes fewer.
+const PATIENCE: u32 = 64;
+
 /// The map's pyramid and the shape of its texels.
 pub(crate) struct Walk<'a> {
     levels: TexelPyramid<'a>,
+    planes: UpperPlanes,
     size: [i64; 2],
     wrap: Wrap,
     /// Sides of a texel over the longer one.
     sides: [f32; 2],
     /// The longer side in metres.
     side_m: f64,
+    texel_m: [f64; 2],
     /// Half the side of the box of apexes, in texels.
     half: f32,
+    /// How many apexes a texel has.
+    apexes: usize,
 }
 
 /// Texels side by side, what they have found so far, and the nodes that are still to be looked into.
@@ -32,6 +46,10 @@ pub(crate) struct Group {
     low: [f32; LANES],
     /// The steepest squared slope so far, lowered, in heights per longer side.
     bar: [f32; LANES],
+    /// The steepest slope so far, raised, in heights per metre.
+    slope: Lanes,
+    /// The heights of the apexes.
+    apexes: [Lanes; APEXES],
     pending: Vec<Node>,
 }
 
@@ -42,6 +60,8 @@ impl Group {
             texel: [0; 2],
             low: [f32::INFINITY; LANES],
             bar: [0.0; LANES],
+            slope: [0.0; LANES],
+            apexes: [[0.0; LANES]; APEXES],
             pending: Vec::with_capacity(64),
         }
     }
@@ -83,6 +103,8 @@ struct Node {
     level: u32,
     at: [u32; 2],
     sight: Sight,
+    /// The lanes, a bit each, that may look into it.
+    lanes: u64,
 }
 
 /// Where the vertices of a node are from a group, and the height of the highest.
@@ -115,16 +137,19 @@ struct Image {
 }
 
 impl<'a> Walk<'a> {
-    /// The pyramid of a map, for apexes in the box of that half side.
-    pub fn new(map: &'a HeightMap, texel_m: [f64; 2], half: f64) -> Self {
+    /// The pyramid of a map, for apexes there.
+    pub fn new(map: &'a HeightMap, texel_m: [f64; 2], region: Region) -> Self {
         let side_m = texel_m[0].max(texel_m[1]);
         Self {
             levels: TexelPyramid::new(map),
+            planes: UpperPlanes::new(map),
             size: [i64::from(map.width()), i64::from(map.height())],
             wrap: map.wrap(),
             sides: texel_m.map(|side| (side / side_m) as f32),
             side_m,
-            half: half as f32,
+            texel_m,
+            half: region.half() as f32,
+            apexes: region.count(),
         }
     }
 
@@ -133,17 +158,21 @@ impl<'a> Walk<'a> {
         self.side_m
     }
 
-    /// Lets a lane take part, with its lowest apex.
+    /// Lets a lane take part, with its apexes.
     #[inline(always)]
-    pub fn lower(&self, group: &mut Group, lane: usize, low: f64) {
-        let near = low as f32;
-        group.low[lane] = if f64::from(near) > low { near.next_down() } else { near };
+    pub fn lower(&self, group: &mut Group, lane: usize, apexes: &Apexes) {
+        let near = apexes.low as f32;
+        group.low[lane] = if f64::from(near) > apexes.low { near.next_down() } else { near };
+        for (lanes, height) in group.apexes.iter_mut().zip(apexes.heights) {
+            lanes[lane] = height;
+        }
     }
 
     /// Sets the squared slope, in heights per metre, above which a lane still looks.
     #[inline(always)]
     pub fn raise_bar(&self, group: &mut Group, lane: usize, slope2: f64) {
         group.bar[lane] = (slope2 * self.side_m * self.side_m * CAUTION) as f32;
+        group.slope[lane] = slope2.sqrt() * TIE;
     }
 
     /// Looks, for each lane, at every vertex that may be steeper than its bar, or be a corner of a cell that
@@ -156,6 +185,10 @@ impl<'a> Walk<'a> {
     /// is greatest. So one end has at least `cos(a / 2g)` of the greatest slope, and at least `1 - a²/4g²` of
     /// its square. Every point of a cell is on a line between two edges, so one corner has at least the
     /// square of that factor.
+    ///
+    /// On inclined ground that passes over nothing uphill, where all is equally steep. So a node is passed
+    /// over as well where a plane above the cells around its vertices is not above the lane's cone: see
+    /// [`Self::above_plane`]. What is lost to a tie is 1e-12 of the slope.
     #[inline(always)]
     pub fn walk<S: Simd>(&self, simd: S, group: &mut Group, tiles: [i64; 2], look: &mut impl Look) {
         for y in 0..=tiles[1] {
@@ -196,9 +229,22 @@ impl<'a> Walk<'a> {
         }
         let mut pending = std::mem::take(&mut group.pending);
         pending.clear();
-        pending.push(Node { level, at: [0, 0], sight });
-        while let Some(Node { level, at, sight }) = pending.pop() {
-            let Some(excess) = self.worth::<S, L>(simd, group, &sight) else { continue };
+        pending.push(Node { level, at: [0, 0], sight, lanes: ALL_LANES });
+        let mut looked_into = 0;
+        while let Some(Node { level, at, sight, mut lanes }) = pending.pop() {
+            let Some(mut excess) = self.worth::<S, L>(simd, group, &sight) else { continue };
+            looked_into += 1;
+            if looked_into > PATIENCE {
+                lanes &= self.above_plane(simd, group, &image, level, at, &sight);
+                let mut any = false;
+                for (excess, bit) in excess.iter_mut().zip(LANE_BITS) {
+                    *excess = if lanes & bit == 0 { 0.0 } else { *excess };
+                    any |= *excess > 0.0;
+                }
+                if !any {
+                    continue;
+                }
+            }
             if level == 0 {
                 let vertex = [0, 1].map(|axis| group.texel[axis] + self.place(&image, axis, at[axis]));
                 look.look(simd, group, &excess, vertex, f64::from(sight.highest));
@@ -230,7 +276,7 @@ impl<'a> Walk<'a> {
                     if look.may_matter(level, [column, row], [left, top], [right, bottom])
                         && self.worth::<S, L>(simd, group, &sight).is_some()
                     {
-                        pending.push(Node { level, at: [column, row], sight });
+                        pending.push(Node { level, at: [column, row], sight, lanes });
                     }
                 }
             }
@@ -312,6 +358,9 @@ impl<'a> Walk<'a> {
         any.then_some(excess)
     }
 }
+
+/// All lanes, a bit each.
+const ALL_LANES: u64 = (1 << LANES) - 1;
 
 /// The larger one, in the form that compiles to one instruction.
 #[inline(always)]

@@ -106,7 +106,8 @@ pub const KIND: Kind = Kind {
 ///    point inside. For a vertex it is inside a piece of the rim, or at its end. All have closed forms.
 /// 4. *Nodes passed over.* A node of the maximum pyramid is skipped only when its highest point over the
 ///    lowest apex, at their least distance, is less steep than what was found by more than a cell can be
-///    steeper than its corners: see the module `cone_search::walk`.
+///    steeper than its corners; or when a plane above the node is not above a cone of what was found, or by
+///    1e-12 of it at most: see the module `cone_search::walk`.
 /// 5. *Beyond the map.* Under repeat all images that are near enough are looked at. Under clamp and mirror,
 ///    folding the plane onto the map keeps heights and brings no two points farther apart, so the steepest
 ///    pairs are on the map itself.

@@ -67,7 +67,8 @@
 //! 5. *Rounding.* A corner's demand is a difference and a quotient in `f64`, below the true one by less than
 //!    2⁻⁵¹ of it; a diagonal's is never below the true one. The greatest is raised by 2⁻⁵⁰ of it and rounded
 //!    up to `f32`. The search passes over a node of the pyramid only where its bound is below what is found
-//!    already by more than the rounding of the comparison, so it returns the greatest of all demands. Heights
+//!    already by more than the rounding of the comparison, or where without any rounding a plane above the
+//!    node is not above the frustum found. So it returns the greatest of all demands. Heights
 //!    and tops are not rounded. With `bits`, heights are decoded from so many bits first, so the top is one
 //!    that is stored exactly; slopes are rounded up, to steps of a power of two over `2^bits - 1`.
 //!
@@ -85,6 +86,7 @@ use relief_core::{HeightMap, MaxPyramid, Rounding};
 
 use super::{BITS, Kind, Reach};
 use crate::texel_pyramid::TexelPyramid;
+use crate::upper_planes::UpperPlanes;
 use crate::{BakeError, BakeInput, Cancelled, Channel, Progress, Settings, Shape, Sink, Texture, quantise};
 
 pub use map::{Frustum, FrustumMap, FrustumMapError, quadrant};
@@ -119,10 +121,10 @@ const QUADRANTS: [[bool; 2]; 4] = [[true, true], [false, true], [true, false], [
 pub fn frustum_map(map: &HeightMap, progress: &Progress) -> Result<FrustumMap, Cancelled> {
     let begin = progress.piece(0.0, 0.02);
     let top = MaxPyramid::try_new(map, |part| begin.at(part))?.nodes(0).to_vec();
-    let levels = TexelPyramid::new(map);
+    let (levels, planes) = (TexelPyramid::new(map), UpperPlanes::new(map));
     let slopes = |place: usize| {
         let progress = progress.piece(0.02 + 0.245 * place as f32, 0.02 + 0.245 * (place + 1) as f32);
-        least_slopes::least_slopes(map, &top, &levels, QUADRANTS[place], &progress)
+        least_slopes::least_slopes(map, &top, &levels, &planes, QUADRANTS[place], &progress)
     };
     let slopes = [slopes(0)?, slopes(1)?, slopes(2)?, slopes(3)?];
     Ok(FrustumMap::of_map(map, top, slopes))

@@ -8,6 +8,7 @@
 //! Relief's own.
 
 mod directions;
+mod fall;
 mod falling;
 mod own;
 mod search;
@@ -49,7 +50,7 @@ const APEX: Param = Param {
 pub const KIND: Kind = Kind {
     name: "relaxed-cone",
     summary: "a wide cone that a view ray leaves after at most one entry into the surface",
-    revision: 1,
+    revision: 2,
     publication: Publication {
         paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU",
         section: "4.4.3",
@@ -57,7 +58,8 @@ pub const KIND: Kind = Kind {
     params: &[APEX, BITS],
     guarantee: "a straight falling ray over the apex p (apex 1: any point of the surface in the texel's square, apex 0: \
         at its centre), at or above the surface there, that is below the surface anywhere inside the cone at p stays \
-        below until it leaves the cone: it enters at most once. Nothing is promised for rising or bent rays",
+        below until it leaves the cone: it enters at most once. A ray that only touches the surface, as one does that \
+        runs along level ground at its very height, has not entered. Nothing is promised for rising or bent rays",
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     bake,
@@ -69,41 +71,51 @@ pub const KIND: Kind = Kind {
 /// # Guarantee
 ///
 /// Let `p` be a point of the bilinear surface `f` over an apex of the texel: its centre, or any place of its
-/// closed square. Let a straight ray begin at or above `p`, on the vertical through `p`, and fall. If the ray
-/// is below the surface at some point inside the cone `{z ≥ f(p) + r / ratio}` at `p`, it is below the
-/// surface from there until it leaves the cone. So where it leaves, it is at or above the surface if it met
-/// none before, or below it after exactly one entry; a search that steps from border to border brackets the
-/// *first* hit between the last two points. Rays that rise or bend, as shadow rays do, may come out again:
-/// for them nothing is promised.
+/// closed square. Let a straight ray begin at or above `p`, on the vertical through `p`, and fall or be
+/// level. If the ray is below the surface at some point inside the cone `{z ≥ f(p) + r / ratio}` at `p`, it
+/// is below the surface from there until it leaves the cone. So where it leaves, it is at or above the
+/// surface if it was nowhere below before, or below it after exactly one entry; a search that steps from
+/// border to border brackets the *first* entry between the last two points. Rays that rise or bend, as shadow
+/// rays do, may come out again: for them nothing is promised.
+///
+/// A ray is below the surface where it is lower, not where it is as high. A level ray that reaches level
+/// ground at its very height, such as the edge of a terrace, touches it and has not entered; it may pass on
+/// over it. One that enters a rise below the height of a terrace stays below until the terrace ends. So level
+/// ground limits no cone, only the edge at which it falls off does.
 ///
 /// # Proof
 ///
-/// Let such a ray come out of the surface at `q`, at the distance `r > 0` from `p`, inside the cone. Just
-/// before `q` it runs below a patch `X` that holds `q`, and out of it although it falls itself: so `f` falls
-/// there along the ray, `∇f_X(q)·(q - p) < 0`. And `q` is in the cone: `(f(q) - f(p)) / r ≥ 1 / ratio`. Hence
-/// the cone is safe if its slope is above
+/// Let such a ray be below the surface and behind that, inside the cone, not below any more, for the first
+/// time at `q`, at the distance `r > 0` from `p`. Then `q` is on the surface, and just before it the gap from
+/// the ray up to the surface closes. So, as near to `q` as one likes, there are points `q'` below which the
+/// ray runs and at which the gap gets less. The ray does not rise, so at `q'` the surface falls along it:
+/// `∇f_X(q')·(q' - p) < 0`, with the patch `X` that holds the way before `q`. And `q` is in the cone:
+/// `(f(q) - f(p)) / r ≥ 1 / ratio`. Hence the cone is safe if its slope is above
 ///
 /// ```text
-/// sup (f(q) - f(p)) / |q - p|   over p in the apexes, q in a patch X with ∇f_X(q)·(q - p) ≤ 0.
+/// sup (f(q) - f(p)) / |q - p|   over p in the apexes, q in a patch X with ∇f_X(q)·(q - p) < 0.
 /// ```
 ///
-/// That is also necessary: a nearly horizontal ray through the peak behind such a `q` comes out again. With
-/// [`RelaxedApex::Centre`] the supremum is found in closed form, patch by patch, in the module `falling`, and
-/// the ratio is what it allows, less what `cone` gives away to rounding: no wider cone holds.
+/// That is also necessary: a nearly level ray through the surface at such a `q` is below it just before, and
+/// comes out. Where the surface is level along the ray nothing comes out, so the inequality is strict; and
+/// strict without rounding, see the module `fall`. With [`RelaxedApex::Centre`] the supremum is found in
+/// closed form, patch by patch, in the module `falling`, and the ratio is what it allows, less what `cone`
+/// gives away to rounding: no wider cone holds.
 ///
 /// With [`RelaxedApex::Footprint`] the apexes that suffice for `cone` do not, since which `q` count depends
 /// on `p`. There the supremum is bounded, patch by patch, by the lesser of two numbers; a patch where no pair
 /// falls does not count:
 ///
 /// * `∇f_X(q)·(q - p)` is affine in each of `q.x, q.y, p.x, p.y`, so it has its least value over a cell and
-///   the square at corners of both.
+///   the square at corners of both. Where that is not negative, no pair falls.
 /// * The slope from the rim of the square to the whole patch, found as the kind `cone` does. A way from
 ///   inside of the square leads over the rim, and its slope is a mean of both parts: so the bound is moved
 ///   towards the greatest slope in the square by as much as the first part, a diagonal at most, may count.
 /// * With the patch extended over `p` as `A + Bx + Cy + Dxy` over `f(p)`, `(x, y) = q - p`, a falling pair
-///   has `Bx + Cy + 2Dxy ≤ 0` and so rises by at most `A - Dxy`. `A` is greatest at a corner of the nine
-///   points of the square's patches, `-Dxy` at a corner of the two boxes, and the distance is at least that
-///   of the boxes.
+///   has `Bx + Cy + 2Dxy ≤ 0` and so rises by at most `A - Dxy`. It rises by at most the patch's highest
+///   corner over `f(p)` as well. In each quarter of the square, which lies in one patch, `A` is greatest and
+///   `f(p)` least at corners, so the lesser of both bounds is found for each quarter. `-Dxy` is greatest at a
+///   corner of the two boxes, and the distance is at least that of the boxes.
 ///
 /// For the four patches around the centre, which hold the apexes, the last bound is refined: see the module
 /// `own`. So no relaxed cone is narrower than that of `cone` from the same apexes, and none is wider than the

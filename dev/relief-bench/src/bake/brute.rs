@@ -11,7 +11,7 @@ use relief_tests::brute;
 use relief_tests::rng::Rng;
 
 /// Samples along either side of a patch in the brute force of relaxed cones.
-const SAMPLES: i32 = 4;
+const SAMPLES: usize = 4;
 
 /// Texels that are done between two looks at the time, at first.
 const BATCH: usize = 256;
@@ -66,7 +66,7 @@ pub fn time(kind: &str, settings: &Settings, map: &HeightMap, metric: Metric, li
         }
         "relaxed-cone" => each(&|texel| {
             let (texel, centre) = (signed(texel), [0.0; 2]);
-            black_box(brute::relaxed_cone::slope(map, texel_m, texel, centre, SAMPLES, highest, most));
+            black_box(brute::relaxed_cone::slope(map, texel_m, texel, centre, [SAMPLES, 1], highest, most));
         }),
         "distance" => {
             let slices = number(settings, "slices");

@@ -2,17 +2,21 @@
 
 use relief_core::HeightMap;
 
-/// The steepest slope, in heights a metre of `texel_m`, from an apex to a sampled point of the surface over
-/// which it falls along the ray from there: no cone of a smaller slope is left after one entry at most, and
-/// the least that is lies above by what is between samples, of which each patch has `samples + 1` along
-/// either side. The apex is the surface so many texels from the texel's centre. Cells are looked at ring by
-/// ring, up to `most` rings, until even `highest`, the map's highest texel, would not be steeper.
+/// What rounding may make of a sum of two products that is 0, in parts of the sum of their sizes.
+const ROUNDING: f64 = 1e-14;
+
+/// The steepest slope, in heights a metre of `texel_m`, from an apex to a sampled point of the surface at
+/// which it falls along the ray from there, and is not level: no cone of a smaller slope is left after one
+/// entry at most, and the least that is lies above by what is between samples. Of these each patch has
+/// `samples + 1` along either side, and on its edges `finer` times as many. The apex is the surface so many
+/// texels from the texel's centre. Cells are looked at ring by ring, up to `most` rings, until even
+/// `highest`, the map's highest texel, would not be steeper.
 pub fn slope(
     map: &HeightMap,
     texel_m: [f64; 2],
     texel: [i64; 2],
     apex: [f64; 2],
-    samples: i32,
+    [samples, finer]: [usize; 2],
     highest: f64,
     most: i64,
 ) -> f64 {
@@ -30,7 +34,7 @@ pub fn slope(
             let is_end = j == ring || j == -ring - 1;
             let step = if is_end { 1 } else { 2 * ring + 1 };
             for i in (-ring - 1..=ring).step_by(step as usize) {
-                best = patch_slope(map, texel_m, texel, [i, j], apex, own, samples, best);
+                best = patch_slope(map, texel_m, texel, [i, j], apex, own, [samples, finer], best);
             }
         }
     }
@@ -46,7 +50,7 @@ fn patch_slope(
     offset: [i64; 2],
     apex: [f64; 2],
     own: f64,
-    samples: i32,
+    [samples, finer]: [usize; 2],
     mut best: f64,
 ) -> f64 {
     let [h00, h10, h01, h11] = map.cell(texel[0] + offset[0], texel[1] + offset[1]).map(f64::from);
@@ -57,14 +61,24 @@ fn patch_slope(
     if h00.max(h10).max(h01).max(h11) - own <= best * gap(0).hypot(gap(1)) {
         return best;
     }
-    for b in 0..=samples {
-        for a in 0..=samples {
-            let [u, v] = [a, b].map(|k| f64::from(k) / f64::from(samples));
+    let last = finer * samples;
+    for b in 0..=last {
+        let step = if b % last == 0 {
+            1
+        } else if b % finer == 0 {
+            finer
+        } else {
+            last
+        };
+        for a in (0..=last).step_by(step) {
+            let [u, v] = [a, b].map(|k| k as f64 / last as f64);
             let [x, y] = [offset[0] as f64 + u - apex[0], offset[1] as f64 + v - apex[1]];
             let along_u = (h10 - h00) * (1.0 - v) + (h11 - h01) * v;
             let along_v = (h01 - h00) * (1.0 - u) + (h11 - h10) * u;
             let far = (x * texel_m[0]).hypot(y * texel_m[1]);
-            if far == 0.0 || along_u * x + along_v * y > 0.0 {
+            // Level ground gives exactly 0; what rounding makes of 0 elsewhere is no fall.
+            let (fall_u, fall_v) = (along_u * x, along_v * y);
+            if far == 0.0 || fall_u + fall_v >= -ROUNDING * (fall_u.abs() + fall_v.abs()) {
                 continue;
             }
             let height = (1.0 - v) * ((1.0 - u) * h00 + u * h10) + v * ((1.0 - u) * h01 + u * h11);

@@ -3,6 +3,9 @@
 //! A branch and bound over a maximum pyramid of texels, for a few cells side by side at once. A node is
 //! passed over when its greatest height, at its least distance, is for none of them steeper than the best so
 //! far. What was steepest for the row before is looked at first; it is mostly steepest again, or nearly.
+//!
+//! On inclined ground all that is ahead is equally steep, and no node is passed over so. There a plane above
+//! the node tells that nothing of it asks for more.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -12,6 +15,7 @@ use relief_core::HeightMap;
 use super::ahead::{self, Run};
 use super::diagonal;
 use crate::texel_pyramid::TexelPyramid;
+use crate::upper_planes::{EXACT, UpperPlane, UpperPlanes, floor};
 use crate::{Cancelled, Progress};
 
 /// How many cells are searched for at once. They share the walk through the pyramid and are compared
@@ -30,6 +34,9 @@ const RAISE: f64 = 1.0 + 1.0 / (1u64 << 50) as f64;
 /// Lowers slopes, so that in `f32`, with three roundings of 2⁻²⁴, no node that matters is passed over.
 const CAUTION: f32 = 1.0 - 1.0 / (1u32 << 20) as f32;
 
+/// Nodes that a search looks into before it asks for planes: natural ground mostly takes fewer.
+const PATIENCE: u32 = 256;
+
 /// No slope is steeper: heights differ by 1 at most, and the nearest that counts is half a texel away.
 const STEEPEST: f32 = 2.0;
 
@@ -39,6 +46,7 @@ pub fn least_slopes(
     map: &HeightMap,
     tops: &[f32],
     levels: &TexelPyramid,
+    planes: &UpperPlanes,
     forward: [bool; 2],
     progress: &Progress,
 ) -> Result<Vec<f32>, Cancelled> {
@@ -52,7 +60,7 @@ pub fn least_slopes(
             let (column, row) = (tile % across * LANES, tile / across * ROWS);
             let columns = [column, (column + LANES).min(width) - 1].map(|column| column as u32);
             let rows = [row, (row + ROWS).min(height) - 1].map(|row| row as u32);
-            let mut search = Search::new(map, tops, levels, forward, columns);
+            let mut search = Search::new(map, tops, (levels, planes), forward, columns);
             let found = search.rows(rows);
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress.at(done as f32 / tiles as f32).map(|()| (columns, rows, found))
@@ -75,6 +83,8 @@ pub fn least_slopes(
 struct Node {
     level: u32,
     at: [u32; 2],
+    /// The lanes that may look into it.
+    lanes: [bool; LANES],
 }
 
 /// How many texels ahead of the first lane a node begins and ends, along both axes, and its height.
@@ -89,6 +99,7 @@ struct Search<'a> {
     map: &'a HeightMap,
     tops: &'a [f32],
     levels: &'a TexelPyramid<'a>,
+    planes: &'a UpperPlanes,
     forward: [bool; 2],
     columns: [u32; 2],
     row: u32,
@@ -99,6 +110,9 @@ struct Search<'a> {
     /// The steepest so far, and lowered for comparisons in `f32`.
     slope: [f64; LANES],
     cautious: [f32; LANES],
+    /// Tops and slopes rounded down to multiples of one over [`GRID`](crate::upper_planes::GRID).
+    fine_top: [f64; LANES],
+    fine_slope: [f64; LANES],
     /// How many texels ahead it is.
     ahead: [[i64; 2]; LANES],
     /// Nodes still to be looked at.
@@ -109,7 +123,7 @@ impl<'a> Search<'a> {
     fn new(
         map: &'a HeightMap,
         tops: &'a [f32],
-        levels: &'a TexelPyramid<'a>,
+        (levels, planes): (&'a TexelPyramid<'a>, &'a UpperPlanes),
         forward: [bool; 2],
         columns: [u32; 2],
     ) -> Self {
@@ -118,6 +132,7 @@ impl<'a> Search<'a> {
             map,
             tops,
             levels,
+            planes,
             forward,
             columns,
             row: 0,
@@ -125,6 +140,8 @@ impl<'a> Search<'a> {
             shift,
             slope: [0.0; LANES],
             cautious: [0.0; LANES],
+            fine_top: [0.0; LANES],
+            fine_slope: [0.0; LANES],
             ahead: [[0; 2]; LANES],
             pending: Vec::new(),
         }
@@ -149,6 +166,8 @@ impl<'a> Search<'a> {
         self.top[..tops.len()].copy_from_slice(tops);
         self.slope = [0.0; LANES];
         self.cautious = [0.0; LANES];
+        self.fine_top = self.top.map(|top| floor(f64::from(top)));
+        self.fine_slope = [0.0; LANES];
         for lane in 0..tops.len() {
             let [u, v] = self.ahead[lane];
             self.look(lane, [u, v + 1]);
@@ -194,6 +213,7 @@ impl<'a> Search<'a> {
         if slope > self.slope[lane] {
             self.slope[lane] = slope;
             self.cautious[lane] = slope as f32 * CAUTION;
+            self.fine_slope[lane] = floor(slope);
             self.ahead[lane] = ahead;
         }
     }
@@ -201,12 +221,24 @@ impl<'a> Search<'a> {
     /// Looks at the texels of a product of runs.
     fn search(&mut self, runs: &[Run; 2]) {
         let mut pending = std::mem::take(&mut self.pending);
-        pending.push(Node { level: self.levels.top(), at: [0, 0] });
+        pending.push(Node { level: self.levels.top(), at: [0, 0], lanes: [true; LANES] });
+        let mut looked_into = 0;
         while let Some(node) = pending.pop() {
             let Some(sight) = self.worth(runs, node) else { continue };
+            let mut lanes = node.lanes;
+            looked_into += 1;
+            if looked_into > PATIENCE
+                && let Some(plane) = self.planes.plane(node.level, node.at)
+            {
+                let above = self.above_plane(runs, node, plane, &sight);
+                lanes = std::array::from_fn(|lane| lanes[lane] & above[lane]);
+                if lanes == [false; LANES] {
+                    continue;
+                }
+            }
             if node.level == 0 {
                 let excess = self.excess(&sight);
-                for lane in (0..LANES).filter(|lane| excess[*lane] > 0.0) {
+                for lane in (0..LANES).filter(|lane| lanes[*lane] && excess[*lane] > 0.0) {
                     self.look(lane, [sight.near[0] + self.shift[lane] as i64, sight.near[1]]);
                 }
                 continue;
@@ -220,7 +252,7 @@ impl<'a> Search<'a> {
             };
             for row in order(1) {
                 for column in order(0) {
-                    let child = Node { level, at: [column, row] };
+                    let child = Node { level, at: [column, row], lanes };
                     if column < columns && row < rows && self.worth(runs, child).is_some() {
                         pending.push(child);
                     }
@@ -267,6 +299,44 @@ impl<'a> Search<'a> {
         excess
     }
 
+    /// The lanes in which a node may ask for more than the best by the plane above it.
+    ///
+    /// Over the cells around the node's texels the surface is below the plane, and so below the frustum where
+    /// the plane is. The plane less the slope times `max(u, v)` is linear on either side of the diagonal, so
+    /// it is greatest at a corner of the box of these cells or where the diagonal crosses the box's rim. All
+    /// numbers are multiples of one over [`GRID`](crate::upper_planes::GRID), with top and slope rounded down
+    /// to such, and nothing is rounded: a tie is told from a rise by a last bit.
+    #[inline]
+    fn above_plane(&self, runs: &[Run; 2], node: Node, plane: &UpperPlane, sight: &Sight) -> [bool; LANES] {
+        let mut along = plane.along.map(f64::from);
+        let mut zero = plane.height;
+        let mut most = plane.height.abs() + 2.0;
+        let (mut from, mut to) = ([0.0; 2], [0.0; 2]);
+        for axis in 0..2 {
+            along[axis] = if runs[axis].rising { along[axis] } else { -along[axis] };
+            let first = runs[axis].ahead(node.at[axis] << node.level) as f64;
+            (from[axis], to[axis]) = (sight.near[axis] as f64 - 1.0, sight.far[axis] as f64 + 1.0);
+            zero -= along[axis] * first;
+            most += along[axis].abs() * (first.abs() + from[axis].abs().max(to[axis].abs()) + LANES as f64);
+        }
+        let mut above = [true; LANES];
+        let lanes = self.shift.iter().zip(&self.fine_slope).zip(&self.fine_top);
+        for (above, ((shift, &slope), &top)) in above.iter_mut().zip(lanes) {
+            let shift = f64::from(*shift);
+            let (left, right) = (from[0] + shift, to[0] + shift);
+            let over = |u: f64, v: f64| along[0] * (u - shift) + along[1] * v - slope * greater(u, v);
+            let near = greater(over(left, from[1]), over(right, from[1]));
+            let far = greater(over(left, to[1]), over(right, to[1]));
+            let (enter, leave) = (greater(left, from[1]), -greater(-right, -to[1]));
+            let diagonal = greater(over(enter, enter), over(leave, leave));
+            let diagonal = if enter <= leave { diagonal } else { f64::NEG_INFINITY };
+            let highest = greater(greater(near, far), diagonal);
+            let is_exact = most + slope * greater(right.abs(), to[1].abs()) < EXACT;
+            *above = !(is_exact & (zero + highest + slope <= top));
+        }
+        above
+    }
+
     /// Where a node is, if any lane must look into it.
     #[inline]
     fn worth(&self, runs: &[Run; 2], node: Node) -> Option<Sight> {
@@ -274,6 +344,12 @@ impl<'a> Search<'a> {
         let worth = self.excess(&sight).iter().fold(false, |worth, excess| worth | (*excess > 0.0));
         worth.then_some(sight)
     }
+}
+
+/// The greater one, in the form that compiles to one instruction.
+#[inline(always)]
+fn greater(x: f64, y: f64) -> f64 {
+    if x > y { x } else { y }
 }
 
 /// The least `f32` that is surely not below the slope whose rounded value is given.

@@ -3,6 +3,10 @@
 //! Directions are told apart by octants, in texels. The gradients of a patch lie in a box; their product with
 //! a direction of an octant is least at a corner of the box and on one of the two rays that bound the octant.
 //! So the patch falls in the octant if it does along one of these rays.
+//!
+//! On an inclined plane that is too coarse: half of an octant beside a contour rises, and nothing in it
+//! falls. So squares of vertices have boxes of gradients too, from a size on at which these take little
+//! memory.
 
 use rayon::prelude::*;
 use relief_core::HeightMap;
@@ -12,10 +16,30 @@ use crate::cone_search::{Field, Seen};
 /// What may be lost to rounding, in parts of the gradient.
 const ROUNDING: f64 = 1e-12;
 
+/// The same in `f32`.
+const ROUNDING_F32: f32 = 1e-6;
+
+/// The first level that has boxes of gradients.
+const FIRST: u32 = 3;
+
 /// For each vertex the octants, a bit each, in which a cell falls whose highest corner it is; and level by
 /// level the same for squares of vertices.
 pub(super) struct Directions {
     levels: Vec<OctantLevel>,
+    /// Boxes of gradients of the same cells, from level [`FIRST`] on.
+    boxes: Vec<BoxLevel>,
+}
+
+/// The least and the greatest slopes along both axes, in heights a texel.
+#[derive(Clone, Copy)]
+struct Gradients {
+    least: [f32; 2],
+    most: [f32; 2],
+}
+
+struct BoxLevel {
+    boxes: Vec<Gradients>,
+    width: usize,
 }
 
 struct OctantLevel {
@@ -37,14 +61,105 @@ impl Directions {
         while let Some(halved) = levels.last().and_then(OctantLevel::halved) {
             levels.push(halved);
         }
-        Self { levels }
+        let mut boxes: Vec<BoxLevel> = Vec::new();
+        for level in FIRST..levels.len() as u32 {
+            let halved = boxes.last().map(BoxLevel::halved);
+            boxes.push(halved.unwrap_or_else(|| BoxLevel::new(&field, level)));
+        }
+        Self { levels, boxes }
     }
 
     /// Whether something may fall around the vertices of a node, from `from` to `to` texels away.
     #[inline(always)]
     pub fn may_fall(&self, level: u32, [column, row]: [u32; 2], from: [f32; 2], to: [f32; 2]) -> bool {
-        let level = &self.levels[level as usize];
-        level.octants[row as usize * level.width + column as usize] & octants_of(from, to) != 0
+        let octants = &self.levels[level as usize];
+        if octants.octants[row as usize * octants.width + column as usize] & octants_of(from, to) == 0 {
+            return false;
+        }
+        let Some(boxes) = level.checked_sub(FIRST).map(|level| &self.boxes[level as usize]) else {
+            return true;
+        };
+        boxes.boxes[row as usize * boxes.width + column as usize].may_fall(from, to)
+    }
+}
+
+impl Gradients {
+    const NONE: Self = Self { least: [f32::INFINITY; 2], most: [f32::NEG_INFINITY; 2] };
+
+    /// With those of a cell; rounded outward.
+    fn with([h00, h10, h01, h11]: [f64; 4], mut all: Self) -> Self {
+        for (axis, slopes) in [[h10 - h00, h11 - h01], [h01 - h00, h11 - h10]].into_iter().enumerate() {
+            for slope in slopes {
+                let near = slope as f32;
+                let below = if f64::from(near) > slope { near.next_down() } else { near };
+                let above = if f64::from(near) < slope { near.next_up() } else { near };
+                all.least[axis] = if below < all.least[axis] { below } else { all.least[axis] };
+                all.most[axis] = if above > all.most[axis] { above } else { all.most[axis] };
+            }
+        }
+        all
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            least: [0, 1].map(|axis| self.least[axis].min(other.least[axis])),
+            most: [0, 1].map(|axis| self.most[axis].max(other.most[axis])),
+        }
+    }
+
+    /// Whether the product with a place of a box may be negative. It is least at corners of both boxes.
+    #[inline(always)]
+    fn may_fall(&self, from: [f32; 2], to: [f32; 2]) -> bool {
+        let least = |axis: usize| {
+            let (least, most) = (self.least[axis], self.most[axis]);
+            let (near, far) =
+                (lesser(least * from[axis], most * from[axis]), lesser(least * to[axis], most * to[axis]));
+            lesser(near, far)
+        };
+        let [x, y] = [least(0), least(1)];
+        x + y < ROUNDING_F32 * (x.abs() + y.abs())
+    }
+}
+
+/// The lesser one, in the form that compiles to one instruction.
+#[inline(always)]
+fn lesser(x: f32, y: f32) -> f32 {
+    if x < y { x } else { y }
+}
+
+impl BoxLevel {
+    /// The level of a map.
+    fn new(field: &Field, level: u32) -> Self {
+        let size = [field.map.width(), field.map.height()];
+        let [width, height] = size.map(|side| side.div_ceil(1 << level) as usize);
+        let mut boxes = vec![Gradients::NONE; width * height];
+        boxes.par_chunks_mut(width).enumerate().for_each(|(row, boxes)| {
+            let first = (row as u32) << level;
+            for row in first..(first + (1 << level)).min(size[1]) {
+                for column in 0..size[0] {
+                    let around = field.around([i64::from(column), i64::from(row)]);
+                    let gradients = &mut boxes[(column >> level) as usize];
+                    *gradients =
+                        highest_cells(&around).fold(*gradients, |all, cell| Gradients::with(cell, all));
+                }
+            }
+        });
+        Self { boxes, width }
+    }
+
+    /// The level of half the size, rounded up.
+    fn halved(&self) -> Self {
+        let width = self.width.div_ceil(2);
+        let rows = self.boxes.chunks(2 * self.width);
+        let mut boxes = vec![Gradients::NONE; width * rows.len()];
+        for (boxes, rows) in boxes.chunks_mut(width).zip(rows) {
+            for row in rows.chunks(self.width) {
+                for (node, pair) in boxes.iter_mut().zip(row.chunks(2)) {
+                    *node = pair.iter().fold(*node, |all, one| all.and(*one));
+                }
+            }
+        }
+        Self { boxes, width }
     }
 }
 
@@ -68,23 +183,27 @@ impl OctantLevel {
     }
 }
 
-/// The octants in which a cell falls of which the middle one of 3 by 3 vertices is the highest corner.
-fn of_vertex(around: &[[f64; 3]; 3]) -> u8 {
+/// The cells of which the middle one of 3 by 3 vertices is the highest corner.
+fn highest_cells(around: &[[f64; 3]; 3]) -> impl Iterator<Item = [f64; 4]> {
     let highest = around[1][1];
-    let cells = Seen::around([0, 0], around);
-    let cells = cells.iter().filter(|seen| seen.heights.iter().all(|&height| height <= highest));
-    cells.map(|seen| of_cell(seen.heights)).fold(0, |all, one| all | one)
+    let cells = Seen::around([0, 0], around).map(|seen| seen.heights);
+    cells.into_iter().filter(move |heights| heights.iter().all(|&height| height <= highest))
 }
 
-/// The octants in which a cell falls, or is level, at some point.
+/// The octants in which a cell falls of which the middle one of 3 by 3 vertices is the highest corner.
+fn of_vertex(around: &[[f64; 3]; 3]) -> u8 {
+    highest_cells(around).map(of_cell).fold(0, |all, one| all | one)
+}
+
+/// The octants in which a cell falls at some point. Where it is level it does not.
 fn of_cell([h00, h10, h01, h11]: [f64; 4]) -> u8 {
     let (above, below, left, right) = (h10 - h00, h11 - h01, h01 - h00, h11 - h10);
     let (x0, x1) = (above.min(below), above.max(below));
     let (y0, y1) = (left.min(right), left.max(right));
-    let level = ROUNDING * (x0.abs().max(x1.abs()) + y0.abs().max(y1.abs()));
     // Along the rays from that of the first axis on, towards the second one.
-    let least = [x0, x0 + y0, y0, y0 - x1, -x1, -x1 - y1, -y1, x0 - y1];
-    let rays = (0..8).fold(0u8, |rays, ray| rays | u8::from(least[ray] <= level) << ray);
+    let least = [[x0, 0.0], [x0, y0], [0.0, y0], [-x1, y0], [-x1, 0.0], [-x1, -y1], [0.0, -y1], [x0, -y1]];
+    let falls = |[x, y]: [f64; 2]| x + y < ROUNDING * (x.abs() + y.abs());
+    let rays = (0..8).fold(0u8, |rays, ray| rays | u8::from(falls(least[ray])) << ray);
     rays | rays.rotate_right(1)
 }
 
@@ -105,6 +224,7 @@ fn octants_of([x0, y0]: [f32; 2], [x1, y1]: [f32; 2]) -> u8 {
 
 #[cfg(test)]
 mod tests {
+    use relief_core::Wrap;
     use relief_tests::rng::Rng;
 
     use super::*;
@@ -128,7 +248,7 @@ mod tests {
                 let [x, y] = [angle.cos(), angle.sin()];
                 let along_x = (h10 - h00) * (1.0 - v) + (h11 - h01) * v;
                 let along_y = (h01 - h00) * (1.0 - u) + (h11 - h10) * u;
-                if along_x * x + along_y * y <= 0.0 {
+                if along_x * x + along_y * y < 0.0 {
                     sampled |= 1 << octant([x, y]);
                 }
             }
@@ -151,9 +271,19 @@ mod tests {
     }
 
     #[test]
-    fn level_ground_counts_as_falling_and_a_ramp_falls_only_back() {
-        assert_eq!(of_cell([0.5; 4]), 0xff);
-        // It rises along the first axis.
-        assert_eq!(of_cell([0.0, 1.0, 0.0, 1.0]), 0b0111_1110);
+    fn level_ground_does_not_fall_and_a_ramp_falls_only_back() {
+        assert_eq!(of_cell([0.5; 4]), 0);
+        // It rises along the first axis, and is level along the second.
+        assert_eq!(of_cell([0.0, 1.0, 0.0, 1.0]), 0b0011_1100);
+    }
+
+    #[test]
+    fn boxes_of_gradients_tell_rising_ground_beside_a_contour() {
+        let plane = HeightMap::from_fn(64, 64, Wrap::Clamp, |i, j| (2 * i + j) as f32 / 256.0);
+        let directions = Directions::new(&plane.expect("a valid map"));
+        let may_fall = |from, to| directions.may_fall(FIRST, [3, 3], from, to);
+        // The contour leads one column aside for two rows back.
+        assert!(may_fall([8.0, -26.0], [16.0, -18.0]));
+        assert!(!may_fall([18.0, -26.0], [26.0, -18.0]));
     }
 }

@@ -1,66 +1,76 @@
 //! The steepest slope from one apex to where a patch falls, in closed form.
 //!
 //! With the rise `f = A + Bx + Cy + Dxy` above the apex, `(x, y)` metres from it, the patch falls away from
-//! the apex where `F = Bx + Cy + 2Dxy ≤ 0`. There the slope `f/r` falls along every ray from the apex, as
-//! `(f/r)' = (F/r - f/r) / r`, so it is greatest where the ray enters the patch or where the patch begins to
-//! fall: on an edge, or on the curve of peaks `F = 0`.
+//! the apex where `F = Bx + Cy + 2Dxy < 0`. There the slope `f/r` falls along every ray from the apex, as
+//! `(f/r)' = (F/r - f/r) / r`, where it is positive. So its supremum is where the ray enters the patch or
+//! where the patch begins to fall: on an edge, or on the curve of peaks `F = 0`.
+//!
+//! `F` is bilinear. Where it is negative at no corner the patch does not fall: it may be level, or touch `F =
+//! 0` at a corner or along an edge.
 //!
 //! * On an edge `F` is linear, and so is `f`: the slope has one maximum, and the falling part is a segment.
+//!   Where `F` is 0 along a whole edge, the patch falls right beside it where it does at the opposite edge.
 //! * On the curve, towards `(cos, sin)` with `g = B cos + C sin`, the radius is `-g / (2D sin cos)` and the
 //!   slope `g/2 - 2AD sin cos / g`. Its derivative vanishes where
 //!   `(B²C - 4ADB) + (2BC² - B³) t + (C³ - 2B²C) t² + (4ADC - BC²) t³ = 0`, `t = tan`. Where the curve leaves
 //!   the patch it meets an edge.
+//! * With the apex at a corner of the patch, `A` is 0 and the slope on the curve `g/2`, greatest in the
+//!   direction of `(B, C)`. Close to the apex nothing of this may be left to rounding, so it is found apart.
 
 use crate::cone_search::{Patch, inside_segment, to_point};
 
-/// Rounding of a sum of a few products, relative to the sum of their sizes.
-pub(super) const ROUNDING: f64 = 1e-14;
-
-/// The greatest squared slope to a point of the patch at which it falls away from the apex, or is level; 0
-/// where there is none.
-pub(super) fn falling_slope2(patch: &Patch) -> f64 {
-    let [h00, h10, h01, h11] = patch.rise;
-    let ([x0, y0], [ax, ay]) = (patch.corner, patch.size);
-    let (x1, y1) = (x0 + ax, y0 + ay);
-    let d = ((h00 - h10) + (h11 - h01)) / (ax * ay);
-    let (bx, by) = ((h10 - h00) / ax, (h01 - h00) / ay);
-    let (b, c) = (bx - d * y0, by - d * x0);
-    let (far_x, far_y) = (x0.abs().max(x1.abs()), y0.abs().max(y1.abs()));
-    let size = bx.abs() * far_x + by.abs() * far_y + d.abs() * far_x * far_y;
-    // What rounding may have lifted over 0 counts as level.
-    let rises = |x: f64, y: f64| {
-        let rise = (bx + d * (y - y0)) * x + (by + d * (x - x0)) * y;
-        if rise <= ROUNDING * size { rise.min(0.0) } else { rise }
-    };
-    let [f00, f10, f01, f11] = [rises(x0, y0), rises(x1, y0), rises(x0, y1), rises(x1, y1)];
-    let falling = [f00, f10, f01, f11].into_iter().filter(|rise| *rise <= 0.0).count();
-    if falling == 0 {
+/// The supremum of the squared slopes to points of the patch at which it falls away from the apex; 0 where
+/// there is none. Given are signs and sizes of `F` at the corners: see [`super::fall::falls`].
+pub(super) fn falling_slope2(patch: &Patch, falls: [f64; 4]) -> f64 {
+    if falls.iter().all(|fall| *fall >= 0.0) {
         return 0.0;
     }
-    let mut best = falling_edge([h00, h10], [f00, f10], [x0, x1], y0)
-        .max(falling_edge([h01, h11], [f01, f11], [x0, x1], y1))
-        .max(falling_edge([h00, h01], [f00, f01], [y0, y1], x0))
-        .max(falling_edge([h10, h11], [f10, f11], [y0, y1], x1));
-    if falling < 4 && d != 0.0 {
-        let a = h00 - bx * x0 - by * y0 + d * x0 * y0;
-        let (bb, cc) = (b * b, c * c);
-        let cubic =
-            [b * (b * c - 4.0 * a * d), b * (2.0 * cc - bb), c * (cc - 2.0 * bb), c * (4.0 * a * d - b * c)];
-        for t in real_roots(cubic).into_iter().flatten() {
-            let x = -(b + c * t) / (2.0 * d * t);
-            let y = t * x;
-            if x > x0 && x < x1 && y > y0 && y < y1 {
-                best = best.max(to_point(a + b * x + (c + d * x) * y, [x, y]));
-            }
+    let ([h00, h10, h01, h11], [f00, f10, f01, f11]) = (patch.rise, falls);
+    let ([x0, y0], [ax, ay]) = (patch.corner, patch.size);
+    let (x1, y1) = (x0 + ax, y0 + ay);
+    let edges = falling_edge([h00, h10], [[f00, f10], [f01, f11]], [x0, x1], y0)
+        .max(falling_edge([h01, h11], [[f01, f11], [f00, f10]], [x0, x1], y1))
+        .max(falling_edge([h00, h01], [[f00, f01], [f10, f11]], [y0, y1], x0))
+        .max(falling_edge([h10, h11], [[f10, f11], [f00, f01]], [y0, y1], x1));
+    let d = ((h00 - h10) + (h11 - h01)) / (ax * ay);
+    if d == 0.0 || falls.iter().all(|fall| *fall <= 0.0) {
+        return edges;
+    }
+    let is_inside = |x: f64, y: f64| x > x0 && x < x1 && y > y0 && y < y1;
+    if (x0 == 0.0 || x1 == 0.0) && (y0 == 0.0 || y1 == 0.0) {
+        // The rises along the two edges that meet at the apex.
+        let aside = if y0 == 0.0 { [h00, h10] } else { [h01, h11] };
+        let ahead = if x0 == 0.0 { [h00, h01] } else { [h10, h11] };
+        let (b, c) = ((aside[1] - aside[0]) / ax, (ahead[1] - ahead[0]) / ay);
+        let gradient2 = b * b + c * c;
+        let (x, y) = (-gradient2 / (2.0 * d * c), -gradient2 / (2.0 * d * b));
+        // Towards the gradient, not against it.
+        let is_peak = b * x > 0.0 && is_inside(x, y);
+        return if is_peak { edges.max(0.25 * gradient2) } else { edges };
+    }
+    let (bx, by) = ((h10 - h00) / ax, (h01 - h00) / ay);
+    let (b, c) = (bx - d * y0, by - d * x0);
+    let a = h00 - bx * x0 - by * y0 + d * x0 * y0;
+    let (bb, cc) = (b * b, c * c);
+    let cubic =
+        [b * (b * c - 4.0 * a * d), b * (2.0 * cc - bb), c * (cc - 2.0 * bb), c * (4.0 * a * d - b * c)];
+    let mut best = edges;
+    for t in real_roots(cubic).into_iter().flatten() {
+        let x = -(b + c * t) / (2.0 * d * t);
+        let y = t * x;
+        if is_inside(x, y) {
+            best = best.max(to_point(a + b * x + (c + d * x) * y, [x, y]));
         }
     }
     best
 }
 
 /// The greatest squared slope to the falling part of an edge from `from` to `to` along one axis, `beside`
-/// away along the other, given the rises above the apex and `F` at its ends.
-fn falling_edge(rise: [f64; 2], falls: [f64; 2], [from, to]: [f64; 2], beside: f64) -> f64 {
-    if falls[0] > 0.0 && falls[1] > 0.0 {
+/// away along the other, given the rises above the apex at its ends, and `F` there and at the ends of the
+/// opposite edge.
+fn falling_edge(rise: [f64; 2], [own, opposite]: [[f64; 2]; 2], [from, to]: [f64; 2], beside: f64) -> f64 {
+    let falls = if own == [0.0; 2] { opposite } else { own };
+    if falls[0] >= 0.0 && falls[1] >= 0.0 {
         return 0.0;
     }
     // Where, as a part of the edge, F is 0.
@@ -147,7 +157,14 @@ mod tests {
             if (0..2).all(|axis| corner[axis] < 0.1 && corner[axis] + size[axis] > -0.1) {
                 continue;
             }
-            let found = falling_slope2(&patch);
+            let fall_at = |u: f64, v: f64| {
+                let [h00, h10, h01, h11] = rise;
+                let along_x = ((h10 - h00) * (1.0 - v) + (h11 - h01) * v) / size[0];
+                let along_y = ((h01 - h00) * (1.0 - u) + (h11 - h10) * u) / size[1];
+                along_x * (corner[0] + u * size[0]) + along_y * (corner[1] + v * size[1])
+            };
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+            let found = falling_slope2(&patch, corners.map(|[u, v]| fall_at(u, v)));
             const SIDE: usize = 80;
             let (mut sampled, mut falling) = (0.0f64, 0);
             for i in 0..=SIDE {
@@ -155,9 +172,7 @@ mod tests {
                     let (u, v) = (i as f64 / SIDE as f64, j as f64 / SIDE as f64);
                     let (x, y) = (corner[0] + u * size[0], corner[1] + v * size[1]);
                     let [h00, h10, h01, h11] = rise;
-                    let along_x = ((h10 - h00) * (1.0 - v) + (h11 - h01) * v) / size[0];
-                    let along_y = ((h01 - h00) * (1.0 - u) + (h11 - h10) * u) / size[1];
-                    if along_x * x + along_y * y <= 0.0 {
+                    if fall_at(u, v) < 0.0 {
                         let f = (h00 * (1.0 - u) + h10 * u) * (1.0 - v) + (h01 * (1.0 - u) + h11 * u) * v;
                         sampled = sampled.max(to_point(f, [x, y]));
                         falling += 1;
@@ -172,5 +187,46 @@ mod tests {
             );
         }
         assert!(mixed > 500, "only {mixed} patches fall in part");
+    }
+
+    #[test]
+    fn from_a_corner_the_closed_form_finds_what_sampling_finds() {
+        let mut rng = Rng::new(3);
+        let mut peaks = 0;
+        for _ in 0..4000 {
+            let (size, at) = ([1.0, rng.between(0.5, 1.5)], [0; 2].map(|_| rng.pick(&[0.0, 1.0])));
+            let corner = [0, 1].map(|axis: usize| -at[axis] * size[axis]);
+            let mut rise = [0; 4].map(|_| rng.between(-0.2, 1.0));
+            rise[at[0] as usize + 2 * at[1] as usize] = 0.0;
+            let [h00, h10, h01, h11] = rise;
+            let height =
+                |u: f64, v: f64| (h00 * (1.0 - u) + h10 * u) * (1.0 - v) + (h01 * (1.0 - u) + h11 * u) * v;
+            let place = |u: f64, v: f64| [corner[0] + u * size[0], corner[1] + v * size[1]];
+            let fall_at = |u: f64, v: f64| {
+                let [x, y] = place(u, v);
+                let along_x = ((h10 - h00) * (1.0 - v) + (h11 - h01) * v) / size[0];
+                let along_y = ((h01 - h00) * (1.0 - u) + (h11 - h10) * u) / size[1];
+                along_x * x + along_y * y
+            };
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+            let found = falling_slope2(&Patch { corner, size, rise }, corners.map(|[u, v]| fall_at(u, v)));
+            const SIDE: usize = 200;
+            let mut sampled = 0.0f64;
+            for i in 0..=SIDE {
+                for j in 0..=SIDE {
+                    let (u, v) = (i as f64 / SIDE as f64, j as f64 / SIDE as f64);
+                    if fall_at(u, v) < 0.0 {
+                        sampled = sampled.max(to_point(height(u, v), place(u, v)));
+                    }
+                }
+            }
+            peaks += u32::from(found > 0.0);
+            assert!(sampled <= found * (1.0 + 1e-9), "{rise:?} at {at:?}: {sampled} sampled, {found} found");
+            assert!(
+                sampled.sqrt() >= found.sqrt() - 0.02,
+                "{rise:?} at {at:?}: {sampled} sampled, {found} found"
+            );
+        }
+        assert!(peaks > 300, "only {peaks} patches fall above the apex");
     }
 }

@@ -12,6 +12,12 @@
 //! * `X` opposite to `Y`: with `(s, t)` the offsets of `p` from the centre, `A = J s + K t + E s t`, with `J`
 //!   and `K` by how much `Y` rises more than `X` at the centre, and `E` the difference of their twists; and
 //!   `r` is at least the distance of `p` from the centre.
+//! * With `X` another patch than `Y`, the way from `p` enters `X` at some `e`. Up to there it rises at most
+//!   as the patches before do, along ways that do not lead back from `X` to `Y`. Behind it the surface is a
+//!   parabola that falls at its end, so its mean slope is at most half of what it loses, `-Dxy / r` with
+//!   `(x, y) = q - e`, and half of the slope at `e`. The slope from `p` to `q` is a mean of both.
+//!
+//! A patch that is level falls nowhere.
 
 /// An upper bound, in heights per metre, of the slope from the apexes to falling points of the four patches.
 /// `near` are the 3 by 3 heights around the centre, `half` is half the side of the box of apexes in texels.
@@ -24,6 +30,9 @@ pub(super) fn own_bound(near: &[[f64; 3]; 3], texel_m: [f64; 2], half: f64) -> f
 fn quadrant_bound(near: &[[f64; 3]; 3], [sx, sy]: [i64; 2], [ax, ay]: [f64; 2], half: f64) -> f64 {
     // The neighbourhood mirrored so that the patch is to the right of the centre and below it.
     let at = |i: i64, j: i64| near[(1 + sy * j) as usize][(1 + sx * i) as usize];
+    if at(0, 0) == at(1, 0) && at(0, 0) == at(0, 1) && at(0, 0) == at(1, 1) {
+        return 0.0;
+    }
     let twist = (at(0, 0) - at(1, 0)) + (at(1, 1) - at(0, 1));
     // The most of -Dxy / r for offsets up to `ahead` in the directions of the patch, or one of them up to
     // `back` against it.
@@ -47,14 +56,30 @@ fn quadrant_bound(near: &[[f64; 3]; 3], [sx, sy]: [i64; 2], [ax, ay]: [f64; 2], 
     let above = |u: f64| (at(0, 0) - at(0, -1)) * (1.0 - u) + (at(1, 0) - at(1, -1)) * u;
     let jump_x = (left(0.0) - slope_x(0.0)).max(left(half) - slope_x(half)).max(0.0);
     let jump_y = (above(0.0) - slope_y(0.0)).max(above(half) - slope_y(half)).max(0.0);
-    let beside = (jump_x / ax + bent([1.0 + half, 1.0], [0.0, half]))
-        .max(jump_y / ay + bent([1.0, 1.0 + half], [half, 0.0]));
+    // The most that the patch with that upper left corner rises along ways that do not lead back.
+    let rise = |[i, j]: [i64; 2], ahead: [bool; 2]| {
+        let most = |slopes: [f64; 2], is_ahead: bool| {
+            let [x, y] = if is_ahead { slopes } else { slopes.map(f64::abs) };
+            x.max(y).max(0.0)
+        };
+        let along_x = most([at(i + 1, j) - at(i, j), at(i + 1, j + 1) - at(i, j + 1)], ahead[0]);
+        let along_y = most([at(i, j + 1) - at(i, j), at(i + 1, j + 1) - at(i + 1, j)], ahead[1]);
+        length(along_x / ax, along_y / ay)
+    };
+    // What the ways that enter the patch rise at most, from beside it and from opposite.
+    let enter = |ahead: [bool; 2]| bent([1.0, 1.0], [1.0, 1.0]).min(0.5 * rise([0, 0], ahead));
+    let from_x = rise([-1, 0], [true, false]).max(enter([true, false]));
+    let from_y = rise([0, -1], [false, true]).max(enter([false, true]));
+    let from_both = [[-1, -1], [-1, 0], [0, -1]].map(|patch| rise(patch, [true, true]));
+    let from_both = from_both.into_iter().fold(enter([true, true]), f64::max);
+    let beside_x = (jump_x / ax + bent([1.0 + half, 1.0], [0.0, half])).min(from_x);
+    let beside_y = (jump_y / ay + bent([1.0, 1.0 + half], [half, 0.0])).min(from_y);
     let opposite_twist = (at(0, 0) - at(-1, 0)) + (at(-1, -1) - at(0, -1));
     let corner_x = (at(0, 0) - at(-1, 0) - slope_x(0.0)).max(0.0);
     let corner_y = (at(0, 0) - at(0, -1) - slope_y(0.0)).max(0.0);
     let lift = (twist - opposite_twist).max(0.0) * half * half / length(half * ax, half * ay);
     let opposite = length(corner_x / ax, corner_y / ay) + lift + bent([1.0 + half, 1.0 + half], [0.0, 0.0]);
-    same.max(beside).max(opposite)
+    same.max(beside_x).max(beside_y).max(opposite.min(from_both))
 }
 
 /// Less careful than `hypot`, and quicker: what underflows is level ground.

@@ -4,7 +4,8 @@ use pulp::Simd;
 use relief_core::{HeightMap, Wrap};
 
 use super::directions::Directions;
-use super::falling::{ROUNDING, falling_slope2};
+use super::fall::{ROUNDING, falls};
+use super::falling::falling_slope2;
 use super::own::own_bound;
 use crate::cone_search::{
     Apexes, Block, COLUMNS, Group, LANE_BITS, LANES, Lanes, Look, Region, Search, Seen, Sort, State, bits_of,
@@ -100,11 +101,15 @@ impl Relaxed {
         if rise * rise <= *best * distance2 {
             return;
         }
+        let falls = falls(seen, half);
         if places.region == Region::Centre {
-            *best = falling_slope2(&places.patch(apexes, 0, seen)).max(*best);
+            *best = falling_slope2(&places.patch(apexes, 0, seen), falls).max(*best);
             return;
         }
-        let bound = falling_bound2(&places.grid(apexes), half, seen, distance2);
+        if falls.iter().all(|fall| *fall >= 0.0) {
+            return;
+        }
+        let bound = falling_bound2(&places.grid(apexes), half, seen, distance2, *best);
         if bound > *best {
             // From inside the square the way leads over the rim: its slope is a mean of those before and
             // behind, of which the first part is no longer than the square's diagonal.
@@ -151,7 +156,7 @@ impl Sort for Relaxed {
                 [falling.best[lane], falling.gradients2[lane]] =
                     self.own_slopes2(simd, search, &block, lane, apexes);
             }
-            search.walk.lower(group, lane, apexes.low);
+            search.walk.lower(group, lane, apexes);
         }
         // What was steepest for the row above, then the nearest cells: after these little else is steeper.
         for lane in 0..count {
@@ -289,9 +294,9 @@ impl Look for Falling<'_, '_> {
     }
 }
 
-/// The lanes in which a patch falls, or is level, at some point of it as seen from some apex. Its corner
-/// `h00` is `(x, y)` texels from the centre of the apexes, which are up to `half` texels from there along
-/// each axis.
+/// The lanes in which a patch may fall at some point of it as seen from some apex: all in which it does, and
+/// none in which it is level. Its corner `h00` is `(x, y)` texels from the centre of the apexes, which are up
+/// to `half` texels from there along each axis.
 #[inline(always)]
 fn may_fall<S: Simd>(
     simd: S,
@@ -304,51 +309,63 @@ fn may_fall<S: Simd>(
     let (right, down) = (simd.add_f64s(x, one), simd.add_f64s(y, one));
     let (above, below) = (simd.sub_f64s(h10, h00), simd.sub_f64s(h11, h01));
     let (left, beyond) = (simd.sub_f64s(h01, h00), simd.sub_f64s(h11, h10));
-    let least = simd.min_f64s(
-        simd.min_f64s(
-            least_towards(simd, [above, left], [x, y], half),
-            least_towards(simd, [above, beyond], [right, y], half),
-        ),
-        simd.min_f64s(
-            least_towards(simd, [below, left], [x, down], half),
-            least_towards(simd, [below, beyond], [right, down], half),
-        ),
+    let upper = simd.or_m64s(
+        may_fall_towards(simd, [above, left], [x, y], half),
+        may_fall_towards(simd, [above, beyond], [right, y], half),
     );
-    let size = simd.add_f64s(
-        simd.add_f64s(simd.abs_f64s(above), simd.abs_f64s(below)),
-        simd.add_f64s(simd.abs_f64s(left), simd.abs_f64s(beyond)),
+    let lower = simd.or_m64s(
+        may_fall_towards(simd, [below, left], [x, down], half),
+        may_fall_towards(simd, [below, beyond], [right, down], half),
     );
-    let reach = simd.add_f64s(simd.add_f64s(simd.abs_f64s(x), simd.abs_f64s(y)), simd.splat_f64s(2.0));
-    let rounding = simd.mul_f64s(simd.mul_f64s(size, reach), simd.splat_f64s(ROUNDING));
-    simd.less_than_or_equal_f64s(least, rounding)
+    simd.or_m64s(upper, lower)
 }
 
-/// The least over the apexes of the slope at a corner, towards it.
+/// The lanes in which the slope at a corner, towards it, may be negative from some apex.
 #[inline(always)]
-fn least_towards<S: Simd>(simd: S, along: [S::f64s; 2], place: [S::f64s; 2], half: S::f64s) -> S::f64s {
-    let size = simd.add_f64s(simd.abs_f64s(along[0]), simd.abs_f64s(along[1]));
+fn may_fall_towards<S: Simd>(simd: S, along: [S::f64s; 2], place: [S::f64s; 2], half: S::f64s) -> S::m64s {
+    let size = [simd.abs_f64s(along[0]), simd.abs_f64s(along[1])];
     let centre = simd.add_f64s(simd.mul_f64s(along[0], place[0]), simd.mul_f64s(along[1], place[1]));
-    simd.sub_f64s(centre, simd.mul_f64s(half, size))
+    let least = simd.sub_f64s(centre, simd.mul_f64s(half, simd.add_f64s(size[0], size[1])));
+    let far = [simd.add_f64s(simd.abs_f64s(place[0]), half), simd.add_f64s(simd.abs_f64s(place[1]), half)];
+    let most = simd.add_f64s(simd.mul_f64s(size[0], far[0]), simd.mul_f64s(size[1], far[1]));
+    simd.less_than_f64s(least, simd.mul_f64s(most, simd.splat_f64s(ROUNDING)))
 }
 
-/// The square of what `A - Dxy` over the distance is at most: the last bound of the proof.
+/// The square of what a falling pair rises at most over the distance: the last bound of the proof; 0 where
+/// it is not above `best`.
 #[inline(always)]
-fn falling_bound2(grid: &[[f64; 3]; 3], half: f64, seen: &Seen, distance2: f64) -> f64 {
+fn falling_bound2(grid: &[[f64; 3]; 3], half: f64, seen: &Seen, distance2: f64, best: f64) -> f64 {
     let [h00, h10, h01, h11] = seen.heights;
+    let highest = h00.max(h10).max(h01).max(h11);
     let [x0, y0] = seen.offset.map(|offset| offset as f64);
     let (bx, by, d) = (h10 - h00, h01 - h00, (h00 - h10) + (h11 - h01));
-    let mut extended = f64::NEG_INFINITY;
-    for (row, heights) in grid.iter().enumerate() {
-        for (column, height) in heights.iter().enumerate() {
+    let (mut over, mut extended) = ([[0.0; 3]; 3], f64::NEG_INFINITY);
+    for (row, (over, heights)) in over.iter_mut().zip(grid).enumerate() {
+        for (column, (over, height)) in over.iter_mut().zip(heights).enumerate() {
             let u = (column as f64 - 1.0) * half - x0;
             let v = (row as f64 - 1.0) * half - y0;
-            extended = extended.max(h00 + bx * u + (by + d * u) * v - height);
+            *over = h00 + bx * u + (by + d * u) * v - height;
+            extended = extended.max(*over);
         }
     }
     let (left, right) = (x0 - half, x0 + 1.0 + half);
     let (top, bottom) = (y0 - half, y0 + 1.0 + half);
     let bent = (-d * left * top).max(-d * left * bottom).max(-d * right * top).max(-d * right * bottom);
     let rounding = ROUNDING * (1.0 + x0.abs() + y0.abs() + d.abs() * (x0 * y0).abs());
-    let rise = (extended + bent + rounding).max(0.0);
-    if rise == 0.0 { 0.0 } else { rise * rise / distance2 }
+    let most = (extended + bent + rounding).max(0.0);
+    if most * most <= best * distance2 {
+        return 0.0;
+    }
+    let mut rise = 0.0f64;
+    for row in 0..2 {
+        for column in 0..2 {
+            let (mut extended, mut low) = (f64::NEG_INFINITY, f64::INFINITY);
+            for [i, j] in [[0, 0], [1, 0], [0, 1], [1, 1]] {
+                extended = extended.max(over[row + j][column + i]);
+                low = low.min(grid[row + j][column + i]);
+            }
+            rise = rise.max((extended + bent + rounding).min(highest - low));
+        }
+    }
+    rise * rise / distance2
 }
