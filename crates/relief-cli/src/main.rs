@@ -2,30 +2,66 @@
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 
 use failure::Failure;
+use say::Loudness;
 
 mod advice;
 mod commands;
 mod failure;
+mod interrupt;
 mod progress;
+mod say;
+mod units;
 mod values;
 mod waiting;
 
 /// Displacement mapping: a height map and a mesh go in, a picture comes out.
 #[derive(Parser)]
 #[command(name = "relief", version, propagate_version = true, max_term_width = 100)]
-#[command(after_help = "Start with: relief render --height data/bricks.png -o bricks.png")]
+#[command(after_help = "Start with: relief render --height data/bricks.png -o bricks.png\n\n\
+    Exit codes: 0 done, 1 the work failed and no file was written, 2 the command line is wrong.")]
 struct Arguments {
+    #[command(flatten)]
+    common: Common,
     #[command(subcommand)]
     command: Command,
+}
+
+/// Flags of every command.
+#[derive(Args)]
+struct Common {
+    /// Say nothing but results and errors: no progress, no notes
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    quiet: bool,
+    /// Say what is done, too, and how long it takes
+    #[arg(short, long, global = true)]
+    verbose: bool,
+    /// Threads that work [default: one a core]
+    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+impl Common {
+    fn apply(&self) -> Result<(), Failure> {
+        say::set(match (self.quiet, self.verbose) {
+            (true, _) => Loudness::Quiet,
+            (_, true) => Loudness::Verbose,
+            _ => Loudness::Usual,
+        });
+        let Some(threads) = self.threads else { return Ok(()) };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
+        pool.build_global().map_err(Failure::work)
+    }
 }
 
 #[derive(Subcommand)]
 enum Command {
     /// Render a height map on a mesh to a picture
     Render(Box<commands::render::Arguments>),
+    /// Write a scene file of render's flags, with every key
+    Scene(Box<commands::scene::Arguments>),
     /// Say what is in a height map: size, depth, range, used levels, histogram, whether it tiles
     Inspect(commands::inspect::Arguments),
     /// Bake a height map into the maps that methods read: cones, normals, horizons and more
@@ -34,10 +70,14 @@ enum Command {
     Height(commands::height::Arguments),
     /// List every method, search and refinement with its parameters and guarantees
     Methods(commands::methods::Arguments),
+    /// Print what shells complete, or write it into files
+    Completions(commands::completions::Arguments),
+    /// Print a manual page, or write all of them into files
+    Man(commands::man::Arguments),
 }
 
-/// Keeps graphics drivers from complaining on standard error that there is no desktop, among `--json`'s errors, too:
-/// a layer of Mesa's drivers looks for the desktop's GPU when it lists adapters.
+/// Keeps graphics drivers from complaining on standard error that there is no desktop, among `--json`'s
+/// errors, too: a layer of Mesa's drivers looks for the desktop's GPU when it lists adapters.
 #[cfg(target_os = "linux")]
 fn quieten_drivers() {
     let desktop = ["XDG_RUNTIME_DIR", "WAYLAND_DISPLAY", "DISPLAY"];
@@ -60,15 +100,36 @@ fn main() -> ExitCode {
         }
         Err(error) => error.exit(),
     };
-    let (result, json) = match &arguments.command {
-        Command::Render(arguments) => (commands::render::run(arguments), arguments.json),
-        Command::Inspect(arguments) => (commands::inspect::run(arguments), arguments.json),
-        Command::Bake(arguments) => (commands::bake::run(arguments), arguments.json),
-        Command::Height(arguments) => (commands::height::run(arguments), arguments.json()),
-        Command::Methods(arguments) => (commands::methods::run(arguments), arguments.json),
-    };
-    match result {
+    let json = arguments.command.json();
+    match arguments.common.apply().and_then(|()| arguments.command.run()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(json),
+    }
+}
+
+impl Command {
+    /// Whether the answer is for machines.
+    fn json(&self) -> bool {
+        match self {
+            Command::Render(arguments) => arguments.json,
+            Command::Inspect(arguments) => arguments.json,
+            Command::Bake(arguments) => arguments.json,
+            Command::Height(arguments) => arguments.json(),
+            Command::Methods(arguments) => arguments.json,
+            Command::Scene(_) | Command::Completions(_) | Command::Man(_) => false,
+        }
+    }
+
+    fn run(&self) -> Result<(), Failure> {
+        match self {
+            Command::Render(arguments) => commands::render::run(arguments),
+            Command::Scene(arguments) => commands::scene::run(arguments),
+            Command::Inspect(arguments) => commands::inspect::run(arguments),
+            Command::Bake(arguments) => commands::bake::run(arguments),
+            Command::Height(arguments) => commands::height::run(arguments),
+            Command::Methods(arguments) => commands::methods::run(arguments),
+            Command::Completions(arguments) => commands::completions::run(arguments, &Arguments::command()),
+            Command::Man(arguments) => commands::man::run(arguments, &Arguments::command()),
+        }
     }
 }

@@ -1,10 +1,12 @@
 //! A bar on a terminal, nothing in a pipe.
 
 use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use relief_render::Task;
+
+use crate::say::{self, Loudness};
 
 /// Steps of a bar: finer than any terminal is wide.
 const STEPS: u64 = 1000;
@@ -13,7 +15,11 @@ const STEPS: u64 = 1000;
 const TICK: Duration = Duration::from_millis(200);
 
 /// What is shown of one piece of work, until it is dropped.
-pub struct Progress(ProgressBar);
+pub struct Progress {
+    bar: ProgressBar,
+    what: &'static str,
+    started: Instant,
+}
 
 impl Progress {
     /// A bar that says what is done; hidden with `quiet`, and where the standard error is no terminal.
@@ -27,20 +33,21 @@ impl Progress {
     }
 
     fn styled(what: &'static str, quiet: bool, steps: Option<u64>, template: &str) -> Self {
+        let quiet = quiet || say::loudness() == Loudness::Quiet;
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(steps, target).with_message(what);
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style);
         }
         bar.enable_steady_tick(TICK);
-        Self(bar)
+        Self { bar, what, started: Instant::now() }
     }
 
     /// Shows the finished part, from 0 to 1; it never goes back.
     pub fn show(&self, part: f32) {
         let step = (part.clamp(0.0, 1.0) * STEPS as f32) as u64;
-        if step > self.0.position() {
-            self.0.set_position(step);
+        if step > self.bar.position() {
+            self.bar.set_position(step);
         }
     }
 }
@@ -77,6 +84,7 @@ impl TaskProgress {
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
+        say::detail(format_args!("{}: {:.2} s", self.what, self.started.elapsed().as_secs_f64()));
     }
 }

@@ -3,6 +3,9 @@
 use std::fmt::Display;
 use std::str::FromStr;
 
+use relief_core::registry::UnknownName;
+use relief_render::scene::{LightSpec, MaterialSpec};
+
 /// `N` finite numbers between commas.
 fn numbers<const N: usize, T: FromStr>(text: &str, form: &str) -> Result<[T; N], String>
 where
@@ -35,12 +38,6 @@ pub fn pair(text: &str) -> Result<[f64; 2], String> {
     numbers(text, "U,V").and_then(finite)
 }
 
-/// One number for both axes, or two numbers `X,Y`.
-pub fn one_or_two(text: &str) -> Result<[f64; 2], String> {
-    let both = numbers(text, "X or X,Y").map(|[one]| [one, one]);
-    both.or_else(|_| numbers(text, "X or X,Y")).and_then(finite)
-}
-
 /// A range `A,B`.
 pub fn range(text: &str) -> Result<[f64; 2], String> {
     numbers(text, "A,B").and_then(finite)
@@ -59,6 +56,36 @@ pub fn setting(text: &str) -> Result<(String, f64), String> {
     let (key, value) = text.split_once('=').ok_or_else(wrong)?;
     let [value] = finite([value.trim().parse().map_err(|_| wrong())?])?;
     Ok((key.trim().to_owned(), value))
+}
+
+/// Part of a material, `diffuse=R,G,B`, `specular=R,G,B` or `shininess=N`.
+pub fn material(text: &str) -> Result<MaterialSpec, String> {
+    let form = "diffuse=R,G,B, specular=R,G,B or shininess=N";
+    let (part, value) = text.split_once('=').ok_or_else(|| format!("write it as {form}"))?;
+    let none = MaterialSpec::default();
+    match part.trim() {
+        "diffuse" => Ok(MaterialSpec { diffuse: Some(numbers(value, form)?), ..none }),
+        "specular" => Ok(MaterialSpec { specular: Some(numbers(value, form)?), ..none }),
+        "shininess" => {
+            let [shininess] = numbers(value, form)?;
+            Ok(MaterialSpec { shininess: Some(shininess), ..none })
+        }
+        other => {
+            Err(UnknownName::new("part of a material", other, ["diffuse", "specular", "shininess"])
+                .to_string())
+        }
+    }
+}
+
+/// A point light `X,Y,Z`, white of intensity 1, or `X,Y,Z,R,G,B`.
+pub fn point_light(text: &str) -> Result<LightSpec, String> {
+    let form = "X,Y,Z or X,Y,Z,R,G,B";
+    if let Ok(position) = numbers(text, form).and_then(finite) {
+        return Ok(LightSpec { position: Some(position), ..LightSpec::default() });
+    }
+    let [x, y, z, red, green, blue] = numbers(text, form).and_then(finite)?;
+    let color = Some([red, green, blue].map(|part| part as f32));
+    Ok(LightSpec { position: Some([x, y, z]), color, ..LightSpec::default() })
 }
 
 /// A number for people, of at most six digits that count.
@@ -87,8 +114,21 @@ mod tests {
     fn values_are_read_or_refused() {
         assert_eq!(point("0.6, 0.9,1.1"), Ok([0.6, 0.9, 1.1]));
         assert_eq!(size("800x600"), Ok([800, 600]));
-        assert_eq!((one_or_two("0.5"), one_or_two("0.5, 2")), (Ok([0.5, 0.5]), Ok([0.5, 2.0])));
-        assert!(["", "1,", "1,2,3", "x", "inf"].iter().all(|bad| one_or_two(bad).is_err()));
+        let shininess = Some(7);
+        assert_eq!(material("shininess=7"), Ok(MaterialSpec { shininess, ..MaterialSpec::default() }));
+        let diffuse = Some([1.0, 0.5, 0.0]);
+        assert_eq!(material("diffuse = 1, 0.5,0"), Ok(MaterialSpec { diffuse, ..MaterialSpec::default() }));
+        assert!(
+            ["", "diffuse", "diffuse=1", "shininess=1.5", "difuse=1,1,1"]
+                .iter()
+                .all(|bad| material(bad).is_err())
+        );
+        let light = LightSpec { position: Some([1.0, 2.0, 3.0]), ..LightSpec::default() };
+        assert_eq!(point_light("1,2,3"), Ok(light.clone()));
+        assert_eq!(point_light("1,2,3,1,0.5,0"), Ok(LightSpec { color: diffuse, ..light }));
+        assert!(
+            ["", "1,2", "1,2,3,4", "1,2,inf", "1,2,3,4,5,6,7"].iter().all(|bad| point_light(bad).is_err())
+        );
         assert_eq!(setting("search.steps=64"), Ok(("search.steps".to_owned(), 64.0)));
         for bad in ["", "1,2", "1,2,3,4", "a,b,c", "1,2,nan", "1,2,inf"] {
             assert!(point(bad).is_err(), "{bad}");

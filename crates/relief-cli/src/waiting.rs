@@ -4,6 +4,8 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use crate::say;
+
 /// After which time a user is told.
 const NOTE_AFTER: Duration = Duration::from_secs(1);
 
@@ -20,9 +22,9 @@ pub fn waiting<'a>(
     move |waited| {
         if !is_said && waited >= NOTE_AFTER {
             let folder = folder.display();
-            eprintln!(
-                "note: another process writes the same files into {folder}: waiting until it has ended"
-            );
+            say::note(format_args!(
+                "another process writes the same files into {folder}: waiting until it has ended"
+            ));
             is_said = true;
         }
         waited < PATIENCE && !cancel.load(Ordering::Relaxed)

@@ -73,14 +73,14 @@ fn wrong_command_lines_are_refused_with_the_flag_named() {
         ("--range 5,5", &["--range"]),
         ("--range 9,1", &["--range"]),
         ("--range 0,nan", &["--range", "finite"]),
-        ("--green up", &["--green", "+y"]),
+        ("--green sideways", &["--green", "+y"]),
         ("--raw 0x0,le", &["--raw"]),
         ("--raw 4x4,middle", &["--raw", "le"]),
         ("--max-memory 4GB", &["--max-memory", "GiB"]),
         ("--max-memory -1", &["--max-memory"]),
         ("--heigth map.png", &["--height"]),
         ("a.toml b.toml", &["b.toml"]),
-        ("--output out/a.jpg", &["--output"]),
+        ("--output out/a.bmp", &["--output"]),
         ("--aov out/a.png", &["--aov"]),
     ];
     for (flags, words) in table {

@@ -1,4 +1,5 @@
-//! The files of `relief bake`: whole sets of one run, whatever becomes of the process, and nobody else's files.
+//! The files of `relief bake`: whole sets of one run, whatever becomes of the process, and nobody else's
+//! files.
 
 mod common;
 
@@ -153,23 +154,23 @@ fn links_stay_and_inputs_are_no_outputs() {
     use std::os::unix::fs::symlink;
 
     let folder = room(16);
-    bake(&folder, "--kind normal,occlusion --set normal.mips=0");
+    bake(&folder, "--kind normal,occlusion");
     let whole = files(&folder);
     std::fs::remove_dir_all(folder.path("out")).expect("it is there");
     std::fs::create_dir_all(folder.path("elsewhere")).expect("writable");
     std::fs::create_dir_all(folder.path("out")).expect("writable");
-    symlink("../elsewhere/n", folder.path("out/map.normal.exr")).expect("writable");
-    symlink("o", folder.path("out/map.occlusion.exr")).expect("writable");
-    let flags = "--kind normal,occlusion --set normal.mips=0";
+    symlink("../elsewhere/n", folder.path("out/map.normal.png")).expect("writable");
+    symlink("o", folder.path("out/map.occlusion.png")).expect("writable");
+    let flags = "--kind normal,occlusion";
     for _ in 0..2 {
         bake(&folder, &format!("{flags} --force"));
         assert!(up_to_date(&folder, flags));
         for (link, to) in [("normal", "../elsewhere/n"), ("occlusion", "o")] {
-            let link = folder.path(format!("out/map.{link}.exr"));
+            let link = folder.path(format!("out/map.{link}.png"));
             assert_eq!(std::fs::read_link(link).expect("a link"), Path::new(to));
         }
         let mut found = files(&folder);
-        assert_eq!(found.remove("o").as_ref(), Some(&whole["map.occlusion.exr"]));
+        assert_eq!(found.remove("o").as_ref(), Some(&whole["map.occlusion.png"]));
         assert_eq!(found, whole);
         assert_eq!(std::fs::read_dir(folder.path("elsewhere")).expect("a folder").count(), 1);
     }
@@ -185,8 +186,7 @@ fn links_stay_and_inputs_are_no_outputs() {
         }
         .expect("writable");
         for force in ["", "--force"] {
-            let refused =
-                folder.relief(&line(&format!("--kind normal --set normal.mips=0 --format png {force}")));
+            let refused = folder.relief(&line(&format!("--kind normal {force}")));
             assert!(refused.code == Some(2) && refused.stderr.contains("map.png"), "{refused:?}");
             assert_eq!(names(&folder), ["map.normal.png"]);
         }
@@ -196,14 +196,13 @@ fn links_stay_and_inputs_are_no_outputs() {
 
 #[test]
 fn what_cannot_be_written_is_said_before_the_work() {
-    // The bake of this volume would take a minute, and then go into no EXR file.
+    // The bake of this volume would take a minute, and then go into no PNG.
     let folder = room(700);
     let refusals = [
-        ("--kind distance --set distance.slices=2048", "ktx2"),
         ("--kind distance --set distance.slices=2048 --format png", "ktx2"),
         ("--kind distance --set distance.slices=2048 --format ktx2 --texels bc", "bc"),
         ("--kind relaxed-cone,distance --format ktx2 --texels bc", "bc"),
-        ("--kind normal,distance --set distance.slices=2048", "ktx2"),
+        ("--kind normal,distance --set distance.slices=2048 --format png", "ktx2"),
         ("--kind cone --max-memory 5MiB", "--max-memory"),
     ];
     for (flags, word) in refusals {
@@ -219,11 +218,11 @@ fn what_cannot_be_written_is_said_before_the_work() {
         assert!(refused.code == Some(1) && refused.stderr.contains("file"), "{refused:?}");
     }
     folder.write("out/map.normal.png/inside", "");
-    let refused = folder.relief(&line("--kind normal --set normal.mips=0 --format png"));
+    let refused = folder.relief(&line("--kind normal"));
     assert!(refused.code == Some(1) && refused.stderr.contains("it is a folder"), "{refused:?}");
     hills(&folder, 8);
     folder.relief("bake map.png --kind occlusion -o not/there/yet").fine();
-    assert!(folder.path("not/there/yet/map.occlusion.exr").exists());
+    assert!(folder.path("not/there/yet/map.occlusion.png").exists());
 }
 
 #[cfg(target_os = "linux")]
@@ -257,8 +256,8 @@ fn signal(name: &str, pid: u32) {
 
 /// The flags of two bakes of several files each, so that they have no byte in common.
 const SETS: [&str; 2] = [
-    "--kind pyramid,normal,dilation-erosion --format png --scale 0.1",
-    "--kind pyramid,normal,dilation-erosion --format png --scale 0.3 --wrap clamp",
+    "--kind pyramid,normal,dilation-erosion --set normal.mips=1 --format png --scale 0.1",
+    "--kind pyramid,normal,dilation-erosion --set normal.mips=1 --format png --scale 0.3 --wrap clamp",
 ];
 
 /// What the two leave, and how long the second takes.
@@ -311,7 +310,7 @@ fn killed_processes_leave_whole_sets_and_nothing_over() {
     let folder = room(96);
     let (sets, took) = two_sets(&folder);
     let others = |mut files: BTreeMap<String, Vec<u8>>| {
-        files.retain(|name, _| name != "map.occlusion.exr" && name != "map.relief-manifest");
+        files.retain(|name, _| name != "map.occlusion.png" && name != "map.relief-manifest");
         files
     };
     let sets = sets.map(others);

@@ -1,5 +1,6 @@
 //! The command's peak of resident memory. Reading peaks at 8 bytes a texel and 32 MiB above the idle process,
-//! a refused header at 32 MiB; rendering and integrating keep to what they count against `--max-memory`.
+//! a refused header at 32 MiB; rendering and integrating keep to what they count against `--max-memory`, and
+//! pictures of any size take a band of rows.
 //!
 //! The system counts the parent's memory against a child until the child's program has started, so the files
 //! are written row by row, and the tests run one after the other.
@@ -39,8 +40,8 @@ const METHOD_BYTES: u64 = 8;
 /// What a normal map may take a texel to become heights: it counts as much against `--max-memory`.
 const INTEGRATION_BYTES: u64 = 32;
 
-/// What rendering may take a pixel: it counts as much against `--max-memory`.
-const PIXEL_BYTES: u64 = 192;
+/// What rendering may take of a picture, whatever its size: it counts as much against `--max-memory`.
+const PICTURE_BYTES: u64 = 64 * MIB;
 
 static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
 
@@ -205,16 +206,17 @@ fn refused_headers_take_next_to_nothing() {
 }
 
 #[test]
-fn large_pictures_take_what_is_counted_for_them() {
+fn pictures_of_any_size_take_what_is_counted_for_a_band() {
     alone(|folder, idle| {
         folder.write("map.png", Map::hills().png());
         let render = |size: &str, more: &str| {
             format!("render --height map.png --backend cpu -o a.png --aov a.exr --size {size} {more}")
         };
-        let pixels = 1200 * 1000;
-        let line = render("1200x1000", "");
-        assert_within(folder, idle, &line, 0, 64 * pixels, FIXED + PIXEL_BYTES * pixels);
-        assert_within(folder, idle, &render("30000x30000", ""), 1, 0, FIXED);
-        assert_within(folder, idle, &render("1200x1000", "--max-memory 200MiB"), 1, 0, FIXED);
+        for size in ["1200x1000", "4000x3000"] {
+            let line = render(size, "--method bump --samples 1");
+            assert_within(folder, idle, &line, 0, 20 * MIB, FIXED + PICTURE_BYTES);
+        }
+        assert_within(folder, idle, &render("40000x40000", ""), 2, 0, FIXED);
+        assert_within(folder, idle, &render("1200x1000", "--max-memory 60MiB"), 1, 0, FIXED);
     });
 }

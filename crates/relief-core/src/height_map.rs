@@ -21,8 +21,8 @@ pub const MAX_TEXELS: u64 = 1 << 30;
 /// * A texel displaces the base surface along its unit normal by `bias_m + scale_m * texel` metres
 ///   (Szirmay-Kalos and Umenhoffer 2008, eq. 8).
 /// * [`Wrap`] says how the map goes on beyond its edges.
-/// * `texel_size_m`, `physical_range` and `filled_texels` are metadata: slopes are set by the tangent frame
-///   alone.
+/// * `texel_size_m`, `physical_range`, `filled_texels` and `nearly_grey_texels` are metadata: slopes are set
+///   by the tangent frame alone.
 ///
 /// Clones share their texels, with another wrap or displacement too.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +36,7 @@ pub struct HeightMap {
     texel_size_m: Option<[f64; 2]>,
     physical_range: Option<[f64; 2]>,
     filled_texels: u64,
+    nearly_grey_texels: u64,
 }
 
 /// What clones of a map share.
@@ -131,6 +132,7 @@ impl HeightMap {
             texel_size_m: None,
             physical_range: None,
             filled_texels: 0,
+            nearly_grey_texels: 0,
         })
     }
 
@@ -232,6 +234,14 @@ impl HeightMap {
         self
     }
 
+    /// The same map with how many of its texels had a red, green and blue in the source that were not quite
+    /// equal.
+    #[must_use]
+    pub fn with_nearly_grey_texels(mut self, count: u64) -> Self {
+        self.nearly_grey_texels = count;
+        self
+    }
+
     /// Width in texels.
     #[inline]
     pub fn width(&self) -> u32 {
@@ -286,7 +296,8 @@ impl HeightMap {
         Some([u * f64::from(self.width), v * f64::from(self.height)])
     }
 
-    /// Length of the tile along `u` and `v`, the longer one 1: as the source states them, else of square texels.
+    /// Length of the tile along `u` and `v`, the longer one 1: as the source states them, else of square
+    /// texels.
     pub fn proportions(&self) -> [f64; 2] {
         let tile = self.stated_tile_m().unwrap_or([f64::from(self.width), f64::from(self.height)]);
         tile.map(|length| length / tile[0].max(tile[1]))
@@ -320,6 +331,13 @@ impl HeightMap {
     #[inline]
     pub fn filled_texels(&self) -> u64 {
         self.filled_texels
+    }
+
+    /// How many texels had a red, green and blue in the source that were not quite equal, so that their mean
+    /// was taken.
+    #[inline]
+    pub fn nearly_grey_texels(&self) -> u64 {
+        self.nearly_grey_texels
     }
 
     /// The texel at any column and row, wrapped.

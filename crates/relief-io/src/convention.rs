@@ -1,6 +1,8 @@
 //! Height or depth, green up or down: what a height map and the normal map that belongs to it say of each
 //! other.
 
+use std::path::Path;
+
 use relief_core::HeightMap;
 
 use crate::{Convention, GreenSign, NormalMap};
@@ -47,6 +49,52 @@ pub fn detect(height: &HeightMap, normals: &NormalMap) -> Detection {
     }
 }
 
+/// A convention that is no more than likely.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Guess {
+    /// Whether white is high or deep.
+    pub convention: Convention,
+    /// How often such a guess is right, from 0 to 1.
+    pub confidence: f64,
+}
+
+/// Words of names, what they say, and how often they were right: of maps of other projects whose convention
+/// is known, all three named as depths are, and five of six named as heights. Of so few, `n` right ones of
+/// `m` make `(n + 1) / (m + 2)`.
+const WORDS: [(&[&str], Guess); 2] = [
+    (&["depth", "depthmap", "parallaxdepth"], Guess { convention: Convention::Depth, confidence: 0.8 }),
+    (
+        &[
+            "height",
+            "heights",
+            "heightmap",
+            "ht",
+            "h",
+            "displacement",
+            "disp",
+            "bump",
+            "elevation",
+            "dem",
+            "dsm",
+            "dtm",
+            "topology",
+            "topo",
+            "terrain",
+        ],
+        Guess { convention: Convention::Height, confidence: 0.75 },
+    ),
+];
+
+/// What a height map's name says of its convention; nothing of most.
+///
+/// Its texels say nothing: of nine maps whose convention is known, neither the skewness of the values nor
+/// that of their curvature, at any scale, told depths from heights better than chance.
+pub fn guess_by_name(path: &Path) -> Option<Guess> {
+    let stem = path.file_stem()?.to_string_lossy().to_ascii_lowercase();
+    let mut words = stem.split(|sign: char| !sign.is_ascii_alphabetic());
+    words.find_map(|word| WORDS.iter().find(|(words, _)| words.contains(&word)).map(|(_, guess)| *guess))
+}
+
 /// Pearson's correlation, from sums of values whose means are near 0.
 #[derive(Default)]
 struct Correlation {
@@ -75,6 +123,27 @@ impl Correlation {
             (covariance / (variance[0] * variance[1]).sqrt()).clamp(-1.0, 1.0)
         } else {
             0.0
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_say_something_are_understood() {
+        let of = |name: &str| guess_by_name(Path::new(name)).map(|guess| guess.convention);
+        for depth in ["bevy_cube_depth.png", "maps/Wool-Depth.PNG", "depth.exr"] {
+            assert_eq!(of(depth), Some(Convention::Depth), "{depth}");
+        }
+        for height in
+            ["canyon_height.jpg", "rock023_alb_ht.png", "dem.tif", "a-h.png", "wall displacement 4k.exr"]
+        {
+            assert_eq!(of(height), Some(Convention::Height), "{height}");
+        }
+        for neither in ["wall.png", "depths_of_the_sea.png", "hill.png", "", ".."] {
+            assert_eq!(of(neither), None, "{neither}");
         }
     }
 }

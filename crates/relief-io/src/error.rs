@@ -105,8 +105,9 @@ pub enum ReadProblem {
     },
     /// The three channels of the picture differ, so that none of them is clearly the height.
     #[error(
-        "is a picture in colour (texel ({column}, {row}) is not grey); its channels are {}: choose one",
-        relief_core::registry::listed(channels)
+        "is a picture in colour (texel ({column}, {row}) is not grey); its channels are {}: choose one{}",
+        relief_core::registry::listed(channels),
+        if *alpha_varies { ", such as a, which varies as heights do" } else { "" }
     )]
     NotGrey {
         /// The channels.
@@ -115,6 +116,8 @@ pub enum ReadProblem {
         column: u32,
         /// Its row.
         row: u32,
+        /// Whether there is an alpha that varies, so that it may be the height.
+        alpha_varies: bool,
     },
     /// The channels are none of a picture.
     #[error("has the channels {}, which make no {what}", relief_core::registry::listed(channels))]

@@ -78,7 +78,8 @@ pub const DEFAULT_MAX_BYTES: u64 = 4 << 30;
 pub struct HeightOptions {
     /// The channel to read, by its name in any case (`r`, `g`, `b`, `a`, `y`, or a name in an EXR file;
     /// `luminance` and `height` stand for `y`). None: the only channel; of grey with alpha the grey; of red,
-    /// green and blue that are equal everywhere that grey.
+    /// green and blue that are equal everywhere that grey, and of those that are nearly equal their mean, of
+    /// which [`HeightMap::nearly_grey_texels`] tells.
     pub channel: Option<String>,
     /// Whether white is high or deep.
     pub convention: Convention,
@@ -137,8 +138,8 @@ pub(crate) const BYTES_PER_TEXEL: u64 = 8;
 /// [`Georeference`](crate::Georeference)). Its row 0 lies in the north, however the file stores it. Texels
 /// that its mask leaves out, in the file or in one beside it with `.msk` after its name, have no value.
 ///
-/// Texels without a value are an error unless [`HeightOptions::fill`] says otherwise. They are filled smoothly
-/// from their surroundings; [`HeightMap::filled_texels`] counts them.
+/// Texels without a value are an error unless [`HeightOptions::fill`] says otherwise. They are filled
+/// smoothly from their surroundings; [`HeightMap::filled_texels`] counts them.
 ///
 /// Peak memory is 8 bytes a texel and one row or block of the file; see the crate's documentation for the
 /// exceptions.
@@ -169,8 +170,8 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
     let terrain = layout.terrain()?;
     let elevation = terrain.map(|terrain| &terrain.channels[selection.first()]);
     let note = HeightNote::of_file(source, layout.format);
-    let samples = Samples::read(file, &selection)?;
-    let holes = samples.holes();
+    let samples = Samples::read(file, &selection).map_err(|problem| with_alpha(problem, source, options))?;
+    let (holes, nearly_grey) = (samples.holes(), samples.nearly_grey);
     let full_scale = layout.height_full_scale();
     let range = range(&samples, full_scale, options)?;
     let map = height_map(samples, range, elevation.is_some(), options)?;
@@ -184,7 +185,7 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
         (None, None) => Some(range),
     };
     let noted_size = note.map(|note| note.texel_size_m([layout.width, layout.height]));
-    let mut map = map.with_filled_texels(holes);
+    let mut map = map.with_filled_texels(holes).with_nearly_grey_texels(nearly_grey);
     if let Some(range) = physical_range {
         map = map.with_physical_range(range)?;
     }
@@ -192,6 +193,18 @@ fn read(source: Source<'_>, options: &HeightOptions) -> Result<HeightMap, ReadPr
         map = map.with_texel_size_m(size_m)?;
     }
     Ok(map)
+}
+
+/// What is known of a picture in colour, with whether its alpha varies.
+fn with_alpha(problem: ReadProblem, source: Source<'_>, options: &HeightOptions) -> ReadProblem {
+    let ReadProblem::NotGrey { channels, column, row, .. } = problem else { return problem };
+    let read = || {
+        let file = ImageFile::open(source, options.raw, BYTES_PER_TEXEL, options.max_bytes).ok()?;
+        let alpha = file.layout().channel("a")?;
+        Samples::read(file, &Selection::Channel(alpha)).ok()
+    };
+    let alpha_varies = read().is_some_and(|alpha| alpha.extremes[0] < alpha.extremes[1]);
+    ReadProblem::NotGrey { channels, column, row, alpha_varies }
 }
 
 /// The raw values that become 0 and 1.

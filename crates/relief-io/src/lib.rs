@@ -45,6 +45,7 @@ mod layout;
 mod normal_map;
 mod pgm;
 mod picture;
+mod picture_file;
 mod png;
 mod raw;
 mod raw_layout;
@@ -56,7 +57,7 @@ mod write;
 mod write_whole;
 
 pub use self::ktx2::{Ktx2File, Ktx2Level, Ktx2Texture, TexelFormat, read_ktx2, write_ktx2};
-pub use convention::{Detection, detect};
+pub use convention::{Detection, Guess, detect, guess_by_name};
 pub use elevation::{CoordinateSystem, Elevation, Georeference};
 pub use error::{ReadError, ReadProblem, WriteError, WriteProblem};
 pub use height::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, read_height};
@@ -65,8 +66,12 @@ pub use inspect::{HISTOGRAM_BINS, SEAM_LIMIT, SourceInfo, Tiling, Values, inspec
 pub use layout::{Channel, Format, SampleKind, SampleType};
 pub use normal_map::{GreenSign, NormalMap, NormalVectors, SHORTEST, read_normal_map, read_normal_vectors};
 pub use picture::{Curve, Picture, linear_to_srgb, read_picture, read_picture_as};
+pub use picture_file::{PictureFormat, PictureSink, write_picture};
 pub use raw_layout::{BadRawLayout, ByteOrder, RawLayout};
 pub use source::Source;
-pub use texture::{Metadata, PngTexture, Row, RowSource, read_metadata, write_exr_rows, write_png_rows};
+pub use texture::{
+    LineSink, Metadata, PngTexture, Row, RowSource, read_metadata, write_exr_lines, write_exr_rows,
+    write_png_rows,
+};
 pub use write::{PngColour, write_exr, write_png8, write_png16};
 pub use write_whole::write_atomically;

@@ -39,10 +39,18 @@ impl fmt::Display for GreenSign {
 impl FromStr for GreenSign {
     type Err = UnknownName;
 
+    /// Also by `up` and `down`, or by who has it so: `opengl` and `directx`.
     fn from_str(name: &str) -> Result<Self, UnknownName> {
-        let all = [GreenSign::PlusY, GreenSign::MinusY];
-        let known = all.into_iter().find(|sign| sign.name() == name);
-        known.ok_or_else(|| UnknownName::new("green sign", name, all.map(GreenSign::name)))
+        let all = [
+            ("+y", GreenSign::PlusY),
+            ("-y", GreenSign::MinusY),
+            ("up", GreenSign::PlusY),
+            ("down", GreenSign::MinusY),
+            ("opengl", GreenSign::PlusY),
+            ("directx", GreenSign::MinusY),
+        ];
+        let known = all.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, sign)| sign);
+        known.ok_or_else(|| UnknownName::new("green sign", name, all.map(|(known, _)| known)))
     }
 }
 

@@ -4,6 +4,10 @@ use crate::ReadProblem;
 use crate::image_file::ImageFile;
 use crate::layout::{Layout, Span};
 
+/// How far apart red, green and blue of a grey may be, as a part of the greatest value: what lossy
+/// compression does to it.
+const NEARLY_GREY: f64 = 6.0 / 255.0;
+
 /// Raw values as `f32`, NaN where a texel has none.
 ///
 /// Types wider than `f32` are stored as differences from the first value, so that their rounding is relative
@@ -25,6 +29,8 @@ pub(crate) struct Samples {
     pub masked: u64,
     /// The first texel without a value, in rows from the top.
     pub first_hole: Option<usize>,
+    /// Texels whose red, green and blue were nearly, but not quite, equal.
+    pub nearly_grey: u64,
 }
 
 /// Where the samples come from.
@@ -32,7 +38,7 @@ pub(crate) struct Samples {
 pub(crate) enum Selection {
     /// One channel.
     Channel(usize),
-    /// Three channels that have to be equal everywhere.
+    /// Three channels that have to be equal everywhere, or nearly so: compression makes a colour of a grey.
     Grey([usize; 3]),
 }
 
@@ -56,17 +62,37 @@ impl Samples {
         };
         let sample = layout.channels[selection.first()].sample;
         let mut collector = Collector::new(layout, sample.fits_f32())?;
+        // Floats come from no lossy compression.
+        let most_apart = layout.height_full_scale().map_or(0.0, |full| NEARLY_GREY * full);
+        let mut means = Vec::new();
         file.decode_mask(selection.first(), &mut |span| {
             collector.mask(&span);
             Ok(())
         })?;
         file.decode(&channels, &mut |span| {
-            let mut texels = span.samples.chunks_exact(channels.len());
-            if let Some(texel) = texels.position(|texel| texel[1..].iter().any(|s| differ(*s, texel[0]))) {
-                let column = span.column + texel as u32 * span.step;
-                return Err(ReadProblem::NotGrey { channels: names.clone(), column, row: span.row });
+            let [_, _, _] = channels[..] else {
+                collector.take(&span, channels.len());
+                return Ok(());
+            };
+            means.clear();
+            for (at, texel) in span.samples.chunks_exact(3).enumerate() {
+                if !texel[1..].iter().any(|sample| differ(*sample, texel[0])) {
+                    means.push(texel[0]);
+                    continue;
+                }
+                let least = texel.iter().copied().fold(f64::INFINITY, f64::min);
+                let greatest = texel.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                // Not so where one of them is NaN.
+                let is_near = greatest - least <= most_apart && texel.iter().all(|sample| sample.is_finite());
+                if !is_near {
+                    let (column, row) = (span.column + at as u32 * span.step, span.row);
+                    let channels = names.clone();
+                    return Err(ReadProblem::NotGrey { channels, column, row, alpha_varies: false });
+                }
+                collector.samples.nearly_grey += 1;
+                means.push(texel.iter().sum::<f64>() / 3.0);
             }
-            collector.take(&span, channels.len());
+            collector.take(&Span { samples: &means, ..span }, 1);
             Ok(())
         })?;
         Ok(collector.samples)
@@ -104,6 +130,7 @@ impl Collector {
             nodata: 0,
             masked: 0,
             first_hole: None,
+            nearly_grey: 0,
         };
         Ok(Self { samples, nodata: layout.nodata, exact })
     }

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use png::{BitDepth, ColorType, Encoder, EncodingError};
+use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
 use relief_core::HeightMap;
 
 use crate::write_whole::write_file;
@@ -53,7 +53,7 @@ pub fn write_png8(
         PngColour::Rgba => ColorType::Rgba,
     };
     write_file(path, |out| {
-        write_png(out, [width, height], colour, BitDepth::Eight, &Metadata::default(), |png| {
+        write_png(out, [width, height], colour, BitDepth::Eight, false, &Metadata::default(), |png| {
             png.write_all(samples)
         })
     })
@@ -73,6 +73,7 @@ pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Res
             [width, height],
             ColorType::Grayscale,
             BitDepth::Sixteen,
+            false,
             &Metadata::default(),
             |png| {
                 let mut row_bytes = Vec::with_capacity(2 * width as usize);
@@ -87,12 +88,14 @@ pub fn write_png16(path: &Path, width: u32, height: u32, samples: &[u16]) -> Res
     })
 }
 
-/// Writes a PNG of bytes as the format has them, with metadata in `iTXt` chunks before them.
+/// Writes a PNG of bytes as the format has them, with metadata in `iTXt` chunks before them; it may say that
+/// they are in sRGB.
 pub(crate) fn write_png(
     out: &mut BufWriter<&File>,
     [width, height]: [u32; 2],
     colour: ColorType,
     depth: BitDepth,
+    is_srgb: bool,
     metadata: &Metadata,
     rows: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), WriteProblem> {
@@ -103,6 +106,9 @@ pub(crate) fn write_png(
     let mut encoder = Encoder::new(out, width, height);
     encoder.set_color(colour);
     encoder.set_depth(depth);
+    if is_srgb {
+        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    }
     for (key, value) in metadata.iter() {
         encoder.add_itxt_chunk(key.to_owned(), value.to_owned()).map_err(problem)?;
     }

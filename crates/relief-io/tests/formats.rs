@@ -62,10 +62,20 @@ fn png_of_few_bits_and_with_palettes() {
     };
     let path = folder.file("palette.png", &indexed(vec![0, 0, 0, 40, 40, 40, 255, 255, 255]));
     assert_reads(&path, &default(), &[0.0, 40.0, 255.0, 40.0], 1e-4);
-    let path = folder.file("colours.png", &indexed(vec![0, 0, 0, 40, 40, 41, 255, 255, 255]));
+    let path = folder.file("colours.png", &indexed(vec![0, 0, 0, 40, 40, 60, 255, 255, 255]));
     let error = read_height(&path, &default()).expect_err("it is in colour");
     assert!(matches!(error.problem, ReadProblem::NotGrey { column: 1, row: 0, .. }), "{error}");
-    assert_reads(&path, &channel("b"), &[0.0, 41.0, 255.0, 41.0], 1e-4);
+    assert_reads(&path, &channel("b"), &[0.0, 60.0, 255.0, 60.0], 1e-4);
+    // Of one that lossy compression has tinted the mean is taken, and said.
+    let path = folder.file("tinted.png", &indexed(vec![0, 0, 0, 40, 43, 40, 255, 255, 255]));
+    assert_reads(&path, &default(), &[0.0, 41.0, 255.0, 41.0], 1e-4);
+    assert_eq!(read_height(&path, &default()).expect("nearly grey").nearly_grey_texels(), 2);
+    // A colour over heights in alpha: which of them is asked, with a hint.
+    let rgba = png_with(2, 1, ColorType::Rgba, BitDepth::Eight, &[200, 90, 10, 0, 200, 90, 10, 255], |_| ());
+    let path = folder.file("packed.png", &rgba);
+    let error = read_height(&path, &default()).expect_err("it is in colour");
+    assert!(matches!(error.problem, ReadProblem::NotGrey { alpha_varies: true, .. }), "{error}");
+    assert_reads(&path, &channel("a"), &[0.0, 255.0], 1e-4);
 }
 
 #[test]

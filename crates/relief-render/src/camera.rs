@@ -1,4 +1,4 @@
-//! The camera: a pinhole that turns pixels into rays and points into pixels.
+//! The camera: it turns pixels into rays and points into pixels.
 
 use glam::{DMat4, DVec3};
 
@@ -7,7 +7,22 @@ use glam::{DMat4, DVec3};
 /// precision.
 const VERTICAL: f64 = 1.0 - 1e-9;
 
-/// A perspective camera.
+/// How a camera makes a plane picture of space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// All rays come from the eye.
+    Perspective {
+        /// Vertical field of view in degrees.
+        fov_degrees: f64,
+    },
+    /// All rays are parallel: what is far away is as large as what is near, as on a map.
+    Orthographic {
+        /// Metres from the lower to the upper edge of the picture.
+        height_m: f64,
+    },
+}
+
+/// A camera.
 ///
 /// `+y` points up in the picture. Looking straight down, `-z` does (so that the built-in plane's texture
 /// stands upright), and straight up, `+z`.
@@ -15,11 +30,11 @@ const VERTICAL: f64 = 1.0 - 1e-9;
 pub struct Camera {
     eye: DVec3,
     target: DVec3,
-    fov_degrees: f64,
+    projection: Projection,
     forward: DVec3,
     right: DVec3,
     up: DVec3,
-    tan_half_fov: f64,
+    half_height: f64,
 }
 
 /// A ray through a pixel.
@@ -49,6 +64,9 @@ pub enum CameraError {
     /// The field of view is not between 0 and 180 degrees.
     #[error("the field of view is {0} degrees: it must be more than 0 and less than 180")]
     BadFov(f64),
+    /// The height of an orthographic view is not positive and finite.
+    #[error("the view is {0} m high: it must be more than 0 and finite")]
+    BadHeight(f64),
     /// The aspect is not positive, or the planes are not `0 < near < far`.
     #[error("aspect {aspect}, near {near}, far {far}: aspect must be positive and 0 < near < far")]
     BadFrustum {
@@ -69,19 +87,36 @@ impl Camera {
     /// When a number is not finite, when eye and target coincide, or when the field of view is not in
     /// `(0, 180)`.
     pub fn new(eye: DVec3, target: DVec3, fov_degrees: f64) -> Result<Self, CameraError> {
+        Self::with(eye, target, Projection::Perspective { fov_degrees })
+    }
+
+    /// A camera at `eye` that looks at `target`, both in metres. What lies behind the eye is not seen, by
+    /// parallel rays neither.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`], and when the height of an orthographic view is not positive.
+    pub fn with(eye: DVec3, target: DVec3, projection: Projection) -> Result<Self, CameraError> {
         let toward = target - eye;
         if !(eye.is_finite() && target.is_finite() && toward.length_squared().is_finite()) {
             return Err(CameraError::NotFinite { eye, target });
         }
         let forward = toward.try_normalize().ok_or(CameraError::EyeAtTarget(eye))?;
-        let tan_half_fov = (fov_degrees.to_radians() / 2.0).tan();
-        if !(fov_degrees > 0.0 && fov_degrees < 180.0 && tan_half_fov > 0.0) {
-            return Err(CameraError::BadFov(fov_degrees));
-        }
+        let half_height = match projection {
+            Projection::Perspective { fov_degrees } => {
+                let tan_half_fov = (fov_degrees.to_radians() / 2.0).tan();
+                if !(fov_degrees > 0.0 && fov_degrees < 180.0 && tan_half_fov > 0.0) {
+                    return Err(CameraError::BadFov(fov_degrees));
+                }
+                tan_half_fov
+            }
+            Projection::Orthographic { height_m } if height_m > 0.0 && height_m.is_finite() => height_m / 2.0,
+            Projection::Orthographic { height_m } => return Err(CameraError::BadHeight(height_m)),
+        };
         let upward = if forward.y.abs() < VERTICAL { DVec3::Y } else { DVec3::Z * forward.y.signum() };
         let right = forward.cross(upward).normalize();
         let up = right.cross(forward);
-        Ok(Self { eye, target, fov_degrees, forward, right, up, tan_half_fov })
+        Ok(Self { eye, target, projection, forward, right, up, half_height })
     }
 
     /// Position of the eye.
@@ -94,9 +129,29 @@ impl Camera {
         self.target
     }
 
-    /// Vertical field of view in degrees.
-    pub fn fov_degrees(&self) -> f64 {
-        self.fov_degrees
+    /// The same camera elsewhere.
+    ///
+    /// # Errors
+    ///
+    /// When a number is not finite, or eye and target coincide.
+    pub fn moved(&self, eye: DVec3, target: DVec3) -> Result<Self, CameraError> {
+        Self::with(eye, target, self.projection)
+    }
+
+    /// How it makes a plane picture.
+    pub fn projection(&self) -> Projection {
+        self.projection
+    }
+
+    /// Half of the metres from the lower to the upper edge of the picture: at a depth of 1 m in perspective,
+    /// at any depth of an orthographic view.
+    pub fn half_height(&self) -> f64 {
+        self.half_height
+    }
+
+    /// Whether all rays are parallel.
+    pub fn is_orthographic(&self) -> bool {
+        matches!(self.projection, Projection::Orthographic { .. })
     }
 
     /// Unit vector along the view axis.
@@ -120,9 +175,14 @@ impl Camera {
     /// depth in metres along that axis.
     pub fn ray(&self, x: u32, y: u32, width: u32, height: u32) -> Ray {
         let (width, height) = (f64::from(width), f64::from(height));
-        let across = (2.0 * f64::from(x) + 1.0 - width) / height * self.tan_half_fov;
-        let down = (2.0 * f64::from(y) + 1.0 - height) / height * self.tan_half_fov;
-        Ray { origin: self.eye, direction: self.forward + self.right * across - self.up * down }
+        let across = (2.0 * f64::from(x) + 1.0 - width) / height * self.half_height;
+        let down = (2.0 * f64::from(y) + 1.0 - height) / height * self.half_height;
+        let aside = self.right * across - self.up * down;
+        if self.is_orthographic() {
+            Ray { origin: self.eye + aside, direction: self.forward }
+        } else {
+            Ray { origin: self.eye, direction: self.forward + aside }
+        }
     }
 
     /// The matrix from the world to clip space with depth in `[0, 1]` between the planes, as wgpu wants it:
@@ -130,18 +190,22 @@ impl Camera {
     ///
     /// # Errors
     ///
-    /// When `aspect` is not positive or the planes, in metres along the view axis, are not `0 < near < far`.
+    /// When `aspect` is not positive or the planes, in metres along the view axis, are not `0 < near < far`;
+    /// an orthographic view's near plane may be anywhere before the far one.
     pub fn view_projection(&self, aspect: f64, near: f64, far: f64) -> Result<DMat4, CameraError> {
-        if !(aspect > 0.0 && aspect.is_finite() && near > 0.0 && far > near && far.is_finite()) {
+        let is_near = self.is_orthographic() || near > 0.0;
+        if !(aspect > 0.0 && aspect.is_finite() && is_near && far > near && (far - near).is_finite()) {
             return Err(CameraError::BadFrustum { aspect, near, far });
         }
-        let depth = far / (far - near);
-        // Columns of a projection that looks along +z: x right, y up, w = depth along the axis.
+        // Columns of a projection that looks along +z: x right, y up; w is the depth along the axis, or 1.
+        let (across, along) = (1.0 / (aspect * self.half_height), 1.0 / self.half_height);
+        let depth = if self.is_orthographic() { 1.0 / (far - near) } else { far / (far - near) };
+        let (by_depth, always) = if self.is_orthographic() { (0.0, 1.0) } else { (1.0, 0.0) };
         let projection = DMat4::from_cols_array_2d(&[
-            [1.0 / (aspect * self.tan_half_fov), 0.0, 0.0, 0.0],
-            [0.0, 1.0 / self.tan_half_fov, 0.0, 0.0],
-            [0.0, 0.0, depth, 1.0],
-            [0.0, 0.0, -near * depth, 0.0],
+            [across, 0.0, 0.0, 0.0],
+            [0.0, along, 0.0, 0.0],
+            [0.0, 0.0, depth, by_depth],
+            [0.0, 0.0, -near * depth, always],
         ]);
         let (r, u, f) = (self.right, self.up, self.forward);
         let view = DMat4::from_cols_array_2d(&[

@@ -1,7 +1,8 @@
 //! The CPU backend: the base meshes are ray cast, the translated shaders do the rest.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use glam::Vec3;
 use rayon::prelude::*;
@@ -13,6 +14,10 @@ use crate::camera::Ray;
 use crate::job::{Job, JobSurface, Rendering, uncovered};
 use crate::kept::kept;
 use crate::raycast::{RayCaster, Sides};
+use crate::samples::{Sample, samples};
+
+/// Pixels of a band of rows: enough for all cores, and few enough to keep.
+const BAND_PIXELS: u32 = 1 << 18;
 
 /// Renders jobs on all cores, and keeps the hierarchies of their meshes and height maps from one job to the
 /// next.
@@ -28,24 +33,57 @@ impl CpuRenderer {
         Self::default()
     }
 
-    /// Renders a job. `progress` is told the finished part, from 0 to 1, from any thread.
+    /// Renders a job; `None` where the memory for the picture cannot be had. `progress` is told the finished
+    /// part, from 0 to 1, from any thread.
     ///
     /// A surface whose selection is the exact pair is traced by the core's fast exact tracer in place of
     /// search and refinement.
-    pub fn render(&mut self, job: &Job, progress: &(dyn Fn(f32) + Sync)) -> Rendering {
+    pub fn render(&mut self, job: &Job, progress: &(dyn Fn(f32) + Sync)) -> Option<Rendering> {
+        let count = (job.width as usize).checked_mul(job.height as usize)?;
+        let mut pixels = Vec::new();
+        pixels.try_reserve_exact(count).ok()?;
+        pixels.resize(count, uncovered());
+        let samples = samples(job.samples, true);
         let surfaces = self.ready(job);
+        let whole = Rows { job, samples: &samples, surfaces: &surfaces, first: 0 };
         let done = AtomicU32::new(0);
-        let mut pixels = vec![uncovered(); job.width as usize * job.height as usize];
-        // A picture without columns has no rows to go through either.
-        pixels.par_chunks_mut(job.width.max(1) as usize).enumerate().for_each(|(y, row)| {
-            for (shaded, x) in row.iter_mut().zip(0u32..) {
-                let point = [x as f32 + 0.5, y as f32 + 0.5];
-                *shaded = nearest(surfaces.iter().filter_map(|surface| surface.pixel(point)));
-            }
+        whole.render(&mut pixels, &AtomicBool::new(false), &|| {
             let rows = done.fetch_add(1, Ordering::Relaxed) + 1;
             progress(rows as f32 / job.height as f32);
         });
-        Rendering { width: job.width, height: job.height, pixels }
+        Some(Rendering { width: job.width, height: job.height, pixels })
+    }
+
+    /// Renders a job in bands of whole rows, from the top, and hands over each when it is done, until it is
+    /// told to stop or `cancel` is set. With `numbers` all numbers of a pixel are as in a [`Rendering`]; else
+    /// they are those of one of its samples, which takes less time. `progress` is told the finished part,
+    /// from any thread.
+    pub fn render_bands(
+        &mut self,
+        job: &Job,
+        numbers: bool,
+        progress: &(dyn Fn(f32) + Sync),
+        cancel: &AtomicBool,
+        sink: &mut dyn FnMut(&[PixelOut]) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let samples = samples(job.samples, numbers);
+        let surfaces = self.ready(job);
+        let rows = (BAND_PIXELS / job.width.max(1)).clamp(1, job.height.max(1));
+        let mut pixels = vec![uncovered(); job.width as usize * rows as usize];
+        let done = AtomicU32::new(0);
+        for first in (0..job.height).step_by(rows as usize) {
+            let rows = rows.min(job.height - first);
+            let pixels = &mut pixels[..job.width as usize * rows as usize];
+            Rows { job, samples: &samples, surfaces: &surfaces, first }.render(pixels, cancel, &|| {
+                let rows = done.fetch_add(1, Ordering::Relaxed) + 1;
+                progress(rows as f32 / job.height as f32);
+            });
+            if cancel.load(Ordering::Relaxed) {
+                return ControlFlow::Break(());
+            }
+            sink(pixels)?;
+        }
+        ControlFlow::Continue(())
     }
 
     /// The addresses of what is kept: of meshes, and of height maps.
@@ -84,6 +122,52 @@ fn nearest(pixels: impl Iterator<Item = PixelOut>) -> PixelOut {
     pixels.reduce(nearer).unwrap_or_else(uncovered)
 }
 
+/// Some rows of a picture on their way.
+struct Rows<'a> {
+    job: &'a Job,
+    samples: &'a [Sample],
+    surfaces: &'a [Ready<'a>],
+    first: u32,
+}
+
+impl Rows<'_> {
+    /// Renders them into as many pixels, until `cancel` is set; `done` is called after each.
+    fn render(&self, pixels: &mut [PixelOut], cancel: &AtomicBool, done: &(dyn Fn() + Sync)) {
+        // A picture without columns has no rows to go through either.
+        pixels.par_chunks_mut(self.job.width.max(1) as usize).zip(self.first..self.job.height).for_each(
+            |(row, y)| {
+                if cancel.load(Ordering::Relaxed) {
+                    return;
+                }
+                for (shaded, x) in row.iter_mut().zip(0u32..) {
+                    *shaded = self.pixel(x, y);
+                }
+                done();
+            },
+        );
+    }
+
+    fn pixel(&self, x: u32, y: u32) -> PixelOut {
+        let [x, y] = [x as f32 + 0.5, y as f32 + 0.5];
+        let sample = |Sample { offset, .. }: &Sample| {
+            let point = [x + offset[0], y + offset[1]];
+            nearest(self.surfaces.iter().filter_map(|surface| surface.pixel(point)))
+        };
+        let Some(((last, before), surface)) = self.samples.split_last().zip(self.surfaces.first()) else {
+            return uncovered();
+        };
+        if before.is_empty() {
+            return sample(last);
+        }
+        let mut color = uncovered().color;
+        for one in before {
+            color = surface.program.add_sample(color, sample(one).color, one.weight);
+        }
+        let shown = sample(last);
+        PixelOut { color: surface.program.add_sample(color, shown.color, last.weight), ..shown }
+    }
+}
+
 /// A surface ready to be traced.
 struct Ready<'a> {
     program: Program<'a>,
@@ -108,8 +192,9 @@ impl<'a> Ready<'a> {
     /// hit.
     fn pixel(&self, point: [f32; 2]) -> Option<PixelOut> {
         let direction = self.program.pixel_direction(point);
+        let origin = self.program.pixel_eye(point);
         let ray = Ray {
-            origin: self.program.eye().map(f64::from).into(),
+            origin: [origin.x, origin.y, origin.z].map(f64::from).into(),
             direction: [direction.x, direction.y, direction.z].map(f64::from).into(),
         };
         self.base.hits(&ray, self.sides).find_map(|surface| {

@@ -16,6 +16,8 @@ pub struct Job {
     pub width: u32,
     /// Rows of the picture.
     pub height: u32,
+    /// Samples of a pixel's colour, at least 1.
+    pub samples: u32,
     /// What changes with the frame.
     pub frame: Frame,
     /// The surfaces. Of several the nearest is seen; of equally near ones the first.
@@ -69,8 +71,11 @@ fn of_picture(picture: &Picture) -> ColorTexture<'_> {
     ColorTexture::new(picture.width, &picture.texels)
 }
 
-/// The result of a job: every pixel, row by row from the top. A pixel that nothing covers has `hit` 0 and
-/// zeros.
+/// The result of a job: every pixel, row by row from the top.
+///
+/// A pixel's colour is the mean of its samples in linear light, black where they show no surface; its fourth
+/// part is the part of them that do. All other numbers are those of the pixel's centre: where that shows no
+/// surface, `hit` is 0 and they are zeros.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rendering {
     /// Columns.

@@ -16,9 +16,11 @@ pub mod picture;
 mod prepare;
 pub mod raycast;
 mod renderer;
+mod samples;
 pub mod scene;
+pub mod tone;
 
 pub use glam;
-pub use renderer::{Progress, Reason, RenderError, Rendered, Renderer, Task, render};
+pub use renderer::{Bands, Made, Progress, Reason, RenderError, Rendered, Renderer, Task, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;

@@ -69,9 +69,16 @@ impl Material {
 }
 
 impl Default for Material {
-    /// Light grey with a faint, broad highlight.
+    /// Grey with a faint, broad highlight, so that the default light leaves room for brighter slopes.
     fn default() -> Self {
-        Self { diffuse: Vec3::splat(0.8), specular: Vec3::splat(0.1), shininess: 32 }
+        Self { diffuse: Vec3::splat(0.4), specular: Vec3::splat(0.1), shininess: 32 }
+    }
+}
+
+impl Material {
+    /// That of a surface with colours of its own: they are darkened but a little.
+    pub(crate) fn under_colours() -> Self {
+        Self { diffuse: Vec3::splat(0.8), ..Self::default() }
     }
 }
 

@@ -1,29 +1,74 @@
 //! What a rendering is written as: a picture for the eye, and channels of numbers for everything else.
 
+use relief_io::linear_to_srgb;
+use relief_shaders::cpu::PixelOut;
+
 use crate::job::Rendering;
+use crate::tone::Tone;
 
 /// The names of the channels of [`aov`], in order.
 pub const AOV_CHANNELS: [&str; 12] =
     ["hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads"];
 
-/// The sRGB picture, RGB, 8 bits, over a background given in linear RGB.
-pub fn srgb8(rendering: &Rendering, background: [f32; 3]) -> Vec<u8> {
-    let background = background.map(srgb_byte);
-    rendering
-        .pixels
-        .iter()
-        .flat_map(|pixel| match pixel.hit {
-            0 => background,
-            _ => [pixel.color.x, pixel.color.y, pixel.color.z].map(srgb_byte),
-        })
-        .collect()
+/// How linear light becomes the colours of a picture.
+///
+/// Light is brightened, goes through the tone curve, and is laid over the background, as much of it as covers
+/// the pixel. The background is as it is given: neither brightened nor toned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Linear red, green and blue of what shows no surface.
+    pub background: [f32; 3],
+    /// Stops by which light is brightened: each doubles it.
+    pub exposure: f32,
+    /// The tone curve.
+    pub tone: Tone,
 }
 
-/// A linear value from 0 to 1 as an sRGB byte (IEC 61966-2-1); brighter values are cut off.
-fn srgb_byte(linear: f32) -> u8 {
-    let linear = linear.clamp(0.0, 1.0);
-    let encoded = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-    (encoded * 255.0 + 0.5) as u8
+impl Look {
+    /// The linear colour of a pixel.
+    pub fn linear(&self, pixel: &PixelOut) -> [f32; 3] {
+        let (color, covered) = (pixel.color, pixel.color.w);
+        if covered == 0.0 {
+            return self.background;
+        }
+        let gain = self.exposure.exp2() / covered;
+        let light = self.tone.apply([color.x, color.y, color.z].map(|light| light * gain));
+        let over = |light: f32, background: f32| light * covered + background * (1.0 - covered);
+        [0, 1, 2].map(|place| over(light[place], self.background[place]))
+    }
+
+    /// The sRGB colour of a pixel, each part from 0 to 1 (IEC 61966-2-1); brighter ones are cut off.
+    pub fn srgb(&self, pixel: &PixelOut) -> [f32; 3] {
+        self.linear(pixel).map(|linear| linear_to_srgb(f64::from(linear.clamp(0.0, 1.0))) as f32)
+    }
+}
+
+/// The sRGB picture, RGB, 8 bits.
+pub fn srgb8(rendering: &Rendering, look: &Look) -> Vec<u8> {
+    let byte = |part: f32| (part * 255.0 + 0.5) as u8;
+    rendering.pixels.iter().flat_map(|pixel| look.srgb(pixel).map(byte)).collect()
+}
+
+/// The numbers of a pixel, one for each of [`AOV_CHANNELS`]; zeros where its centre shows no surface.
+pub fn aov_of(pixel: &PixelOut) -> [f32; 12] {
+    if pixel.hit == 0 {
+        return [0.0; 12];
+    }
+    let PixelOut { uv, height, position, normal, depth, reads, .. } = pixel;
+    [
+        1.0,
+        uv.x,
+        uv.y,
+        *height,
+        position.x,
+        position.y,
+        position.z,
+        normal.x,
+        normal.y,
+        normal.z,
+        *depth,
+        *reads as f32,
+    ]
 }
 
 /// The arbitrary output variables of a rendering: a plane of numbers for each of [`AOV_CHANNELS`].
@@ -31,39 +76,43 @@ fn srgb_byte(linear: f32) -> u8 {
 /// `hit` is 1 or 0; `uv` is not wrapped; `height` is a texel value; `P` and `N` are in the world; `depth` is
 /// in metres along the view axis. Pixels that no surface covers are 0 throughout.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
-    let plane = |place: usize| {
-        rendering
-            .pixels
-            .iter()
-            .map(|pixel| match place {
-                _ if pixel.hit == 0 => 0.0,
-                0 => 1.0,
-                1 => pixel.uv.x,
-                2 => pixel.uv.y,
-                3 => pixel.height,
-                4 => pixel.position.x,
-                5 => pixel.position.y,
-                6 => pixel.position.z,
-                7 => pixel.normal.x,
-                8 => pixel.normal.y,
-                9 => pixel.normal.z,
-                10 => pixel.depth,
-                _ => pixel.reads as f32,
-            })
-            .collect()
-    };
+    let plane = |place: usize| rendering.pixels.iter().map(|pixel| aov_of(pixel)[place]).collect();
     AOV_CHANNELS.into_iter().enumerate().map(|(place, name)| (name, plane(place))).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::uncovered;
 
     #[test]
     fn the_srgb_curve_goes_through_its_fixed_points() {
-        assert_eq!([0.0, 1.0, 2.0, -1.0].map(srgb_byte), [0, 255, 255, 0]);
+        let pixels = [0.0, 1.0, 2.0, -1.0, 0.5, 10.0 / 255.0 / 12.92];
+        let pixels = pixels.map(|part| PixelOut { color: [part, part, part, 1.0].into(), ..uncovered() });
+        let picture = Rendering { width: 6, height: 1, pixels: pixels.to_vec() };
+        let look = Look { background: [0.0; 3], exposure: 0.0, tone: Tone::None };
         // Half the light is byte 188; a byte of 10 is on the linear part.
-        assert_eq!(srgb_byte(0.5), 188);
-        assert_eq!(srgb_byte(10.0 / 255.0 / 12.92), 10);
+        let expected = [0, 255, 255, 0, 188, 10].map(|byte| [byte; 3]);
+        assert_eq!(srgb8(&picture, &look), expected.as_flattened());
+    }
+
+    #[test]
+    fn light_is_brightened_and_toned_before_it_is_laid_over_the_background() {
+        let look = |exposure, tone| Look { background: [0.5, 0.25, 1.0], exposure, tone };
+        let pixel = |light: f32, covered: f32| {
+            let part = light * covered;
+            PixelOut { color: [part, part, part, covered].into(), ..uncovered() }
+        };
+        let none = Tone::None;
+        for exposure in [-2.0, 0.0, 5.0] {
+            assert_eq!(look(exposure, Tone::Agx).linear(&pixel(0.0, 0.0)), [0.5, 0.25, 1.0]);
+        }
+        assert_eq!(look(0.0, none).linear(&pixel(0.25, 1.0)), [0.25; 3]);
+        assert_eq!(look(2.0, none).linear(&pixel(0.25, 1.0)), [1.0; 3]);
+        assert_eq!(look(1.0, none).linear(&pixel(0.25, 0.5)), [0.5, 0.375, 0.75]);
+        // Toned after the mean of samples, and before the background.
+        let toned = Tone::Agx.apply([4.0; 3]);
+        let expected = [0, 1, 2].map(|at| 0.5 * toned[at] + 0.5 * [0.5, 0.25, 1.0][at]);
+        assert_eq!(look(2.0, Tone::Agx).linear(&pixel(1.0, 0.5)), expected);
     }
 }

@@ -81,7 +81,7 @@ impl Preparer {
         let surfaces = surfaces.collect();
         self.triangles = triangles;
         let [width, height] = scene.size();
-        Job { width, height, frame: frame(scene), surfaces }
+        Job { width, height, samples: scene.samples(), frame: frame(scene), surfaces }
     }
 }
 
@@ -97,9 +97,17 @@ fn place(v: DVec3, w: f32) -> [f32; 4] {
 fn frame(scene: &Scene) -> Frame {
     let camera = scene.camera();
     let [columns, rows] = scene.size();
-    let across = 2.0 * (camera.fov_degrees().to_radians() / 2.0).tan() / f64::from(rows);
+    let across = 2.0 * camera.half_height() / f64::from(rows);
     let (right, down) = (camera.right() * across, camera.up() * -across);
-    let corner = camera.forward() - right * (f64::from(columns) / 2.0) - down * (f64::from(rows) / 2.0);
+    let to_corner = |from: DVec3| from - right * (f64::from(columns) / 2.0) - down * (f64::from(rows) / 2.0);
+    // What changes from pixel to pixel is where parallel rays begin, and where others go.
+    let [eye, forward] = [camera.eye(), camera.forward()];
+    let none = DVec3::ZERO;
+    let (eye, eye_right, eye_down, corner, right, down) = if camera.is_orthographic() {
+        (to_corner(eye), right, down, forward, none, none)
+    } else {
+        (eye, none, none, to_corner(forward), right, down)
+    };
     let mut lights = [ShaderLight::new([0.0; 4], [0.0; 4]); MAX_LIGHTS];
     for (slot, light) in lights.iter_mut().zip(scene.lights()) {
         *slot = match *light {
@@ -114,8 +122,10 @@ fn frame(scene: &Scene) -> Frame {
     let view_projection = view_projection(camera, scene.surfaces(), scene.size());
     Frame {
         view_projection: view_projection.as_mat4().to_cols_array_2d().map(Into::into),
-        eye: place(camera.eye(), 1.0).into(),
-        forward: place(camera.forward(), 0.0).into(),
+        eye: place(eye, 1.0).into(),
+        eye_right: place(eye_right, 0.0).into(),
+        eye_down: place(eye_down, 0.0).into(),
+        forward: place(forward, 0.0).into(),
         corner: place(corner, 0.0).into(),
         right: place(right, 0.0).into(),
         down: place(down, 0.0).into(),
@@ -169,7 +179,8 @@ fn view_projection(camera: &Camera, surfaces: &[Surface], size: [u32; 2]) -> DMa
     let nearest = vertices().map(depth).fold(f64::INFINITY, f64::min);
     // A mesh behind the eye shows nothing, whatever the planes.
     let far = if farthest > 0.0 { farthest * 1.01 } else { 1.0 };
-    let near = (nearest * 0.99).clamp(far * NEAR_OVER_FAR, far * 0.5);
+    let least = if camera.is_orthographic() { 0.0 } else { far * NEAR_OVER_FAR };
+    let near = (nearest * 0.99).clamp(least, far * 0.5);
     let aspect = f64::from(size[0]) / f64::from(size[1]);
     camera.view_projection(aspect, near, far).unwrap_or(DMat4::IDENTITY)
 }

@@ -1,8 +1,11 @@
 //! Scenes to pictures, on the backend that was asked for.
 
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use relief_maps::{Account, Maps, MapsError, Watch};
+use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
 use web_time::Instant;
 
@@ -18,6 +21,13 @@ use crate::scene::{BackendChoice, Scene};
 pub struct Rendered {
     /// The pixels.
     pub rendering: Rendering,
+    /// How they were made.
+    pub made: Made,
+}
+
+/// How a picture was made.
+#[derive(Debug)]
+pub struct Made {
     /// "cpu" or "gpu".
     pub backend: &'static str,
     /// What the backend is: the number of threads, or the adapter and its driver.
@@ -63,6 +73,17 @@ pub enum RenderError {
         /// Whether the CPU was taken because no GPU was found.
         no_gpu: bool,
     },
+    /// Nobody wants the rest.
+    #[error("the rendering was stopped")]
+    Stopped,
+    /// The memory for the picture cannot be had.
+    #[error("there is no memory for a picture of {width}x{height} pixels")]
+    OutOfMemory {
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+    },
     /// The GPU backend was asked for and is not in this build.
     #[error("this build has no GPU backend")]
     NoGpuBackend,
@@ -80,6 +101,10 @@ pub enum Task {
     /// It makes the picture.
     Rendering,
 }
+
+/// Takes the pixels of a band of whole rows, from the top of the picture to its bottom, and says whether to
+/// go on.
+pub type Bands<'a> = dyn FnMut(&[PixelOut]) -> ControlFlow<()> + 'a;
 
 /// Is told what a renderer is at, and the part of it that is done, from 0 to 1, from any thread.
 pub type Progress<'a> = dyn Fn(Task, f32) + Sync + 'a;
@@ -140,22 +165,63 @@ impl Renderer {
         maps: &mut Maps,
         progress: &Progress,
     ) -> Result<Rendered, RenderError> {
-        let (job, accounts, started) = self.prepare(scene, maps, progress)?;
+        let baking = |kind, part| progress(Task::Baking(kind), part);
+        let (job, accounts, started) =
+            self.prepare(scene, maps, &Watch { baking: &baking, ..Watch::none() })?;
         let rendering = |part| progress(Task::Rendering, part);
-        let (rendering, backend, device) = match &mut self.backend {
+        let rendering = match &mut self.backend {
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(renderer, sampling) => renderer.render(&job, *sampling, &rendering)?,
+            Backend::Cpu(renderer) => renderer
+                .render(&job, &rendering)
+                .ok_or(RenderError::OutOfMemory { width: job.width, height: job.height })?,
+        };
+        Ok(Rendered { rendering, made: self.made(accounts, started) })
+    }
+
+    /// As [`Self::render`], for pictures that no memory need hold: each band of rows is handed over when it
+    /// is done, until the sink says that it wants no more, or `cancel` is set. With `numbers` all numbers of
+    /// a pixel are as in a [`Rendering`]; else its colour is, and the rest are those of one of its samples,
+    /// which takes less time.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::render`], and when it was stopped.
+    pub fn render_bands(
+        &mut self,
+        scene: &Scene,
+        maps: &mut Maps,
+        numbers: bool,
+        progress: &Progress,
+        cancel: &AtomicBool,
+        sink: &mut Bands,
+    ) -> Result<Made, RenderError> {
+        let baking = |kind, part| progress(Task::Baking(kind), part);
+        let (job, accounts, started) = self.prepare(scene, maps, &Watch { baking: &baking, cancel })?;
+        let rendering = |part| progress(Task::Rendering, part);
+        let ended = match &mut self.backend {
             #[cfg(feature = "gpu")]
             Backend::Gpu(renderer, sampling) => {
-                let picture = renderer.render(&job, *sampling, &rendering)?;
-                (picture, "gpu", renderer.gpu().description().to_owned())
+                let mut sink = |band: &[PixelOut]| {
+                    if cancel.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { sink(band) }
+                };
+                renderer.render_bands(&job, *sampling, numbers, &rendering, &mut sink)?
             }
-            Backend::Cpu(renderer) => {
+            Backend::Cpu(renderer) => renderer.render_bands(&job, numbers, &rendering, cancel, sink),
+        };
+        if ended.is_break() { Err(RenderError::Stopped) } else { Ok(self.made(accounts, started)) }
+    }
+
+    fn made(&self, maps: Vec<Account>, started: Instant) -> Made {
+        let (backend, device) = match &self.backend {
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(renderer, _) => ("gpu", renderer.gpu().description().to_owned()),
+            Backend::Cpu(_) => {
                 let threads = rayon::current_num_threads();
-                let device = format!("{threads} thread{}", if threads == 1 { "" } else { "s" });
-                (renderer.render(&job, &rendering), "cpu", device)
+                ("cpu", format!("{threads} thread{}", if threads == 1 { "" } else { "s" }))
             }
         };
-        let (reason, elapsed) = (self.reason.clone(), started.elapsed());
-        Ok(Rendered { rendering, backend, device, reason, maps: accounts, elapsed })
+        Made { backend, device, reason: self.reason.clone(), maps, elapsed: started.elapsed() }
     }
 
     /// Draws a scene into a picture that stays on the GPU: linear colours in 16-bit floats, for the caller to
@@ -171,7 +237,8 @@ impl Renderer {
         maps: &mut Maps,
         progress: &Progress<'_>,
     ) -> Result<Option<&wgpu::Texture>, RenderError> {
-        let (job, ..) = self.prepare(scene, maps, progress)?;
+        let baking = |kind, part| progress(Task::Baking(kind), part);
+        let (job, ..) = self.prepare(scene, maps, &Watch { baking: &baking, ..Watch::none() })?;
         match &mut self.backend {
             Backend::Gpu(renderer, sampling) => Ok(Some(renderer.draw(&job, *sampling).await?)),
             Backend::Cpu(_) => Ok(None),
@@ -191,11 +258,9 @@ impl Renderer {
         &mut self,
         scene: &Scene,
         maps: &mut Maps,
-        progress: &Progress,
+        watch: &Watch,
     ) -> Result<(Job, Vec<Account>, Instant), RenderError> {
-        let baking = |kind, part| progress(Task::Baking(kind), part);
-        let watch = Watch { baking: &baking, ..Watch::none() };
-        let accounts = self.preparer.provide(scene, maps, &watch)?;
+        let accounts = self.preparer.provide(scene, maps, watch)?;
         let started = Instant::now();
         Ok((self.preparer.job(scene), accounts, started))
     }

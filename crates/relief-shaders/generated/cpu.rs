@@ -162,11 +162,14 @@ impl Light {
 pub struct Frame {
     /// The columns of the matrix from the world to clip space.
     pub view_projection: [rt::Vec4<f32>; 4],
+    /// Where the ray through the picture's top-left corner begins, and its change per pixel to the right and
+    /// downward: none where all rays begin in one eye.
     pub eye: rt::Vec4<f32>,
+    pub eye_right: rt::Vec4<f32>,
+    pub eye_down: rt::Vec4<f32>,
     /// Unit view axis.
     pub forward: rt::Vec4<f32>,
-    /// The ray through the picture's top-left corner, and its change per pixel to the right and downward; the
-    /// component along the view axis is 1.
+    /// The direction of that ray, and its change per pixel; the component along the view axis is 1.
     pub corner: rt::Vec4<f32>,
     pub right: rt::Vec4<f32>,
     pub down: rt::Vec4<f32>,
@@ -180,6 +183,8 @@ impl Frame {
     pub fn new(
         view_projection: impl rt::Into<[rt::Vec4<f32>; 4]>,
         eye: impl rt::Into<rt::Vec4<f32>>,
+        eye_right: impl rt::Into<rt::Vec4<f32>>,
+        eye_down: impl rt::Into<rt::Vec4<f32>>,
         forward: impl rt::Into<rt::Vec4<f32>>,
         corner: impl rt::Into<rt::Vec4<f32>>,
         right: impl rt::Into<rt::Vec4<f32>>,
@@ -189,7 +194,7 @@ impl Frame {
         lights: impl rt::Into<[Light; 8]>,
         light_count: impl rt::Into<u32>,
     ) -> Self {
-        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count) }
+        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -423,6 +428,23 @@ pub(crate) struct Resources<'g> {
     pub(crate) surface_settings: SurfaceSettings,
 }
 impl<'g> Resources<'g> {
+    pub(crate) fn add_sample(
+        &self,
+        sum: impl rt::Into<rt::Vec4<f32>>,
+        color: impl rt::Into<rt::Vec4<f32>>,
+        weight: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_add_sample(rt::into(sum), rt::into(color), rt::into(weight)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_add_sample(
+        &self,
+        sum: rt::Vec4<f32>,
+        color: rt::Vec4<f32>,
+        weight: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        return (sum + (color * weight));
+    }
     pub(crate) fn bilinear(
         &self,
         h00_: impl rt::Into<rt::Vec4<f32>>,
@@ -1272,6 +1294,16 @@ impl<'g> Resources<'g> {
         let _e14 = self.frame.down;
         return ((_e3.xyz() + (_e7.xyz() * pixel.x())) + (_e14.xyz() * pixel.y()));
     }
+    pub(crate) fn pixel_eye(&self, pixel_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_pixel_eye(&self, pixel_1: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = self.frame.eye;
+        let _e7 = self.frame.eye_right;
+        let _e14 = self.frame.eye_down;
+        return ((_e3.xyz() + (_e7.xyz() * pixel_1.x())) + (_e14.xyz() * pixel_1.y()));
+    }
     pub(crate) fn pixel_of(
         &self,
         a_1: Corner,
@@ -1291,9 +1323,9 @@ impl<'g> Resources<'g> {
         side: rt::Scalar<f32>,
         point_1: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e7 = self.frame.eye;
-        let _e9 = self.v_pixel_direction(point_1);
-        return <PixelIn>::new(_e7.xyz(), _e9, side, a_1, b_1, c_4);
+        let _e5 = self.v_pixel_eye(point_1);
+        let _e6 = self.v_pixel_direction(point_1);
+        return <PixelIn>::new(_e5, _e6, side, a_1, b_1, c_4);
     }
     pub(crate) fn starting_point(&self, path_12: Path, found_1: Found) -> f32 {
         rt::into(self.v_starting_point(path_12, found_1))
@@ -2000,10 +2032,10 @@ impl<'g> Resources<'g> {
         normal: impl rt::Into<rt::Vec3<f32>>,
         view: impl rt::Into<rt::Vec3<f32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
-        color: impl rt::Into<rt::Vec3<f32>>,
+        color_1: impl rt::Into<rt::Vec3<f32>>,
         params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color), rt::into(params_9)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -2011,7 +2043,7 @@ impl<'g> Resources<'g> {
         normal: rt::Vec3<f32>,
         view: rt::Vec3<f32>,
         toward: rt::Vec3<f32>,
-        color: rt::Vec3<f32>,
+        color_1: rt::Vec3<f32>,
         params_9: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let cosine = normal.dot(toward);
@@ -2021,7 +2053,7 @@ impl<'g> Resources<'g> {
             let _e19 = rt::Scalar(self.surface_settings.shininess);
             let _e20 = self.v_whole_power(lobe, _e19);
             let specular = (_e15.xyz() * _e20);
-            return ((color * cosine) + specular);
+            return ((color_1 * cosine) + specular);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -2030,9 +2062,9 @@ impl<'g> Resources<'g> {
         normal_1: impl rt::Into<rt::Vec3<f32>>,
         view_1: impl rt::Into<rt::Vec3<f32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
-        color_1: impl rt::Into<rt::Vec3<f32>>,
+        color_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_1), rt::into(view_1), rt::into(toward_1), rt::into(color_1)))
+        rt::into(self.v_shade_stage(rt::into(normal_1), rt::into(view_1), rt::into(toward_1), rt::into(color_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
@@ -2040,13 +2072,13 @@ impl<'g> Resources<'g> {
         normal_1: rt::Vec3<f32>,
         view_1: rt::Vec3<f32>,
         toward_1: rt::Vec3<f32>,
-        color_1: rt::Vec3<f32>,
+        color_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e8) {
             _ => {
                 let _e13 = self.surface_settings.choices[3usize].params;
-                let _e14 = self.v_shade_blinn_phong(normal_1, view_1, toward_1, color_1, _e13);
+                let _e14 = self.v_shade_blinn_phong(normal_1, view_1, toward_1, color_2, _e13);
                 return _e14;
             }
         }
@@ -2056,9 +2088,9 @@ impl<'g> Resources<'g> {
         position_1: impl rt::Into<rt::Vec3<f32>>,
         normal_2: impl rt::Into<rt::Vec3<f32>>,
         view_2: impl rt::Into<rt::Vec3<f32>>,
-        color_2: impl rt::Into<rt::Vec3<f32>>,
+        color_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_2)))
+        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
@@ -2066,13 +2098,13 @@ impl<'g> Resources<'g> {
         position_1: rt::Vec3<f32>,
         normal_2: rt::Vec3<f32>,
         view_2: rt::Vec3<f32>,
-        color_2: rt::Vec3<f32>,
+        color_3: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let mut light_1: rt::Vec3<f32>;
         let mut k_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e6 = self.surface_settings.diffuse;
-        let diffuse = (_e6.xyz() * color_2);
+        let diffuse = (_e6.xyz() * color_3);
         let _e11 = self.frame.ambient;
         light_1 = (_e11.xyz() * diffuse);
         'naga_break: loop {
@@ -2618,11 +2650,11 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_1, at_3, hit_1))
+    pub(crate) fn shade_hit(&self, pixel_2: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_2, at_3, hit_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_1: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
+    fn v_shade_hit(&self, pixel_2: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
         let mut local_14: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(at_3.valid).elementwise_eq(rt::Scalar(0u32)))) {
@@ -2640,28 +2672,26 @@ impl<'g> Resources<'g> {
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
         let position_2 = (((at_3.point + (at_3.tangent * aside_1.x())) + (at_3.bitangent * aside_1.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
         let _e66 = self.v_mesostructure_normal(at_3, hit_1.uv);
-        let _e69 = self.frame.eye;
-        let view_3 = (_e69.xyz() - position_2).normalize();
-        let _e74 = self.v_color_or_white(hit_1.uv);
-        let _e75 = self.v_reflected_light(position_2, _e66, view_3, _e74);
-        let _e78 = self.frame.eye;
-        let _e83 = self.frame.forward;
-        let depth = (position_2 - _e78.xyz()).dot(_e83.xyz());
-        let _e87 = self.v_height_size();
-        let _e93 = self.v_cell_of(((hit_1.uv * _e87) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e75, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_1.exhausted), hit_1.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_1.t), _e93.cast_elem_as_i32(), rt::Scalar(hit_1.reads));
+        let view_3 = (pixel_2.origin - position_2).normalize();
+        let _e71 = self.v_color_or_white(hit_1.uv);
+        let _e72 = self.v_reflected_light(position_2, _e66, view_3, _e71);
+        let _e77 = self.frame.forward;
+        let depth = (position_2 - pixel_2.origin).dot(_e77.xyz());
+        let _e81 = self.v_height_size();
+        let _e87 = self.v_cell_of(((hit_1.uv * _e81) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e72, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_1.exhausted), hit_1.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_1.t), _e87.cast_elem_as_i32(), rt::Scalar(hit_1.reads));
     }
     pub(crate) fn surface_plane(
         &self,
-        pixel_2: PixelIn,
+        pixel_3: PixelIn,
         params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_2, rt::into(params_15)))
+        rt::into(self.v_surface_plane(pixel_3, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
-        pixel_2: PixelIn,
+        pixel_3: PixelIn,
         params_15: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
@@ -2670,24 +2700,24 @@ impl<'g> Resources<'g> {
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
 
-        let a_4 = pixel_2.a.position;
-        let e1_ = (pixel_2.b.position - a_4);
-        let e2_ = (pixel_2.c.position - a_4);
+        let a_4 = pixel_3.a.position;
+        let e1_ = (pixel_3.b.position - a_4);
+        let e2_ = (pixel_3.c.position - a_4);
         let n_5 = e1_.cross(e2_);
         let nn = n_5.dot(n_5);
-        let toward_3 = n_5.dot(pixel_2.direction);
-        let distance = (n_5.dot((a_4 - pixel_2.origin)) / toward_3);
-        let point_5 = (pixel_2.origin + (pixel_2.direction * distance));
+        let toward_3 = n_5.dot(pixel_3.direction);
+        let distance = (n_5.dot((a_4 - pixel_3.origin)) / toward_3);
+        let point_5 = (pixel_3.origin + (pixel_3.direction * distance));
         let from_a = (point_5 - a_4);
         let wb = (from_a.cross(e2_).dot(n_5) / nn);
         let wc = (e1_.cross(from_a).dot(n_5) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_9 = (((pixel_2.a.uv * wa) + (pixel_2.b.uv * wb)) + (pixel_2.c.uv * wc));
-        let tangent = (((pixel_2.a.tangent * wa) + (pixel_2.b.tangent * wb)) + (pixel_2.c.tangent * wc));
-        let bitangent = (((pixel_2.a.bitangent * wa) + (pixel_2.b.bitangent * wb)) + (pixel_2.c.bitangent * wc));
-        let normal_3 = ((((pixel_2.a.normal * wa) + (pixel_2.b.normal * wb)) + (pixel_2.c.normal * wc)).normalize() * rt::Scalar(pixel_2.side));
-        let along = pixel_2.direction.length();
-        let direction = (pixel_2.direction / rt::Vec3::splat_from_scalar(along));
+        let uv_9 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
+        let tangent = (((pixel_3.a.tangent * wa) + (pixel_3.b.tangent * wb)) + (pixel_3.c.tangent * wc));
+        let bitangent = (((pixel_3.a.bitangent * wa) + (pixel_3.b.bitangent * wb)) + (pixel_3.c.bitangent * wc));
+        let normal_3 = ((((pixel_3.a.normal * wa) + (pixel_3.b.normal * wb)) + (pixel_3.c.normal * wc)).normalize() * rt::Scalar(pixel_3.side));
+        let along = pixel_3.direction.length();
+        let direction = (pixel_3.direction / rt::Vec3::splat_from_scalar(along));
         let tt = tangent.dot(tangent);
         let tb = tangent.dot(bitangent);
         let bb = bitangent.dot(bitangent);
@@ -2749,16 +2779,16 @@ impl<'g> Resources<'g> {
         let _e203 = valid;
         return <Entered>::new(_e203, path_31, point_5, uv_9, tangent, bitangent, normal_3);
     }
-    pub(crate) fn surface_stage(&self, pixel_3: PixelIn) -> Entered {
-        rt::into(self.v_surface_stage(pixel_3))
+    pub(crate) fn surface_stage(&self, pixel_4: PixelIn) -> Entered {
+        rt::into(self.v_surface_stage(pixel_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_stage(&self, pixel_3: PixelIn) -> Entered {
+    fn v_surface_stage(&self, pixel_4: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e5) {
             _ => {
                 let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane(pixel_3, _e10);
+                let _e11 = self.v_surface_plane(pixel_4, _e10);
                 return _e11;
             }
         }
@@ -2772,19 +2802,19 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_30, _e1);
         return _e2;
     }
-    pub(crate) fn shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_4))
+    pub(crate) fn shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_4: PixelIn) -> PixelOut {
-        let _e1 = self.v_surface_stage(pixel_4);
+    fn v_shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {
+        let _e1 = self.v_surface_stage(pixel_5);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(0u32))) {
             let _e6 = self.v_miss(rt::Scalar(0u32));
-            let _e7 = self.v_shade_hit(pixel_4, _e1, _e6);
+            let _e7 = self.v_shade_hit(pixel_5, _e1, _e6);
             return _e7;
         }
         let _e9 = self.v_trace(_e1.path);
-        let _e10 = self.v_shade_hit(pixel_4, _e1, _e9);
+        let _e10 = self.v_shade_hit(pixel_5, _e1, _e9);
         return _e10;
     }
 }

@@ -148,11 +148,11 @@ pub const MODULES: &[Module] = &[
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so
 // that the power is a product of squares and has the same bits everywhere.
 "# },
-    Module { path: "roots/clear", head: r#"// Makes a part of what is traced empty again, so that the next surface begins with nothing: a triangle over
-// all of the picture, as far away as can be.
-"# },
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.
+"# },
+    Module { path: "roots/resolve", head: r#"// After each sample of some rows: its colour is added to those before. The last one leaves the pixel's colour
+// in the records.
 "# },
     Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first one traced is shaded once. Where
 // another surface was seen before, the nearer one is kept.
@@ -292,6 +292,13 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &["Record"],
         text: r#"@group(2) @binding(2) var<storage, read_write> records: array<Record>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "sums",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(2) @binding(3) var<storage, read_write> sums: array<vec4f>;"#,
     },
     Declaration {
         module: "bindings",
@@ -1128,10 +1135,20 @@ fn starting_point(path: Path, found: Found) -> f32 {
     },
     Declaration {
         module: "shared/pixel",
+        name: "pixel_eye",
+        sampling: None,
+        uses: &["frame"],
+        text: r#"// Where the ray through a point of the picture begins, in pixels from its top-left corner.
+fn pixel_eye(pixel: vec2f) -> vec3f {
+    return frame.eye.xyz + frame.eye_right.xyz * pixel.x + frame.eye_down.xyz * pixel.y;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
         name: "pixel_direction",
         sampling: None,
         uses: &["frame"],
-        text: r#"// The ray's direction through a point of the picture, in pixels from its top-left corner.
+        text: r#"// That ray's direction.
 fn pixel_direction(pixel: vec2f) -> vec3f {
     return frame.corner.xyz + frame.right.xyz * pixel.x + frame.down.xyz * pixel.y;
 }"#,
@@ -1140,11 +1157,11 @@ fn pixel_direction(pixel: vec2f) -> vec3f {
         module: "shared/pixel",
         name: "pixel_of",
         sampling: None,
-        uses: &["Corner", "PixelIn", "frame", "pixel_direction"],
+        uses: &["Corner", "PixelIn", "pixel_direction", "pixel_eye"],
         text: r#"// A pixel's ray, through a point in pixels from the picture's top-left corner, and the triangle that it
 // meets.
 fn pixel_of(a: Corner, b: Corner, c: Corner, side: f32, point: vec2f) -> PixelIn {
-    return PixelIn(frame.eye.xyz, pixel_direction(point), side, a, b, c);
+    return PixelIn(pixel_eye(point), pixel_direction(point), side, a, b, c);
 }"#,
     },
     Declaration {
@@ -1216,9 +1233,9 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
     let position = at.point + at.tangent * aside.x + at.bitangent * aside.y
         + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height);
     let normal = mesostructure_normal(at, hit.uv);
-    let view = normalize(frame.eye.xyz - position);
+    let view = normalize(pixel.origin - position);
     let color = reflected_light(position, normal, view, color_or_white(hit.uv));
-    let depth = dot(position - frame.eye.xyz, frame.forward.xyz);
+    let depth = dot(position - pixel.origin, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size() - vec2f(0.5, 0.5));
     return PixelOut(
         vec4f(color, 1.0),
@@ -1246,6 +1263,17 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
         return shade_hit(pixel, at, miss(0u));
     }
     return shade_hit(pixel, at, trace(at.path));
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "add_sample",
+        sampling: None,
+        uses: &[],
+        text: r#"// The colour of a pixel's samples so far with one more, of that weight. The fourth part is how much of the
+// pixel is covered.
+fn add_sample(sum: vec4f, color: vec4f, weight: f32) -> vec4f {
+    return sum + color * weight;
 }"#,
     },
     Declaration {
@@ -1326,11 +1354,14 @@ struct Light {
 struct Frame {
     // The columns of the matrix from the world to clip space.
     view_projection: array<vec4f, 4>,
+    // Where the ray through the picture's top-left corner begins, and its change per pixel to the right and
+    // downward: none where all rays begin in one eye.
     eye: vec4f,
+    eye_right: vec4f,
+    eye_down: vec4f,
     // Unit view axis.
     forward: vec4f,
-    // The ray through the picture's top-left corner, and its change per pixel to the right and downward; the
-    // component along the view axis is 1.
+    // The direction of that ray, and its change per pixel; the component along the view axis is 1.
     corner: vec4f,
     right: vec4f,
     down: vec4f,
@@ -1399,14 +1430,22 @@ struct SurfaceSettings {
         name: "PassSettings",
         sampling: None,
         uses: &[],
-        text: r#"// What one pass works on. The host keeps 256 bytes for each, so there is room for more.
+        text: r#"// What one pass works on: some rows of the picture, and of their pixels one sample. The host keeps 256 bytes
+// for each, so there is room for more.
 struct PassSettings {
     // From a pixel's centre to the point of it that is seen, in pixels.
     offset: vec2f,
-    // The rows of the picture that are shaded and read back at once, so that the records fit the least buffer
-    // that adapters offer.
+    // From clip space to that of the rows: y is multiplied by the zoom, then the shift is added.
+    shift: vec2f,
+    zoom: f32,
+    // The part of the pixel's colour that the sample is.
+    weight: f32,
+    // The rows of the picture that are traced, shaded and read back at once, so that the records fit the
+    // least buffer that adapters offer.
     first_row: u32,
     rows: u32,
+    // 1 for the last sample of a pixel.
+    is_last: u32,
 }"#,
     },
     Declaration {
@@ -2300,28 +2339,6 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
 }"#,
     },
     Declaration {
-        module: "roots/clear",
-        name: "clear_vertex",
-        sampling: None,
-        uses: &[],
-        text: r#"@vertex
-fn clear_vertex(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f {
-    let right = select(-1.0, 3.0, vertex == 1u);
-    let up = select(-1.0, 3.0, vertex == 2u);
-    return vec4f(right, up, 1.0, 1.0);
-}"#,
-    },
-    Declaration {
-        module: "roots/clear",
-        name: "clear_fragment",
-        sampling: None,
-        uses: &["Traced"],
-        text: r#"@fragment
-fn clear_fragment() -> Traced {
-    return Traced(vec4f(0.0, 0.0, 0.0, 0.0), vec2i(0, 0));
-}"#,
-    },
-    Declaration {
         module: "roots/probe",
         name: "probe_main",
         sampling: None,
@@ -2359,6 +2376,25 @@ fn probe_main(@builtin(global_invocation_id) id: vec3u) {
 }"#,
     },
     Declaration {
+        module: "roots/resolve",
+        name: "resolve_main",
+        sampling: None,
+        uses: &["SHADE_GROUP", "add_sample", "pass_settings", "records", "sums", "traced_what"],
+        text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
+fn resolve_main(@builtin(global_invocation_id) id: vec3u) {
+    let size = textureDimensions(traced_what);
+    if (id.y >= pass_settings.rows || id.x >= size.x) {
+        return;
+    }
+    let place = id.y * size.x + id.x;
+    let sum = add_sample(sums[place], records[place].color, pass_settings.weight);
+    sums[place] = sum;
+    if (pass_settings.is_last == 1u) {
+        records[place].color = sum;
+    }
+}"#,
+    },
+    Declaration {
         module: "roots/shade",
         name: "shade_main",
         sampling: None,
@@ -2366,20 +2402,20 @@ fn probe_main(@builtin(global_invocation_id) id: vec3u) {
         text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
 fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(traced_what);
-    let at = vec2u(id.x, pass_settings.first_row + id.y);
-    if (id.y >= pass_settings.rows || at.x >= size.x || at.y >= size.y) {
+    if (id.y >= pass_settings.rows || id.x >= size.x) {
         return;
     }
-    let what = textureLoad(traced_what, vec2i(at), 0);
+    let what = textureLoad(traced_what, vec2i(id.xy), 0);
     if (what.x == 0) {
         return;
     }
-    let traced = textureLoad(traced_hit, vec2i(at), 0);
+    let traced = textureLoad(traced_hit, vec2i(id.xy), 0);
     let exhausted = select(0u, 1u, what.y >= EXHAUSTED_BIT);
     let reads = u32(select(what.y, what.y - EXHAUSTED_BIT, exhausted == 1u));
     let hit = Hit(1u, exhausted, traced.xy, traced.z, traced.w, reads);
     let side = select(-1.0, 1.0, what.x > 0);
-    let point = vec2f(at) + vec2f(0.5, 0.5) + pass_settings.offset;
+    let row = pass_settings.first_row + id.y;
+    let point = vec2f(vec2u(id.x, row)) + vec2f(0.5, 0.5) + pass_settings.offset;
     let pixel = numbered_pixel(u32(abs(what.x)) - 1u, side, point);
     let out = shade_hit(pixel, surface_stage(pixel), hit);
     let place = id.y * size.x + id.x;
@@ -2414,11 +2450,9 @@ fn show_main(@builtin(global_invocation_id) id: vec3u) {
         return;
     }
     let place = id.y * size.x + id.x;
-    var color = vec4f(frame.background.xyz, 1.0);
-    if (shown_records[place].hit == 1u) {
-        color = vec4f(shown_records[place].color.xyz, 1.0);
-    }
-    textureStore(picture, vec2i(at), color);
+    let color = shown_records[place].color;
+    let shown = color.xyz + frame.background.xyz * (1.0 - color.w);
+    textureStore(picture, vec2i(at), vec4f(shown, 1.0));
 }"#,
     },
     Declaration {
@@ -2435,7 +2469,7 @@ fn show_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/trace",
         name: "vertex_main",
         sampling: None,
-        uses: &["Varying", "frame", "triangles"],
+        uses: &["Varying", "frame", "pass_settings", "triangles"],
         text: r#"@vertex
 fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
     let triangle = vertex / 3u;
@@ -2449,7 +2483,10 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
     }
     let columns = frame.view_projection;
     let view_projection = mat4x4f(columns[0], columns[1], columns[2], columns[3]);
-    return Varying(view_projection * vec4f(position, 1.0), triangle);
+    let clip = view_projection * vec4f(position, 1.0);
+    let x = clip.x + pass_settings.shift.x * clip.w;
+    let y = clip.y * pass_settings.zoom + pass_settings.shift.y * clip.w;
+    return Varying(vec4f(x, y, clip.z, clip.w), triangle);
 }"#,
     },
     Declaration {
@@ -2460,7 +2497,8 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
         text: r#"@fragment
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let side = select(-1.0, 1.0, front);
-    let at = surface_stage(numbered_pixel(in.triangle, side, in.position.xy + pass_settings.offset));
+    let point = in.position.xy + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
+    let at = surface_stage(numbered_pixel(in.triangle, side, point));
     // A discarded invocation may run on as a helper of its neighbours, and with a path that leads nowhere it
     // would run to the end of its step limit: nothing is traced without a path.
     var hit = miss(0u);

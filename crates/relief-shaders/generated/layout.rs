@@ -21,62 +21,82 @@ impl Shared for Light {
 }
 
 impl Shared for Frame {
-    const SIZE: usize = 448;
+    const SIZE: usize = 480;
 
     fn write(&self, bytes: &mut [u8]) {
         self.view_projection.write(&mut bytes[0..]);
         self.eye.write(&mut bytes[64..]);
-        self.forward.write(&mut bytes[80..]);
-        self.corner.write(&mut bytes[96..]);
-        self.right.write(&mut bytes[112..]);
-        self.down.write(&mut bytes[128..]);
-        self.ambient.write(&mut bytes[144..]);
-        self.background.write(&mut bytes[160..]);
-        self.lights.write(&mut bytes[176..]);
-        self.light_count.write(&mut bytes[432..]);
+        self.eye_right.write(&mut bytes[80..]);
+        self.eye_down.write(&mut bytes[96..]);
+        self.forward.write(&mut bytes[112..]);
+        self.corner.write(&mut bytes[128..]);
+        self.right.write(&mut bytes[144..]);
+        self.down.write(&mut bytes[160..]);
+        self.ambient.write(&mut bytes[176..]);
+        self.background.write(&mut bytes[192..]);
+        self.lights.write(&mut bytes[208..]);
+        self.light_count.write(&mut bytes[464..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             view_projection: Shared::read(&bytes[0..]),
             eye: Shared::read(&bytes[64..]),
-            forward: Shared::read(&bytes[80..]),
-            corner: Shared::read(&bytes[96..]),
-            right: Shared::read(&bytes[112..]),
-            down: Shared::read(&bytes[128..]),
-            ambient: Shared::read(&bytes[144..]),
-            background: Shared::read(&bytes[160..]),
-            lights: Shared::read(&bytes[176..]),
-            light_count: Shared::read(&bytes[432..]),
+            eye_right: Shared::read(&bytes[80..]),
+            eye_down: Shared::read(&bytes[96..]),
+            forward: Shared::read(&bytes[112..]),
+            corner: Shared::read(&bytes[128..]),
+            right: Shared::read(&bytes[144..]),
+            down: Shared::read(&bytes[160..]),
+            ambient: Shared::read(&bytes[176..]),
+            background: Shared::read(&bytes[192..]),
+            lights: Shared::read(&bytes[208..]),
+            light_count: Shared::read(&bytes[464..]),
         }
     }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// What one pass works on. The host keeps 256 bytes for each, so there is room for more.
+/// What one pass works on: some rows of the picture, and of their pixels one sample. The host keeps 256 bytes
+/// for each, so there is room for more.
 pub struct PassSettings {
     /// From a pixel's centre to the point of it that is seen, in pixels.
     pub offset: rt::Vec2<f32>,
-    /// The rows of the picture that are shaded and read back at once, so that the records fit the least buffer
-    /// that adapters offer.
+    /// From clip space to that of the rows: y is multiplied by the zoom, then the shift is added.
+    pub shift: rt::Vec2<f32>,
+    pub zoom: f32,
+    /// The part of the pixel's colour that the sample is.
+    pub weight: f32,
+    /// The rows of the picture that are traced, shaded and read back at once, so that the records fit the
+    /// least buffer that adapters offer.
     pub first_row: u32,
     pub rows: u32,
+    /// 1 for the last sample of a pixel.
+    pub is_last: u32,
 }
 
 impl Shared for PassSettings {
-    const SIZE: usize = 16;
+    const SIZE: usize = 40;
 
     fn write(&self, bytes: &mut [u8]) {
         self.offset.write(&mut bytes[0..]);
-        self.first_row.write(&mut bytes[8..]);
-        self.rows.write(&mut bytes[12..]);
+        self.shift.write(&mut bytes[8..]);
+        self.zoom.write(&mut bytes[16..]);
+        self.weight.write(&mut bytes[20..]);
+        self.first_row.write(&mut bytes[24..]);
+        self.rows.write(&mut bytes[28..]);
+        self.is_last.write(&mut bytes[32..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             offset: Shared::read(&bytes[0..]),
-            first_row: Shared::read(&bytes[8..]),
-            rows: Shared::read(&bytes[12..]),
+            shift: Shared::read(&bytes[8..]),
+            zoom: Shared::read(&bytes[16..]),
+            weight: Shared::read(&bytes[20..]),
+            first_row: Shared::read(&bytes[24..]),
+            rows: Shared::read(&bytes[28..]),
+            is_last: Shared::read(&bytes[32..]),
         }
     }
 }

@@ -79,10 +79,10 @@ pub enum Root {
     Functions,
     /// Rasterises the base mesh and traces it: `vertex_main`, `fragment_main`.
     Trace,
-    /// Makes a part of what is traced empty again: `clear_vertex`, `clear_fragment`.
-    Clear,
     /// Shades what was traced: `shade_main`.
     Shade,
+    /// Adds what was shaded to the samples before: `resolve_main`.
+    Resolve,
     /// Makes a picture of what was shaded: `show_main`.
     Show,
     /// Runs the stages over a list of rays and writes every stage's result: `probe_main`.
@@ -92,15 +92,15 @@ pub enum Root {
 impl Root {
     /// Every root.
     pub const ALL: [Root; 6] =
-        [Root::Functions, Root::Trace, Root::Clear, Root::Shade, Root::Show, Root::Probe];
+        [Root::Functions, Root::Trace, Root::Shade, Root::Resolve, Root::Show, Root::Probe];
 
     /// The functions that it is assembled for.
     pub const fn functions(self) -> &'static [&'static str] {
         match self {
             Root::Functions => &["pixel_of", "shade_pixel"],
             Root::Trace => &["vertex_main", "fragment_main"],
-            Root::Clear => &["clear_vertex", "clear_fragment"],
             Root::Shade => &["shade_main"],
+            Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],
             Root::Probe => &["probe_main"],
         }

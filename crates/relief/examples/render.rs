@@ -17,8 +17,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scene = Scene::builder(surface).size(320, 240).build()?;
 
     let rendered = render(&scene, &mut Maps::in_memory(), &|_task, _part| {})?;
-    let rgb = picture::srgb8(&rendered.rendering, scene.background().to_array());
-    println!("{} bytes of sRGB on the {}, {}", rgb.len(), rendered.backend, rendered.device);
+    let rgb = picture::srgb8(&rendered.rendering, &scene.look());
+    println!("{} bytes of sRGB on the {}, {}", rgb.len(), rendered.made.backend, rendered.made.device);
 
     let hits = rendered.rendering.pixels.iter().filter(|pixel| pixel.hit == 1).count();
     println!("{hits} of {} pixels show the surface", rendered.rendering.pixels.len());

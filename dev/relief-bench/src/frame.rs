@@ -9,7 +9,6 @@ use comfy_table::Table;
 use comfy_table::presets::ASCII_MARKDOWN;
 use glam::DQuat;
 use relief_maps::{Cache, DEFAULT_LIMIT, Maps};
-use relief_render::camera::Camera;
 use relief_render::gpu::Work;
 use relief_render::scene::{BackendChoice, Sampling, Scene, SceneSpec, read_scene};
 use relief_render::{Progress, Rendered, Renderer, render};
@@ -77,8 +76,12 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     for file in &arguments.scenes {
         let name = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         for (backend, choice) in [("cpu", BackendChoice::Cpu), ("gpu", BackendChoice::Gpu)] {
-            let spec =
-                SceneSpec { backend: Some(choice), size: Some(arguments.size), ..SceneSpec::default() };
+            let spec = SceneSpec {
+                backend: Some(choice),
+                size: Some(arguments.size),
+                samples: Some(1),
+                ..SceneSpec::default()
+            };
             let spec = read_scene(file).map_err(|error| error.to_string())?.overridden_by(spec);
             let measured = measure(&spec, &cache, arguments.rounds)?;
             let Measured { device, whole, render, frame, work } = measured;
@@ -153,7 +156,7 @@ fn measure(spec: &SceneSpec, cache: &Cache, rounds: u16) -> Result<Measured, Str
         work.compiled = work.compiled.max(last.compiled);
         check_same(&fresh, &again)?;
     }
-    Ok(Measured { device: first.device, whole, render: alone, frame, work })
+    Ok(Measured { device: first.made.device, whole, render: alone, frame, work })
 }
 
 /// The scene with its camera turned around what it looks at, another way each round.
@@ -161,8 +164,7 @@ fn from_elsewhere(scene: &Scene, round: u16) -> Result<Scene, String> {
     let camera = scene.camera();
     let turn = DQuat::from_rotation_y(0.02 * f64::from(round + 1));
     let eye = camera.target() + turn * (camera.eye() - camera.target());
-    let camera =
-        Camera::new(eye, camera.target(), camera.fov_degrees()).map_err(|error| error.to_string())?;
+    let camera = camera.moved(eye, camera.target()).map_err(|error| error.to_string())?;
     let mut seen = scene.clone();
     seen.set_camera(camera);
     Ok(seen)

@@ -1,5 +1,5 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `frame`, `probe` and `trace`. Results are
-//! kept in `docs/`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `frame`, `probe`, `sheet` and `trace`.
+//! Results are kept in `docs/`.
 
 use std::process::ExitCode;
 
@@ -10,6 +10,7 @@ mod bake;
 mod frame;
 mod probe;
 mod samples;
+mod sheet;
 mod trace;
 
 #[derive(Parser)]
@@ -32,6 +33,8 @@ enum Command {
     Frame(frame::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
     Probe(probe::Arguments),
+    /// What a new user sees of every map in a folder
+    Sheet(sheet::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
     Trace(trace::Arguments),
 }
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
+        Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
     };
     match done {

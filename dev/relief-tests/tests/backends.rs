@@ -41,7 +41,12 @@ fn has_adapter() -> bool {
 fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(file);
     let surface = SurfaceSpec { method: Some(method.to_owned()), ..SurfaceSpec::default() };
-    let over = SceneSpec { backend: Some(backend), size: Some(SIZE), ..SceneSpec::of_surface(surface) };
+    let over = SceneSpec {
+        backend: Some(backend),
+        size: Some(SIZE),
+        samples: Some(1),
+        ..SceneSpec::of_surface(surface)
+    };
     read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map")
 }
 
@@ -92,7 +97,7 @@ fn every_method_gives_the_same_picture_on_both_backends() {
         for method in METHODS {
             let cpu = picture(file, method.name, BackendChoice::Cpu);
             let gpu = picture(file, method.name, BackendChoice::Gpu);
-            assert_eq!((cpu.backend, gpu.backend), ("cpu", "gpu"));
+            assert_eq!((cpu.made.backend, gpu.made.backend), ("cpu", "gpu"));
             let map = scene(file, method.name, BackendChoice::Cpu);
             let map = map.surfaces()[0].height_map();
             let size = [map.width(), map.height()];

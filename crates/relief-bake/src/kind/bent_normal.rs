@@ -35,6 +35,7 @@ pub const KIND: Kind = Kind {
     publication: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, about the base normal",
+    is_picture: true,
     shapes: |size, _| vec![Shape::slices("", size, 1, 3)],
     reach: |_| Reach::Everything,
     bake,

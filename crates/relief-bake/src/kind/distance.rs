@@ -72,6 +72,7 @@ pub const KIND: Kind = Kind {
     publication: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "4.3.4" },
     params: &[SLICES, BITS],
     guarantee: "a trilinear fetch is at most the distance to the bilinear surface, in the metres of the bake's metric",
+    is_picture: false,
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0), 1)],
     reach: |_| Reach::Everything,
     bake,

@@ -100,6 +100,7 @@ pub const KIND: Kind = Kind {
     params: PARAMS,
     guarantee: "In each quadrant the bilinear surface is nowhere above top + slope * Chebyshev distance from the cell, in \
         texels; the stored slope is the least such, rounded up.",
+    is_picture: false,
     shapes: |size, _| vec![Shape::slices("top", size, 1, 1), Shape::slices("slopes", size, 1, 4)],
     reach: |_| Reach::Everything,
     bake,

@@ -74,6 +74,7 @@ pub const KIND: Kind = Kind {
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "for the bilinear surface, as slope: off by at most the difference of neighbouring texels over 8 steps' \
                 length; what is beyond the reach stands at most the scale over the reach high",
+    is_picture: false,
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0), 1)],
     reach: |_| Reach::Everything,
     bake,

@@ -37,10 +37,14 @@ pub struct Kind {
     pub revision: u32,
     /// Where it was published.
     pub publication: Publication,
-    /// Its parameters; one named `bits` quantises: 0 for floats, 8 or 16.
+    /// Its parameters; one named `bits` quantises: 0 for floats, 8 or 16. One named `mips` adds mip levels:
+    /// 1, or 0 for none.
     pub params: &'static [Param],
     /// What is promised of the stored values, and for which surface.
     pub guarantee: &'static str,
+    /// Whether other programs take its texture for a picture: grey, or red, green and blue, over the whole
+    /// range of their codes.
+    pub is_picture: bool,
     /// The textures that it bakes from a map of so many columns and rows, in their order.
     pub shapes: fn([u32; 2], &Settings) -> Vec<Shape>,
     /// How far a texel's value looks.

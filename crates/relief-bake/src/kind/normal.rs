@@ -61,6 +61,7 @@ pub const KIND: Kind = Kind {
     publication: Publication { paper: "Szirmay-Kalos and Umenhoffer 2008", section: "2.1, 2.2" },
     params: &[PATCHES, WORLD, GREEN_DOWN, MIPS, BITS_TO_NEAREST],
     guarantee: "within (texel² / 6) max|third derivative| of the angle of a smooth surface's normal",
+    is_picture: true,
     shapes: |size, settings| vec![shape(size, settings.count(MIPS_PLACE) != 0)],
     reach: |settings| if settings.count(MIPS_PLACE) == 0 { Reach::Texels(1) } else { Reach::Everything },
     bake,

@@ -36,6 +36,7 @@ pub const KIND: Kind = Kind {
     },
     params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
     guarantee: "closed form of the horizons, off by at most their mean error in radians and what is between azimuths",
+    is_picture: true,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
     bake,

@@ -40,6 +40,7 @@ pub const KIND: Kind = Kind {
     params: PARAMS,
     guarantee: "The bilinear surface over the cells of a node is nowhere below its min and nowhere above its max; both \
         are attained. Exact in f32 and in as many bits as the heights have.",
+    is_picture: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
     bake,

@@ -33,10 +33,11 @@ use self::outputs::{Earlier, Outputs};
 use self::report::Baked;
 use self::spool::Spool;
 use self::storage::{FileFormat, Storage, TexelChoice};
-use super::maps::HeightArguments;
+use super::maps::{HeightArguments, inside_out, nearly_grey};
 use crate::failure::Failure;
+use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
-use crate::values;
+use crate::{say, units, values};
 
 /// Displacement in metres between heights 0 and 1 unless the file or the user says otherwise; that of
 /// `relief render`.
@@ -47,7 +48,7 @@ const BAKING_PART: f32 = 0.9;
 
 /// What `relief bake` is given.
 #[derive(Args)]
-#[command(after_help = after_help())]
+#[command(after_help = short_help(), after_long_help = after_help())]
 pub struct Arguments {
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
     height: PathBuf,
@@ -57,28 +58,29 @@ pub struct Arguments {
     /// Folder for the files; it is made if it is missing
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// File format
-    #[arg(long, value_enum, default_value = "exr")]
-    format: FileFormat,
+    /// File format [default: png for normal, occlusion and bent-normal, which other programs take for
+    /// pictures, exr for the rest and for --texels float]
+    #[arg(long, value_enum)]
+    format: Option<FileFormat>,
     /// Setting of a kind, as in cone.bits=8; may be repeated
     #[arg(long, value_name = "KIND.NAME=VALUE", value_parser = setting)]
     set: Vec<(String, f64)>,
-    /// Metres of displacement between heights 0 and 1
+    /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm
     /// [default: the range of a georeferenced elevation model, else 0.05]
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", value_parser = units::length)]
     scale: Option<f64>,
-    /// Metres of a tile along u and v [default: from a georeferenced file's texel size, else of square texels, the
-    /// longer side 1]
-    #[arg(long, value_name = "U,V", value_parser = values::pair)]
+    /// Metres of a tile along u and v [default: from a georeferenced file's texel size, else of square
+    /// texels, the longer side 1]
+    #[arg(long, value_name = "U,V", value_parser = units::two_lengths)]
     tile_size: Option<[f64; 2]>,
     /// How values are stored; they are rounded to the side that keeps a map's promise
     #[arg(long, value_enum, default_value = "auto", help_heading = "Storage")]
     texels: TexelChoice,
     /// Compress KTX2 levels with Zstandard
-    #[arg(long, help_heading = "Storage")]
+    #[arg(long, help_heading = "Storage", hide_short_help = true)]
     zstd: bool,
     /// Allow heights in block-compressed texels, which keep 8 levels a block: for copies only
-    #[arg(long, help_heading = "Storage")]
+    #[arg(long, help_heading = "Storage", hide_short_help = true)]
     lossy_heights: bool,
     /// Bake again what has been baked before, and replace files that relief has not baked
     #[arg(long)]
@@ -87,10 +89,21 @@ pub struct Arguments {
     #[arg(long)]
     pub json: bool,
     /// Refuse to take more memory than this, as in 512MiB [default: 4GiB to read the map]
-    #[arg(long, value_name = "SIZE")]
+    #[arg(long, value_name = "SIZE", hide_short_help = true)]
     max_memory: Option<ByteSize>,
     #[command(flatten)]
     reading: HeightArguments,
+}
+
+/// Examples, and the names of all kinds.
+fn short_help() -> String {
+    let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
+    format!(
+        "Examples:\n  relief bake bricks.png --kind normal -o maps\n  \
+         relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n\n\
+         Kinds: {}; `relief bake --help` says what they are and lists their settings.",
+        names.join(", ")
+    )
 }
 
 fn setting(text: &str) -> Result<(String, f64), String> {
@@ -103,7 +116,7 @@ fn after_help() -> String {
         "Examples:\n  relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n  \
          relief bake dem.tif --fill --wrap clamp --kind normal,horizon -o maps\n\n\
          Files are named HEIGHT.KIND.FORMAT, with the texture's name, channels or mip level between where a kind has \
-         several. Each holds its metadata: kind, settings, hash of the source, wrap, tile and scale in metres, channels \
+         several, or slices where an EXR file cannot hold all. Each holds its metadata: kind, settings, hash of the source, wrap, tile and scale in metres, channels \
          with ranges and rounding, names of all files of the bake. HEIGHT.relief-manifest lists the files of all bakes of \
          a map with their hashes: what is there as listed is not baked again, and files that a new bake of a kind no longer \
          has are removed unless they were changed. Files of other programs are not replaced without --force.\n\n\
@@ -114,24 +127,25 @@ fn after_help() -> String {
     for kind in KINDS {
         text += &format!("  {}: {}\n", kind.name, kind.summary);
         for param in kind.params {
-            let (key, default) = (format!("{}.{}", kind.name, param.name), param.default);
+            let key = format!("{}.{}", kind.name, param.name);
+            let default =
+                if param.name == MIPS { "1 in ktx2, else 0".to_owned() } else { param.default.to_string() };
             text += &format!("      {key}={default} ({} to {}): {}\n", param.min, param.max, param.summary);
         }
     }
     text
 }
 
-/// Set by Ctrl-C while there is something to clean up.
-static CANCEL: AtomicBool = AtomicBool::new(false);
-
 /// Reads, bakes and writes.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kinds = choose(arguments, relief_bake::kind)?;
     let (job, map) = Job::new(arguments, kinds)?;
     // Until here nothing exists that an interrupted program would leave behind.
-    ctrlc::set_handler(|| CANCEL.store(true, Ordering::Relaxed)).map_err(Failure::work)?;
-    job.run(map, &CANCEL, &mut io::stdout().lock())
+    job.run(map, interrupt::catch()?, &mut io::stdout().lock())
 }
+
+/// The parameter that adds mip levels.
+const MIPS: &str = "mips";
 
 /// The kinds of that names, with their settings.
 fn choose<'k>(
@@ -155,7 +169,28 @@ fn choose<'k>(
         let (_, settings) = chosen.ok_or_else(|| Failure::usage(unknown))?;
         settings.set(param, *value).map_err(Failure::usage)?;
     }
+    // Where each level is a file of its own, they come only when they are asked for.
+    for (kind, settings) in &mut kinds {
+        let key = format!("{}.{MIPS}", kind.name);
+        let has_mips = kind.params.iter().any(|param| param.name == MIPS);
+        if has_mips && !arguments.set.iter().any(|(given, _)| *given == key) {
+            let mips = f64::from(u8::from(arguments.format_of(kind) == FileFormat::Ktx2));
+            settings.set(MIPS, mips).map_err(Failure::usage)?;
+        }
+    }
     Ok(kinds)
+}
+
+impl Arguments {
+    /// The format of a kind's files.
+    fn format_of(&self, kind: &Kind) -> FileFormat {
+        let usual = match self.texels {
+            TexelChoice::Float => FileFormat::Exr,
+            _ if kind.is_picture => FileFormat::Png,
+            _ => FileFormat::Exr,
+        };
+        self.format.unwrap_or(usual)
+    }
 }
 
 /// What is to be made of a map that has been read.
@@ -191,17 +226,23 @@ impl<'a> Job<'a> {
             let folder = arguments.output.display();
             return Err(Failure::Work(format!("{folder}: is no folder: give another --output")));
         }
-        if arguments.zstd && arguments.format != FileFormat::Ktx2 {
+        if arguments.zstd && arguments.format != Some(FileFormat::Ktx2) {
             return Err(Failure::usage("--zstd is for --format ktx2"));
         }
-        for (_, settings) in &kinds {
-            Storage::choose(arguments.texels, arguments.format, bits(settings)).map_err(Failure::Usage)?;
+        for (kind, settings) in &kinds {
+            let format = arguments.format_of(kind);
+            Storage::choose(arguments.texels, format, bits(settings)).map_err(Failure::Usage)?;
         }
         let stem = arguments.height.file_stem().and_then(|stem| stem.to_str());
         let stem =
             stem.ok_or_else(|| Failure::usage("the height map's name is not UTF-8: rename it"))?.to_owned();
         let options = arguments.reading.options(arguments.max_memory);
         let map = read_height(&arguments.height, &options).map_err(Failure::of_map)?;
+        if !arguments.json {
+            let name = arguments.height.display().to_string();
+            let turned = inside_out(&arguments.height).filter(|_| !arguments.reading.depth);
+            nearly_grey(&name, &map).into_iter().chain(turned).for_each(say::note);
+        }
         let metric = metric(arguments, &map)?;
         let map = map.with_displacement(metric.scale_m, -metric.scale_m).map_err(Failure::usage)?;
         let source_hash = map.heights_hash().to_string();
@@ -223,12 +264,13 @@ impl<'a> Job<'a> {
         map: &HeightMap,
         is_followed: bool,
     ) -> Result<Task<'a>, Failure> {
-        let Arguments { output, format, texels, zstd, lossy_heights, max_memory, .. } = self.arguments;
-        let storage = Storage::choose(*texels, *format, bits(&settings)).map_err(Failure::Usage)?;
-        let packing = Packing { format: *format, storage, zstd: *zstd };
+        let Arguments { output, texels, zstd, lossy_heights, max_memory, .. } = self.arguments;
+        let format = self.arguments.format_of(kind);
+        let storage = Storage::choose(*texels, format, bits(&settings)).map_err(Failure::Usage)?;
+        let packing = Packing { format, storage, zstd: *zstd };
         let base = format!("{}.{}", self.stem, kind.name);
         let shapes = (kind.shapes)(self.size, &settings);
-        let plans = files::plan(&base, *format, &shapes);
+        let plans = files::plan(&base, format, &shapes);
         let copies_heights = is_followed && bits(&settings) != 0;
         early::check_files(&plans, packing, &shapes)
             .and_then(|()| early::check_memory(&shapes, self.size, copies_heights, *max_memory))
@@ -247,7 +289,7 @@ impl<'a> Job<'a> {
             )));
         }
         let hash = &self.source_hash;
-        let identity = Identity::new(kind, &settings, map, hash, self.metric, *format, storage, *zstd);
+        let identity = Identity::new(kind, &settings, map, hash, self.metric, format, storage, *zstd);
         let part = format!("{}.{}", kind.name, format.extension());
         Ok(Task { kind, settings, packing, identity, base, part, names })
     }
@@ -347,11 +389,8 @@ fn bits(settings: &Settings) -> u32 {
     settings.iter().find(|(name, _)| *name == "bits").map_or(0, |(_, bits)| bits as u32)
 }
 
-fn cancelled() -> Failure {
-    Failure::Work("cancelled: no file was written".to_owned())
-}
-
-/// The metric asked for, or that of a georeferenced file, or a tile whose longer side is 1 m with a shallow relief.
+/// The metric asked for, or that of a georeferenced file, or a tile whose longer side is 1 m with a shallow
+/// relief.
 fn metric(arguments: &Arguments, map: &HeightMap) -> Result<Metric, Failure> {
     let tile = arguments.tile_size.or(map.stated_tile_m()).unwrap_or_else(|| map.proportions());
     let span = map.stated_lengths_m().map(|(_, span)| span);

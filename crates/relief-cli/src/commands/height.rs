@@ -5,8 +5,6 @@ mod from_photos;
 mod lights;
 mod output;
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use clap::{Args, Subcommand};
 use relief_bake::from_normals::{FromNormalsError, IntegratedHeights, Integration};
 use relief_bake::photometric::PhotometricError;
@@ -16,7 +14,8 @@ use serde_json::{Value, json};
 
 use self::output::{Content, Output};
 use crate::failure::Failure;
-use crate::values;
+use crate::interrupt::cancelled;
+use crate::{units, values};
 
 /// What `relief height` is given.
 #[derive(Args)]
@@ -50,11 +49,12 @@ struct Common {
     /// How the map goes on beyond its edges: repeat, clamp or mirror
     #[arg(long, value_name = "WRAP", help_heading = "Integration")]
     wrap: Option<Wrap>,
-    /// Metres of a texel along u and v: one number or two [default: square texels, the map 1 m wide]
+    /// Metres of a texel along u and v, one number or two, or with a unit, as in 0.5mm [default: square
+    /// texels, the map 1 m wide]
     #[arg(
         long,
         value_name = "X[,Y]",
-        value_parser = values::one_or_two,
+        value_parser = units::one_or_two_lengths,
         allow_hyphen_values = true,
         help_heading = "Integration"
     )]
@@ -135,19 +135,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Origin::FromNormals(arguments) => from_normals::run(arguments),
         Origin::FromPhotos(arguments) => from_photos::run(arguments),
     }
-}
-
-/// Set by Ctrl-C while there is something to clean up.
-static CANCEL: AtomicBool = AtomicBool::new(false);
-
-/// From here on Ctrl-C ends the work in order.
-fn catch_interrupts() -> Result<&'static AtomicBool, Failure> {
-    ctrlc::set_handler(|| CANCEL.store(true, Ordering::Relaxed)).map_err(Failure::work)?;
-    Ok(&CANCEL)
-}
-
-fn cancelled() -> Failure {
-    Failure::Work("cancelled: no file was written".to_owned())
 }
 
 fn of_integration(error: FromNormalsError) -> Failure {

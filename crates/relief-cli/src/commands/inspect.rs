@@ -7,7 +7,7 @@ use clap::Args;
 use relief_core::ByteSize;
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, Detection, Elevation, Georeference, GreenSign, HISTOGRAM_BINS, HeightNote,
-    HeightOptions, SourceInfo, Tiling, Values, detect, inspect, read_height, read_normal_map,
+    HeightOptions, SourceInfo, Tiling, Values, detect, guess_by_name, inspect, read_height, read_normal_map,
 };
 use serde_json::{Value, json};
 
@@ -110,6 +110,14 @@ fn print(
     match &info.values {
         Some(values) => print_values(out, values)?,
         None => writeln!(out, "  Several channels may hold the height: choose one with --channel.")?,
+    }
+    if let (None, Some(guess)) = (detection, guess_by_name(&arguments.file)) {
+        let (kind, hint) = match guess.convention {
+            Convention::Height => ("height", ""),
+            Convention::Depth => ("depth", ": if so, read it with --depth"),
+        };
+        let percent = 100.0 * guess.confidence;
+        writeln!(out, "  convention  {kind} by its name, confidence {percent:.0} %{hint}")?;
     }
     if let Some(detection) = detection {
         let percent = |confidence: f64| (confidence * 100.0).round();
@@ -248,6 +256,10 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
             "size_unknown": found.texel_size_m.as_ref().err(),
         })
     });
+    let guess = guess_by_name(&arguments.file).map(|guess| {
+        let convention = if guess.convention == Convention::Depth { "depth" } else { "height" };
+        json!({ "convention": convention, "by": "name", "confidence": guess.confidence })
+    });
     let detection = detection.map(|found| {
         json!({
             "convention": if found.convention == Convention::Depth { "depth" } else { "height" },
@@ -259,6 +271,6 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
         "file": arguments.file.display().to_string(), "format": info.format.name(), "width": info.width, "height": info.height,
         "channels": channels, "nodata": info.nodata_value, "texel_size_m": info.texel_size_m,
         "georeference": georeference, "scale_m": info.note.map(|note| note.scale_m), "bias_m": info.note.map(|note| note.bias_m), "values": values,
-        "detection": detection,
+        "detection": detection, "guess": guess,
     })
 }

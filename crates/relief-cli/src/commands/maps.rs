@@ -1,8 +1,10 @@
 //! How a height map is to be read: the flags that commands share.
 
+use std::path::Path;
+
 use clap::Args;
-use relief_core::{ByteSize, Wrap};
-use relief_io::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, RawLayout};
+use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_io::{Convention, DEFAULT_MAX_BYTES, Fill, HeightOptions, RawLayout, guess_by_name};
 
 use crate::values;
 
@@ -12,14 +14,14 @@ use crate::values;
 pub struct FileArguments {
     /// Channel that holds the height: r, g, b, a, y, or an EXR channel's name
     /// [default: the only one, or the grey]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", hide_short_help = true)]
     pub channel: Option<String>,
     /// Size and byte order of a headerless 16-bit file, as in 403x344,le
-    #[arg(long, value_name = "WxH,le|be")]
+    #[arg(long, value_name = "WxH,le|be", hide_short_help = true)]
     pub raw: Option<RawLayout>,
     /// Fill texels without a value (nodata, masked, NaN, infinite) from their surroundings
     /// [default: they are an error; render fills those of elevation models]
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub fill: bool,
 }
 
@@ -35,7 +37,7 @@ pub struct HeightArguments {
     pub depth: bool,
     /// Values of the file that become heights 0 and 1 [default: of integers 0 and their type's maximum, of
     /// floats and elevation models their least and greatest]
-    #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true, hide_short_help = true)]
     pub range: Option<[f64; 2]>,
     /// How the maps go on beyond their edges: repeat, clamp or mirror
     /// [default: of elevation models clamp, else repeat]
@@ -63,4 +65,23 @@ impl HeightArguments {
             max_bytes: max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0),
         }
     }
+}
+
+/// What is said of a picture whose red, green and blue are not quite equal.
+pub fn nearly_grey(name: &str, map: &HeightMap) -> Option<String> {
+    let count = map.nearly_grey_texels();
+    (count > 0).then(|| {
+        format!("{name}: nearly grey; the mean of red, green and blue is taken for the height ({count} texels differ)")
+    })
+}
+
+/// What is said of a map that is named as depths are and read as heights.
+pub fn inside_out(path: &Path) -> Option<String> {
+    let guess = guess_by_name(path).filter(|guess| guess.convention == Convention::Depth)?;
+    let percent = 100.0 * guess.confidence;
+    Some(format!(
+        "{}: is named like a depth map ({percent:.0} % of such maps are), and read as heights: if the relief is inside \
+         out, give --depth",
+        path.display()
+    ))
 }

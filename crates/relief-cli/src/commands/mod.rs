@@ -1,8 +1,14 @@
 //! The subcommands, one file each.
 
 pub mod bake;
+pub mod completions;
 pub mod height;
 pub mod inspect;
+pub mod man;
 pub mod maps;
 pub mod methods;
 pub mod render;
+pub mod scene;
+pub mod scene_arguments;
+pub mod staged;
+pub mod stages;

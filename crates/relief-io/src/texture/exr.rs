@@ -6,14 +6,14 @@ use std::path::Path;
 
 use exr::block::UncompressedBlock;
 use exr::block::writer::ChunksWriter;
-use exr::meta::attribute::AttributeValue;
+use exr::meta::attribute::{AttributeValue, Chromaticities};
 use exr::meta::header::{Header, LayerAttributes};
 use exr::meta::{BlockDescription, MetaData};
-use exr::prelude::{ChannelDescription, Compression, LineOrder, SampleType, SmallVec, Text};
+use exr::prelude::{ChannelDescription, Compression, LineOrder, SampleType, SmallVec, Text, Vec2};
 use relief_core::HeightMap;
 
 use super::metadata::EXR_ATTRIBUTE;
-use super::{Metadata, Row, RowSource};
+use super::{LineSink, Metadata, Row, RowSource};
 use crate::write_whole::write_file;
 use crate::{WriteError, WriteProblem};
 
@@ -36,27 +36,68 @@ pub fn write_exr_rows(
     metadata: &Metadata,
     rows: &mut RowSource<'_>,
 ) -> Result<(), WriteError> {
-    write_file(path, |out| {
-        HeightMap::check_size(width, height).map_err(|error| WriteProblem::NotStorable(error.to_string()))?;
-        let mut order: Vec<usize> = (0..names.len()).collect();
-        order.sort_by_key(|&channel| names[channel]);
-        check_names(names, &order)?;
-        let descriptions: SmallVec<[ChannelDescription; 5]> = order
-            .iter()
-            .map(|&channel| {
-                ChannelDescription::new(Text::new_or_panic(names[channel]), SampleType::F32, false)
-            })
-            .collect();
-        let mut attributes = LayerAttributes::default();
-        if metadata.iter().next().is_some() {
-            let lines = Text::from_slice_unchecked(metadata.to_lines().as_bytes());
-            attributes.other.insert(Text::new_or_panic(EXR_ATTRIBUTE), AttributeValue::Text(lines));
+    write_exr_lines(path, [width, height], names, metadata, |sink| {
+        let mut texels = vec![vec![0.0; width as usize]; names.len()];
+        for row in 0..height {
+            for (channel, texels) in texels.iter_mut().enumerate() {
+                rows(Row { level: 0, slice: 0, channel, row }, texels)?;
+            }
+            sink(&texels.iter().map(Vec::as_slice).collect::<Vec<_>>())?;
         }
-        let header = Header::new(Text::from(""), (width as usize, height as usize), descriptions)
-            .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)
-            .with_attributes(attributes);
-        write_blocks(out, header, width as usize, &order, rows)
+        Ok(())
     })
+}
+
+/// The same whose rows `lines` hands over, from the top: of each channel, in the order of the `names` given,
+/// its texels.
+///
+/// # Errors
+///
+/// As [`write_exr_rows`], and when `lines` fails, or hands over another number of rows, of channels or of
+/// texels.
+pub fn write_exr_lines(
+    path: &Path,
+    size: [u32; 2],
+    names: &[&str],
+    metadata: &Metadata,
+    lines: impl FnOnce(&mut LineSink) -> io::Result<()>,
+) -> Result<(), WriteError> {
+    write_file(path, |out| write_exr_lines_of(out, size, names, metadata, false, lines))
+}
+
+/// The primaries of sRGB and its white (IEC 61966-2-1).
+const SRGB: [(f32, f32); 4] = [(0.64, 0.33), (0.3, 0.6), (0.15, 0.06), (0.3127, 0.329)];
+
+/// An EXR file's bytes; with `is_picture` its channels are colours in the primaries of sRGB.
+pub(crate) fn write_exr_lines_of(
+    out: &mut BufWriter<&File>,
+    [width, height]: [u32; 2],
+    names: &[&str],
+    metadata: &Metadata,
+    is_picture: bool,
+    lines: impl FnOnce(&mut LineSink) -> io::Result<()>,
+) -> Result<(), WriteProblem> {
+    HeightMap::check_size(width, height).map_err(|error| WriteProblem::NotStorable(error.to_string()))?;
+    let mut order: Vec<usize> = (0..names.len()).collect();
+    order.sort_by_key(|&channel| names[channel]);
+    check_names(names, &order)?;
+    let descriptions: SmallVec<[ChannelDescription; 5]> = order
+        .iter()
+        .map(|&channel| ChannelDescription::new(Text::new_or_panic(names[channel]), SampleType::F32, false))
+        .collect();
+    let mut attributes = LayerAttributes::default();
+    if metadata.iter().next().is_some() {
+        let lines = Text::from_slice_unchecked(metadata.to_lines().as_bytes());
+        attributes.other.insert(Text::new_or_panic(EXR_ATTRIBUTE), AttributeValue::Text(lines));
+    }
+    let mut header = Header::new(Text::from(""), (width as usize, height as usize), descriptions)
+        .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)
+        .with_attributes(attributes);
+    if is_picture {
+        let [red, green, blue, white] = SRGB.map(|(x, y)| Vec2(x, y));
+        header.shared_attributes.chromaticities = Some(Chromaticities { red, green, blue, white });
+    }
+    write_blocks(out, header, [width, height], &order, lines)
 }
 
 fn check_names(names: &[&str], order: &[usize]) -> Result<(), WriteProblem> {
@@ -80,37 +121,40 @@ fn check_names(names: &[&str], order: &[usize]) -> Result<(), WriteProblem> {
 fn write_blocks(
     out: &mut BufWriter<&File>,
     header: Header,
-    width: usize,
+    [width, height]: [u32; 2],
     order: &[usize],
-    rows: &mut RowSource<'_>,
+    lines: impl FnOnce(&mut LineSink) -> io::Result<()>,
 ) -> Result<(), WriteProblem> {
-    let mut texels = vec![0.0; width];
-    let mut failed: Option<io::Error> = None;
+    let wrong = |what: &str| Err(io::Error::new(io::ErrorKind::InvalidInput, what.to_owned()));
     let written = exr::block::write(out, [header].into_iter().collect(), true, |meta: MetaData, chunks| {
-        let list = &meta.headers[0].channels;
-        let blocks = meta.collect_ordered_block_data(|block| {
-            UncompressedBlock::collect_block_data_from_lines(list, block, |line| {
-                let channel = order[line.location.channel];
-                let row = line.location.position.y() as u32;
-                // The crate's closure cannot fail: what follows a failure is not asked for, and the file is
-                // dropped.
-                if failed.is_none() {
-                    failed = rows(Row { level: 0, slice: 0, channel, row }, &mut texels).err();
-                }
-                for (bytes, sample) in line.value.chunks_exact_mut(4).zip(&texels) {
-                    bytes.copy_from_slice(&sample.to_ne_bytes());
-                }
-            })
-        });
+        let mut blocks = meta.enumerate_ordered_header_block_indices();
         let mut compressor = chunks.sequential_blocks_compressor(&meta);
-        for (index, block) in blocks {
-            compressor.compress_block(index, block)?;
-        }
-        Ok(())
+        let mut next = blocks.next();
+        // The bytes of a block are those of its rows, each channel after channel.
+        let (mut data, mut held, mut count) = (Vec::new(), 0, 0);
+        lines(&mut |line| {
+            let Some((number, index)) = next else { return wrong("more rows than the file has") };
+            if line.len() != order.len() || line.iter().any(|texels| texels.len() != width as usize) {
+                return wrong("a row of another size");
+            }
+            for &channel in order {
+                data.extend(line[channel].iter().flat_map(|sample| sample.to_ne_bytes()));
+            }
+            (held, count) = (held + 1, count + 1);
+            if held == index.pixel_size.height() {
+                let block = UncompressedBlock { index, data: std::mem::take(&mut data) };
+                compressor.compress_block(number, block).map_err(|error| match error {
+                    exr::error::Error::Io(error) => error,
+                    other => io::Error::other(other.to_string()),
+                })?;
+                (held, next) = (0, blocks.next());
+            }
+            Ok(())
+        })?;
+        if count == height { Ok(()) } else { Ok(wrong("fewer rows than the file has")?) }
     });
-    match (failed, written) {
-        (Some(error), _) | (None, Err(exr::error::Error::Io(error))) => Err(WriteProblem::Io(error)),
-        (None, Err(other)) => Err(WriteProblem::NotStorable(other.to_string())),
-        (None, Ok(())) => Ok(()),
-    }
+    written.map_err(|error| match error {
+        exr::error::Error::Io(error) => WriteProblem::Io(error),
+        other => WriteProblem::NotStorable(other.to_string()),
+    })
 }

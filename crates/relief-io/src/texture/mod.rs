@@ -11,7 +11,8 @@ mod read_metadata;
 
 use std::io;
 
-pub use self::exr::write_exr_rows;
+pub(crate) use self::exr::write_exr_lines_of;
+pub use self::exr::{write_exr_lines, write_exr_rows};
 pub use self::metadata::Metadata;
 pub use self::png::{PngTexture, write_png_rows};
 pub use self::read_metadata::read_metadata;
@@ -31,6 +32,9 @@ pub struct Row {
 
 /// Fills the slice, which is as long as the row, with its texels.
 pub type RowSource<'a> = dyn FnMut(Row, &mut [f32]) -> io::Result<()> + 'a;
+
+/// Takes the next row of a texture: of each channel its texels.
+pub type LineSink<'a> = dyn FnMut(&[&[f32]]) -> io::Result<()> + 'a;
 
 /// The code of an unsigned normalised integer with that maximum, to the nearest; what lies outside `[0, 1]`
 /// is cut off and NaN becomes 0.

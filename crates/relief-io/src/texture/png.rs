@@ -52,7 +52,7 @@ pub fn write_png_rows(
             16 => BitDepth::Sixteen,
             other => return Err(not_storable(format!("a PNG texture has 8 or 16 bit, not {other}"))),
         };
-        write_png(out, [texture.width, texture.height], colour, depth, metadata, |mut stream| {
+        write_png(out, [texture.width, texture.height], colour, depth, false, metadata, |mut stream| {
             write_rows(texture, rows, &mut stream)
         })
     })

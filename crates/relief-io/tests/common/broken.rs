@@ -231,7 +231,7 @@ fn unfit() -> Vec<BrokenFile> {
         ]
     };
     let grey = || png(8, 8, ColorType::Grayscale, BitDepth::Eight, &[7; 64]);
-    let colour: Vec<u8> = (0..192).collect();
+    let colour: Vec<u8> = (0..192u32).map(|at| (at * 37 % 256) as u8).collect();
     let mut lzma = Tiff::grey(8, 8, 16, 1).bytes(&values);
     let compression = lzma.windows(4).position(|bytes| bytes == [3, 1, 3, 0]).expect("tag 259, a short");
     lzma[compression + 8..compression + 10].copy_from_slice(&34925u16.to_le_bytes());

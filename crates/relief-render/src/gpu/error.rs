@@ -41,6 +41,19 @@ pub enum GpuError {
         /// The most columns or rows.
         limit: u32,
     },
+    /// The settings of so many bands and samples do not fit the adapter's buffers.
+    #[error(
+        "{samples} samples of {width}x{height} pixels are more than the GPU takes; use fewer samples, a smaller \
+         picture or the CPU"
+    )]
+    TooManyPasses {
+        /// Samples of a pixel.
+        samples: usize,
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+    },
     /// The mesh does not fit the adapter's buffers.
     #[error("the mesh has {count} triangles, the GPU takes at most {limit}; use a coarser mesh or the CPU")]
     TooManyTriangles {

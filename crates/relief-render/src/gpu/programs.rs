@@ -41,7 +41,7 @@ pub struct Layouts {
     fast: BindGroupLayout,
     /// Group 1 of the passes of a picture: the triangles.
     pub mesh: BindGroupLayout,
-    /// Group 2 of the pass that shades.
+    /// Group 2 of the passes that shade and resolve.
     pub traced: BindGroupLayout,
     /// Group 1 of the pass that shows.
     pub shown: BindGroupLayout,
@@ -56,7 +56,7 @@ impl Layouts {
             exact: layout(device, "maps", &shared(), Sampling::Exact),
             fast: layout(device, "maps", &shared(), Sampling::Fast),
             mesh: of("mesh", &["triangles"]),
-            traced: of("traced", &["traced_hit", "traced_what", "records"]),
+            traced: of("traced", &["traced_hit", "traced_what", "records", "sums"]),
             shown: of("shown", &["shown_records", "picture"]),
             rays: of("rays", &["pixels", "probes"]),
         }
@@ -80,7 +80,7 @@ pub struct Programs {
     shade: Kept<Variant, ComputePipeline>,
     probe: Kept<Variant, ComputePipeline>,
     /// The same for everything that is chosen.
-    clear: Kept<(), RenderPipeline>,
+    resolve: Kept<(), ComputePipeline>,
     show: Kept<(), ComputePipeline>,
     compiled: u32,
 }
@@ -134,7 +134,7 @@ impl Programs {
             trace: [Kept::new(), Kept::new()],
             shade: Kept::new(),
             probe: Kept::new(),
-            clear: Kept::new(),
+            resolve: Kept::new(),
             show: Kept::new(),
             compiled: 0,
         }
@@ -157,20 +157,10 @@ impl Programs {
         let text = || assemble(selection, Root::Trace, sampling);
         let compile = |text: &str| {
             let cull_mode = (!two_sided).then_some(Face::Back);
-            // Strictly nearer: of two triangles at the same depth the first counts, as on the CPU.
-            let compare = CompareFunction::Less;
-            raster(gpu.device(), text, Root::Trace, &[&groups[0], &groups[1]], cull_mode, compare)
+            raster(gpu.device(), text, Root::Trace, &groups.each_ref(), cull_mode)
         };
         let kept = &mut self.trace[usize::from(two_sided)];
         kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
-    }
-
-    /// The program that makes a part of what is traced empty again.
-    pub async fn clear(&mut self, gpu: &Gpu) -> Result<RenderPipeline, GpuError> {
-        let text = || assemble(&Selection::default(), Root::Clear, Sampling::Exact);
-        let compile =
-            |text: &str| raster(gpu.device(), text, Root::Clear, &[], None, CompareFunction::Always);
-        self.clear.get(gpu, &mut self.compiled, (), text, compile).await
     }
 
     /// The program that shades.
@@ -185,6 +175,15 @@ impl Programs {
         let text = || assemble(selection, Root::Shade, sampling);
         let compile = |text: &str| compute(gpu.device(), text, Root::Shade, &groups.each_ref());
         self.shade.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
+    }
+
+    /// The program that adds a sample to those before.
+    pub async fn resolve(&mut self, gpu: &Gpu, sampling: Sampling) -> Result<ComputePipeline, GpuError> {
+        let Layouts { mesh, traced, .. } = &self.layouts;
+        let groups = [self.layouts.maps(sampling), mesh, traced].map(Clone::clone);
+        let text = || assemble(&Selection::default(), Root::Resolve, sampling);
+        let compile = |text: &str| compute(gpu.device(), text, Root::Resolve, &groups.each_ref());
+        self.resolve.get(gpu, &mut self.compiled, (), text, compile).await
     }
 
     /// The program that makes a picture of records.
@@ -228,8 +227,8 @@ fn label(root: Root) -> &'static str {
     match root {
         Root::Functions => "functions",
         Root::Trace => "trace",
-        Root::Clear => "clear",
         Root::Shade => "shade",
+        Root::Resolve => "resolve",
         Root::Show => "show",
         Root::Probe => "probe",
     }
@@ -253,7 +252,6 @@ fn raster(
     root: Root,
     groups: &[&BindGroupLayout],
     cull_mode: Option<Face>,
-    compare: CompareFunction,
 ) -> RenderPipeline {
     let label = label(root);
     let module = module(device, label, text);
@@ -272,7 +270,8 @@ fn raster(
         depth_stencil: Some(DepthStencilState {
             format: DEPTH,
             depth_write_enabled: Some(true),
-            depth_compare: Some(compare),
+            // Strictly nearer: of two triangles at the same depth the first counts, as on the CPU.
+            depth_compare: Some(CompareFunction::Less),
             stencil: Default::default(),
             bias: Default::default(),
         }),

@@ -1,4 +1,7 @@
-//! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel once.
+//! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel once; of several
+//! samples each so, and then added up.
+
+use std::ops::ControlFlow;
 
 use relief_shaders::cpu::{Frame, PixelOut, Record, Shared, Triangle, read_all};
 use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
@@ -9,10 +12,11 @@ use wgpu::{
 
 use super::programs::Programs;
 use super::resident::{Common, Resident, Uniform};
-use super::targets::{self, Band, Targets};
+use super::targets::{self, Band, Pass, Targets};
 use super::wait::block_on;
 use super::{Gpu, GpuError};
 use crate::job::{Job, JobSurface, Rendering};
+use crate::samples::{Sample, samples};
 
 /// Renders jobs on a GPU, and keeps there what they have in common: a second frame of the same surfaces
 /// uploads a camera and compiles nothing.
@@ -49,8 +53,8 @@ struct Ready {
 /// All that the passes of a picture need.
 struct Passes {
     surfaces: Vec<Ready>,
-    /// The program that empties what the surface before has traced, where there are several.
-    clear: Option<RenderPipeline>,
+    /// The program that adds samples up, where there are several.
+    resolve: Option<ComputePipeline>,
 }
 
 impl GpuRenderer {
@@ -105,18 +109,56 @@ impl GpuRenderer {
         let (width, height) = (job.width, job.height);
         let mut pixels = Vec::new();
         pixels.try_reserve_exact(width as usize * height as usize).map_err(|_| GpuError::OutOfMemory)?;
-        if width == 0 || height == 0 {
-            return Ok(Rendering { width, height, pixels });
+        let mut sink = |band: &[PixelOut]| {
+            pixels.extend_from_slice(band);
+            ControlFlow::Continue(())
+        };
+        let _ = self.bands(job, sampling, true, progress, &mut sink).await?;
+        Ok(Rendering { width, height, pixels })
+    }
+
+    /// Renders a job in bands of whole rows, from the top, and hands over each when it is read back, until it
+    /// is told to stop. With `numbers` all numbers of a pixel are as in a [`Rendering`]; else they are those
+    /// of one of its samples, which takes less time. Waits for the GPU, which the web does not allow.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::render`].
+    pub fn render_bands(
+        &mut self,
+        job: &Job,
+        sampling: Sampling,
+        numbers: bool,
+        progress: &dyn Fn(f32),
+        sink: &mut dyn FnMut(&[PixelOut]) -> ControlFlow<()>,
+    ) -> Result<ControlFlow<()>, GpuError> {
+        block_on(self.bands(job, sampling, numbers, progress, sink))
+    }
+
+    async fn bands(
+        &mut self,
+        job: &Job,
+        sampling: Sampling,
+        numbers: bool,
+        progress: &dyn Fn(f32),
+        sink: &mut dyn FnMut(&[PixelOut]) -> ControlFlow<()>,
+    ) -> Result<ControlFlow<()>, GpuError> {
+        if job.width == 0 || job.height == 0 {
+            return Ok(ControlFlow::Continue(()));
         }
         let before = self.work_so_far();
-        let passes = self.prepare(job, sampling).await?;
+        let ready = self.prepare(job, sampling, samples(job.samples, numbers)).await?;
+        let mut pixels = Vec::new();
         for number in 0..self.targets()?.bands.len() {
-            let band = self.targets()?.bands[number];
-            self.read_band(&passes, band, &mut pixels).await?;
-            progress((band.first_row + band.rows) as f32 / height as f32);
+            pixels.clear();
+            let band = self.read_band(&ready, number, &mut pixels).await?;
+            progress((band.first_row + band.rows) as f32 / job.height as f32);
+            if sink(&pixels).is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
         }
         self.work = self.work_since(before);
-        Ok(Rendering { width, height, pixels })
+        Ok(ControlFlow::Continue(()))
     }
 
     /// Draws a job into a picture that stays on the GPU, of linear colours in 16-bit floats, over the frame's
@@ -129,21 +171,21 @@ impl GpuRenderer {
         if job.width == 0 || job.height == 0 {
             return Err(GpuError::EmptyPicture);
         }
+        targets::check_whole(&self.gpu, [job.width, job.height])?;
         let before = self.work_so_far();
-        let passes = self.prepare(job, sampling).await?;
+        let ready = self.prepare(job, sampling, samples(job.samples, false)).await?;
         let show = self.programs.show(&self.gpu, sampling).await?;
         // Every surface's group 0 binds the frame and the passes; without one there is nothing to show but
         // the background.
-        let maps = passes.surfaces.first().ok_or(GpuError::EmptyPicture)?.maps.clone();
+        let maps = ready.surfaces.first().ok_or(GpuError::EmptyPicture)?.maps.clone();
         let (gpu, layouts) = (self.gpu.clone(), self.programs.layouts.clone());
         let targets = self.targets.as_mut().ok_or(GpuError::EmptyPicture)?;
         gpu.guarded(|| {
             let (_, shown) = targets.shown(&gpu, &layouts).clone();
-            for band in &targets.bands {
-                let mut encoder = gpu.device().create_command_encoder(&Default::default());
-                encode_band(&mut encoder, targets, &passes, *band);
-                dispatch(&mut encoder, &show, &[&maps, &shown], targets.size[0], *band);
-                gpu.queue().submit([encoder.finish()]);
+            for passes in &targets.bands {
+                submit_band(&gpu, targets, &ready, passes, |encoder, last| {
+                    dispatch(encoder, &show, &[&maps, &shown], targets.size[0], last);
+                });
             }
             Ok(())
         })
@@ -167,13 +209,19 @@ impl GpuRenderer {
     }
 
     /// Compiles and uploads what is not there.
-    async fn prepare(&mut self, job: &Job, sampling: Sampling) -> Result<Passes, GpuError> {
+    async fn prepare(
+        &mut self,
+        job: &Job,
+        sampling: Sampling,
+        samples: Vec<Sample>,
+    ) -> Result<Passes, GpuError> {
         let gpu = self.gpu.clone();
         targets::check(&gpu, [job.width, job.height])?;
         for surface in &job.surfaces {
             check_triangles(&gpu, surface)?;
         }
-        let clear = if job.surfaces.len() > 1 { Some(self.programs.clear(&gpu).await?) } else { None };
+        let several = samples.len() > 1;
+        let resolve = if several { Some(self.programs.resolve(&gpu, sampling).await?) } else { None };
         let mut programs = Vec::new();
         for JobSurface { selection, two_sided, .. } in &job.surfaces {
             let trace = self.programs.trace(&gpu, selection, sampling, *two_sided).await?;
@@ -183,10 +231,12 @@ impl GpuRenderer {
         let layouts = &self.programs.layouts;
         let uploaded = gpu
             .guarded(|| {
-                if targets.as_ref().is_none_or(|targets| targets.size != [job.width, job.height]) {
+                let size = [job.width, job.height];
+                let fit = |targets: &Targets| targets.size == size && targets.samples == samples;
+                if !targets.as_ref().is_some_and(fit) {
                     // What was there goes first, so that both need not fit.
                     drop(targets.take());
-                    *targets = Some(Targets::new(&gpu, [job.width, job.height], layouts));
+                    *targets = Some(Targets::new(&gpu, size, samples, layouts)?);
                     *generation += 1;
                 }
                 let targets = targets.as_ref().ok_or(GpuError::EmptyPicture)?;
@@ -213,7 +263,7 @@ impl GpuRenderer {
             mesh,
             vertices,
         });
-        Ok(Passes { surfaces: surfaces.collect(), clear })
+        Ok(Passes { surfaces: surfaces.collect(), resolve })
     }
 
     /// Forgets what lies on the GPU, but for programs.
@@ -227,27 +277,29 @@ impl GpuRenderer {
     /// Traces, shades and reads back the rows of a band.
     async fn read_band(
         &mut self,
-        passes: &Passes,
-        band: Band,
+        ready: &Passes,
+        number: usize,
         pixels: &mut Vec<PixelOut>,
-    ) -> Result<(), GpuError> {
+    ) -> Result<Band, GpuError> {
         let gpu = self.gpu.clone();
         let targets = self.targets()?;
-        let bytes = targets.bytes(band);
+        let first = targets.bands.get(number).and_then(|passes| passes.first());
+        let band = first.ok_or(GpuError::EmptyPicture)?.band;
+        let [bytes, _] = targets.bytes(band);
         let readable = gpu
             .guarded(|| {
                 let readable = targets.readable(&gpu).clone();
-                let mut encoder = gpu.device().create_command_encoder(&Default::default());
-                encode_band(&mut encoder, targets, passes, band);
-                encoder.copy_buffer_to_buffer(&targets.records, 0, &readable, 0, bytes);
-                gpu.queue().submit([encoder.finish()]);
+                submit_band(&gpu, targets, ready, &targets.bands[number], |encoder, _| {
+                    encoder.copy_buffer_to_buffer(&targets.records, 0, &readable, 0, bytes);
+                });
                 Ok(readable)
             })
             .await?;
         let read = gpu.read(&readable, bytes, |bytes| {
             pixels.extend(read_all::<Record>(bytes).into_iter().map(pixel_of));
         });
-        read.await
+        read.await?;
+        Ok(band)
     }
 }
 
@@ -258,70 +310,77 @@ fn check_triangles(gpu: &Gpu, surface: &JobSurface) -> Result<(), GpuError> {
     if count as u64 > limit { Err(GpuError::TooManyTriangles { count, limit }) } else { Ok(()) }
 }
 
-/// Traces and shades the rows of a band, surface after surface.
-fn encode_band(encoder: &mut CommandEncoder, targets: &Targets, passes: &Passes, band: Band) {
-    // Pixels that nothing covers are not written.
-    encoder.clear_buffer(&targets.records, 0, Some(targets.bytes(band)));
-    for (number, surface) in passes.surfaces.iter().enumerate() {
-        trace(encoder, targets, surface, passes.clear.as_ref().filter(|_| number > 0), number, band);
-        let groups = [&surface.maps, &surface.mesh, &targets.traced];
-        dispatch(encoder, &surface.shade, &groups, targets.size[0], band);
+/// Traces and shades the rows of a band, sample after sample, so that no submission takes long; `finish` ends
+/// the last one.
+fn submit_band(
+    gpu: &Gpu,
+    targets: &Targets,
+    ready: &Passes,
+    passes: &[Pass],
+    finish: impl Fn(&mut CommandEncoder, &Pass),
+) {
+    for (number, pass) in passes.iter().enumerate() {
+        let mut encoder = gpu.device().create_command_encoder(&Default::default());
+        let [records, sums] = targets.bytes(pass.band);
+        if number == 0 {
+            encoder.clear_buffer(&targets.sums, 0, Some(sums));
+        }
+        // Pixels that nothing covers are not written.
+        encoder.clear_buffer(&targets.records, 0, Some(records));
+        for surface in &ready.surfaces {
+            trace(&mut encoder, targets, surface, pass);
+            let groups = [&surface.maps, &surface.mesh, &targets.traced];
+            dispatch(&mut encoder, &surface.shade, &groups, targets.size[0], pass);
+        }
+        if let Some((resolve, surface)) = ready.resolve.as_ref().zip(ready.surfaces.first()) {
+            let groups = [&surface.maps, &surface.mesh, &targets.traced];
+            dispatch(&mut encoder, resolve, &groups, targets.size[0], pass);
+        }
+        if pass.is_last {
+            finish(&mut encoder, pass);
+        }
+        gpu.queue().submit([encoder.finish()]);
     }
 }
 
-/// Rasterises and traces a surface. The first one clears all of the targets once, each further one its band.
-fn trace(
-    encoder: &mut CommandEncoder,
-    targets: &Targets,
-    surface: &Ready,
-    clear: Option<&RenderPipeline>,
-    number: usize,
-    band: Band,
-) {
-    let first = number == 0 && band.first_row == 0;
-    let load = if first { LoadOp::Clear(Color::TRANSPARENT) } else { LoadOp::Load };
-    let ops = Operations { load, store: StoreOp::Store };
-    let depth =
-        Operations { load: if first { LoadOp::Clear(1.0) } else { LoadOp::Load }, store: StoreOp::Store };
+/// Rasterises and traces a surface.
+fn trace(encoder: &mut CommandEncoder, targets: &Targets, surface: &Ready, pass: &Pass) {
+    let ops = Operations { load: LoadOp::Clear(Color::TRANSPARENT), store: StoreOp::Store };
     let color = |view| Some(RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops });
-    let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
+    let mut drawn = encoder.begin_render_pass(&RenderPassDescriptor {
         label: Some("trace"),
         color_attachments: &[color(&targets.hit), color(&targets.what)],
         depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
             view: &targets.depth,
-            depth_ops: Some(depth),
+            depth_ops: Some(Operations { load: LoadOp::Clear(1.0), store: StoreOp::Discard }),
             stencil_ops: None,
         }),
         timestamp_writes: None,
         occlusion_query_set: None,
         multiview_mask: None,
     });
-    pass.set_scissor_rect(0, band.first_row, targets.size[0], band.rows);
-    if let Some(clear) = clear {
-        pass.set_pipeline(clear);
-        pass.draw(0..3, 0..1);
-    }
-    pass.set_pipeline(&surface.trace);
-    pass.set_bind_group(0, &surface.maps, &[band.offset]);
-    pass.set_bind_group(1, &surface.mesh, &[]);
-    pass.draw(0..surface.vertices, 0..1);
+    drawn.set_scissor_rect(0, 0, targets.size[0], pass.band.rows);
+    drawn.set_pipeline(&surface.trace);
+    drawn.set_bind_group(0, &surface.maps, &[pass.offset]);
+    drawn.set_bind_group(1, &surface.mesh, &[]);
+    drawn.draw(0..surface.vertices, 0..1);
 }
 
-/// Runs a program over the pixels of a band. Group 0 has the offset of the band's pass.
+/// Runs a program over the pixels of a band. Group 0 has the offset of the pass.
 fn dispatch(
     encoder: &mut CommandEncoder,
     program: &ComputePipeline,
     groups: &[&BindGroup],
     width: u32,
-    band: Band,
+    pass: &Pass,
 ) {
-    let mut pass = encoder.begin_compute_pass(&Default::default());
-    pass.set_pipeline(program);
+    let mut run = encoder.begin_compute_pass(&Default::default());
+    run.set_pipeline(program);
     for (number, group) in (0u32..).zip(groups) {
-        let offsets = [band.offset];
-        pass.set_bind_group(number, *group, if number == 0 { &offsets } else { &[] });
+        let offsets = [pass.offset];
+        run.set_bind_group(number, *group, if number == 0 { &offsets } else { &[] });
     }
-    pass.dispatch_workgroups(width.div_ceil(SHADE_GROUP), band.rows.div_ceil(SHADE_GROUP), 1);
+    run.dispatch_workgroups(width.div_ceil(SHADE_GROUP), pass.band.rows.div_ceil(SHADE_GROUP), 1);
 }
 
 fn pixel_of(record: Record) -> PixelOut {

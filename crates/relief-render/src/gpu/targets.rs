@@ -1,4 +1,4 @@
-//! What the passes of a picture write: textures of the whole picture, and buffers of a band of its rows.
+//! What the passes of a picture write: textures and buffers of a band of its rows.
 
 use relief_shaders::cpu::{PassSettings, Record, Shared, write_all};
 use wgpu::{
@@ -9,31 +9,46 @@ use wgpu::{
 use super::layouts::{PICTURE, group};
 use super::programs::{DEPTH, HIT, Layouts, WHAT};
 use super::{Gpu, GpuError};
+use crate::samples::Sample;
 
 /// Pixels of a band of rows, which is traced, shaded and read back at once: 20 MiB of records. Larger, and
 /// slow adapters may take so long that the system resets them; smaller, and the mesh is drawn more often than
 /// need be.
 const BAND_PIXELS: u32 = 1 << 18;
 
+/// Bytes of the sum of a pixel's colours.
+const SUM_BYTES: u64 = 16;
+
 /// A band of rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Band {
     pub first_row: u32,
     pub rows: u32,
+}
+
+/// One sample of the pixels of a band.
+#[derive(Clone, Copy, Debug)]
+pub struct Pass {
+    pub band: Band,
     /// Where its settings lie in the buffer of all passes.
     pub offset: u32,
+    pub is_last: bool,
 }
 
 /// The targets of pictures of one size.
 #[derive(Debug)]
 pub struct Targets {
     pub size: [u32; 2],
-    pub bands: Vec<Band>,
+    /// Of every pixel.
+    pub samples: Vec<Sample>,
+    /// The passes of each band, from the top.
+    pub bands: Vec<Vec<Pass>>,
     pub hit: TextureView,
     pub what: TextureView,
     pub depth: TextureView,
     pub records: Buffer,
-    /// Group 2 of the pass that shades.
+    pub sums: Buffer,
+    /// Group 2 of the passes that shade and resolve.
     pub traced: BindGroup,
     passes: Buffer,
     /// For reading back; made when something is.
@@ -43,26 +58,43 @@ pub struct Targets {
 }
 
 impl Targets {
-    /// The targets of pictures of that size, which is not empty.
-    pub fn new(gpu: &Gpu, [width, height]: [u32; 2], layouts: &Layouts) -> Self {
+    /// The targets of pictures of that size, which is not empty, with those samples.
+    ///
+    /// # Errors
+    ///
+    /// When the settings of so many passes do not fit into a buffer.
+    pub fn new(
+        gpu: &Gpu,
+        [width, height]: [u32; 2],
+        samples: Vec<Sample>,
+        layouts: &Layouts,
+    ) -> Result<Self, GpuError> {
+        let rows = (BAND_PIXELS / width).clamp(1, height);
         let texture = |label, format, usage| {
             let usage = TextureUsages::RENDER_ATTACHMENT | usage;
-            let texture = target(gpu, label, [width, height], format, usage);
+            let texture = target(gpu, label, [width, rows], format, usage);
             texture.create_view(&TextureViewDescriptor::default())
         };
-        let rows = (BAND_PIXELS / width).clamp(1, height);
         let stride = gpu.device().limits().min_uniform_buffer_offset_alignment.max(PassSettings::SIZE as u32);
-        let bands: Vec<Band> = (0..height.div_ceil(rows))
-            .map(|number| {
-                let first_row = number * rows;
-                Band { first_row, rows: rows.min(height - first_row), offset: number * stride }
-            })
-            .collect();
-        let records = gpu.buffer(
-            "records",
-            u64::from(width) * u64::from(rows) * Record::SIZE as u64,
-            BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
-        );
+        let count = u64::from(height.div_ceil(rows)) * samples.len() as u64;
+        if count * u64::from(stride) > gpu.device().limits().max_buffer_size.min(u64::from(u32::MAX)) {
+            return Err(GpuError::TooManyPasses { samples: samples.len(), width, height });
+        }
+        let band = |number: u32| {
+            let first_row = number * rows;
+            let band = Band { first_row, rows: rows.min(height - first_row) };
+            let pass = |at: usize| Pass {
+                band,
+                offset: (number * samples.len() as u32 + at as u32) * stride,
+                is_last: at + 1 == samples.len(),
+            };
+            (0..samples.len()).map(pass).collect()
+        };
+        let bands: Vec<Vec<Pass>> = (0..height.div_ceil(rows)).map(band).collect();
+        let pixels = u64::from(width) * u64::from(rows);
+        let storage = BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
+        let records = gpu.buffer("records", pixels * Record::SIZE as u64, storage);
+        let sums = gpu.buffer("sums", pixels * SUM_BYTES, storage);
         let hit = texture("traced hit", HIT, TextureUsages::TEXTURE_BINDING);
         let what = texture("traced what", WHAT, TextureUsages::TEXTURE_BINDING);
         let depth = texture("depth", DEPTH, TextureUsages::empty());
@@ -70,21 +102,13 @@ impl Targets {
             ("traced_hit", BindingResource::TextureView(&hit)),
             ("traced_what", BindingResource::TextureView(&what)),
             ("records", records.as_entire_binding()),
+            ("sums", sums.as_entire_binding()),
         ];
         let traced = group(gpu.device(), "traced", &layouts.traced, &bound);
-        let passes = passes(gpu, &bands, stride);
-        Self {
-            size: [width, height],
-            bands,
-            hit,
-            what,
-            depth,
-            records,
-            traced,
-            passes,
-            readable: None,
-            shown: None,
-        }
+        let passes = passes(gpu, [width, height], rows, &samples, &bands, stride);
+        let size = [width, height];
+        let (readable, shown) = (None, None);
+        Ok(Self { size, samples, bands, hit, what, depth, records, sums, traced, passes, readable, shown })
     }
 
     /// What a pass binds of the buffer of all passes, at the offset of its band.
@@ -93,9 +117,10 @@ impl Targets {
         BindingResource::Buffer(BufferBinding { buffer: &self.passes, offset: 0, size })
     }
 
-    /// Bytes of a band's records.
-    pub fn bytes(&self, band: Band) -> u64 {
-        u64::from(self.size[0]) * u64::from(band.rows) * Record::SIZE as u64
+    /// Bytes of a band's records, and of the sums of its colours.
+    pub fn bytes(&self, band: Band) -> [u64; 2] {
+        let pixels = u64::from(self.size[0]) * u64::from(band.rows);
+        [pixels * Record::SIZE as u64, pixels * SUM_BYTES]
     }
 
     /// The buffer that a band's records are read back from.
@@ -123,13 +148,34 @@ impl Targets {
     }
 }
 
-/// The settings of every band's pass, a stride apart.
-fn passes(gpu: &Gpu, bands: &[Band], stride: u32) -> Buffer {
-    let mut bytes = vec![0; stride as usize * bands.len()];
-    for Band { first_row, rows, offset } in bands {
-        let settings = PassSettings { offset: [0.0; 2].into(), first_row: *first_row, rows: *rows };
-        let of_band = write_all(&[settings]);
-        bytes[*offset as usize..][..of_band.len()].copy_from_slice(&of_band);
+/// The settings of every pass, a stride apart, over targets of so many rows.
+fn passes(
+    gpu: &Gpu,
+    [width, height]: [u32; 2],
+    rows: u32,
+    samples: &[Sample],
+    bands: &[Vec<Pass>],
+    stride: u32,
+) -> Buffer {
+    let mut bytes = vec![0; stride as usize * bands.len() * samples.len()];
+    let zoom = height as f32 / rows as f32;
+    for (pass, sample) in bands.iter().flat_map(|band| band.iter().zip(samples)) {
+        let [right, down] = sample.offset;
+        let Band { first_row, rows: in_band } = pass.band;
+        // The targets show the picture from the band's first row on, moved against the sample's offset.
+        let across = 2.0 * right / width as f32;
+        let along = 2.0 * (first_row as f32 + down) / rows as f32;
+        let settings = PassSettings {
+            offset: sample.offset.into(),
+            shift: [-across, 1.0 - zoom + along].into(),
+            zoom,
+            weight: sample.weight,
+            first_row,
+            rows: in_band,
+            is_last: u32::from(pass.is_last),
+        };
+        let of_pass = write_all(&[settings]);
+        bytes[pass.offset as usize..][..of_pass.len()].copy_from_slice(&of_pass);
     }
     let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
     let buffer = gpu.buffer("passes", bytes.len() as u64, usage);
@@ -156,7 +202,13 @@ fn target(
     })
 }
 
-/// Refuses pictures that the adapter cannot hold.
+/// Refuses pictures of which the adapter cannot hold a row.
 pub fn check(gpu: &Gpu, size: [u32; 2]) -> Result<(), GpuError> {
+    let fits = size[0] <= gpu.device().limits().max_texture_dimension_2d;
+    if fits { Ok(()) } else { check_whole(gpu, size) }
+}
+
+/// Refuses pictures that the adapter cannot hold at once.
+pub fn check_whole(gpu: &Gpu, size: [u32; 2]) -> Result<(), GpuError> {
     gpu.check_texture("picture", size)
 }

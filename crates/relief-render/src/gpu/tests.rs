@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
+use glam::DVec3;
 use relief_core::{HeightMap, Wrap};
 use relief_io::Picture;
 use relief_maps::Maps;
@@ -65,7 +66,7 @@ fn surface(map: &Arc<HeightMap>) -> JobSurface {
 }
 
 fn job(surface: JobSurface) -> Job {
-    Job { width: 16, height: 8, frame: Frame::none(), surfaces: vec![surface] }
+    Job { width: 16, height: 8, samples: 1, frame: Frame::none(), surfaces: vec![surface] }
 }
 
 fn ray() -> PixelIn {
@@ -211,7 +212,9 @@ fn three_surfaces() -> Vec<Surface> {
 }
 
 fn scene(surfaces: Vec<Surface>) -> Scene {
-    let mut builder = Scene::builder(surfaces[0].clone()).size(90, 70);
+    let eye = DVec3::new(0.6, 0.9, 1.1);
+    let camera = Camera::new(eye, DVec3::ZERO, 40.0).expect("a proper camera");
+    let mut builder = Scene::builder(surfaces[0].clone()).size(90, 70).samples(1).camera(camera);
     builder = builder.surfaces(surfaces).backend(BackendChoice::Cpu);
     builder.build().expect("a proper scene")
 }
@@ -297,7 +300,7 @@ fn a_second_frame_uploads_a_camera_and_compiles_nothing() {
     let still = rendered(&mut renderer, &scene, &mut maps);
     assert_eq!(renderer.last_work(), Work::default());
 
-    scene.set_camera(Camera::new([0.7, 0.8, 1.0].into(), glam::DVec3::ZERO, 40.0).expect("a camera"));
+    scene.set_camera(Camera::new([0.7, 0.8, 1.0].into(), DVec3::ZERO, 40.0).expect("a camera"));
     let moved = rendered(&mut renderer, &scene, &mut maps);
     let second = renderer.last_work();
     assert!(second.compiled == 0 && (1..=1024).contains(&second.uploaded), "{second:?}");

@@ -1,19 +1,22 @@
 //! Scenes made by programs.
 
-use super::limits::MAX_IMAGE_SIDE;
+use super::limits::{DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
+use super::view::{Fit, View, fitted};
 use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
-use crate::camera::Camera;
+use crate::camera::{Camera, CameraError};
 use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
+use crate::tone::Tone;
 use glam::{DVec3, Vec3};
 use relief_shaders::{STAGES, SelectionError};
 
-/// The default position of the eye, in metres.
+/// The position of the eye where only the target is given, in metres.
 pub(super) const DEFAULT_EYE: DVec3 = DVec3::new(0.6, 0.9, 1.1);
 /// The default vertical field of view, in degrees.
 pub(super) const DEFAULT_FOV: f64 = 40.0;
-/// The direction toward the default light.
-const DEFAULT_LIGHT: DVec3 = DVec3::new(0.5, 0.8, 0.3);
-const DEFAULT_AMBIENT: Vec3 = Vec3::splat(0.15);
+/// The direction toward the default light: from the upper left of the built-in views, as people expect it of
+/// a relief.
+const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
+const DEFAULT_AMBIENT: Vec3 = Vec3::splat(0.12);
 const DEFAULT_BACKGROUND: Vec3 = Vec3::splat(0.05);
 /// The default method.
 pub(super) const DEFAULT_METHOD: &str = "exact";
@@ -25,13 +28,23 @@ pub(super) const DEFAULT_SIZE: [u32; 2] = [800, 600];
 #[must_use = "a builder makes no scene until it is built"]
 pub struct SceneBuilder {
     surfaces: Vec<Surface>,
-    camera: Option<Camera>,
+    camera: CameraChoice,
     lights: Option<Vec<Light>>,
     ambient: Vec3,
     background: Vec3,
     size: [u32; 2],
+    samples: u32,
+    exposure: f32,
+    tone: Tone,
     backend: BackendChoice,
     sampling: Sampling,
+}
+
+/// A camera, or how one is to be fitted.
+#[derive(Clone, Copy, Debug)]
+enum CameraChoice {
+    Given(Camera),
+    Fitted(View, Fit),
 }
 
 impl Scene {
@@ -53,11 +66,14 @@ impl SceneBuilder {
     pub(super) fn showing(surfaces: Vec<Surface>) -> Self {
         Self {
             surfaces,
-            camera: None,
+            camera: CameraChoice::Fitted(View::default(), Fit::Perspective(DEFAULT_FOV)),
             lights: None,
             ambient: DEFAULT_AMBIENT,
             background: DEFAULT_BACKGROUND,
             size: DEFAULT_SIZE,
+            samples: DEFAULT_SAMPLES,
+            exposure: 0.0,
+            tone: Tone::default(),
             backend: BackendChoice::default(),
             sampling: Sampling::default(),
         }
@@ -66,11 +82,14 @@ impl SceneBuilder {
     pub(super) fn of(scene: &Scene) -> Self {
         Self {
             surfaces: scene.surfaces.clone(),
-            camera: Some(scene.camera),
+            camera: CameraChoice::Given(scene.camera),
             lights: Some(scene.lights.clone()),
             ambient: scene.ambient,
             background: scene.background,
             size: scene.size,
+            samples: scene.samples,
+            exposure: scene.exposure,
+            tone: scene.tone,
             backend: scene.backend,
             sampling: scene.sampling,
         }
@@ -88,20 +107,34 @@ impl SceneBuilder {
         self
     }
 
-    /// The camera. By default at (0.6, 0.9, 1.1), looking at the origin with a field of view of 40 degrees.
+    /// The camera. By default one that sees all of the scene from above one corner, with a field of view of
+    /// 40 degrees.
     pub fn camera(mut self, camera: Camera) -> Self {
-        self.camera = Some(camera);
+        self.camera = CameraChoice::Given(camera);
         self
     }
 
-    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default one from the direction (0.5, 0.8,
-    /// 0.3) with irradiance 1.
+    /// The camera that looks from there and sees all of the scene as large as the picture allows, with a
+    /// vertical field of view in degrees.
+    pub fn fitted_camera(mut self, view: View, fov_degrees: f64) -> Self {
+        self.camera = CameraChoice::Fitted(view, Fit::Perspective(fov_degrees));
+        self
+    }
+
+    /// The same with parallel rays, as on a map.
+    pub fn fitted_orthographic_camera(mut self, view: View) -> Self {
+        self.camera = CameraChoice::Fitted(view, Fit::Orthographic);
+        self
+    }
+
+    /// The lights, at most [`MAX_LIGHTS`]; they may be none. By default one from the direction (-0.6, 0.6,
+    /// -0.1) with irradiance 1.
     pub fn lights(mut self, lights: Vec<Light>) -> Self {
         self.lights = Some(lights);
         self
     }
 
-    /// Irradiance from everywhere, linear. By default 0.15.
+    /// Irradiance from everywhere, linear. By default 0.12.
     pub fn ambient(mut self, ambient: Vec3) -> Self {
         self.ambient = ambient;
         self
@@ -116,6 +149,20 @@ impl SceneBuilder {
     /// Width and height of the picture in pixels, each from 1 to [`MAX_IMAGE_SIDE`]. By default 800 and 600.
     pub fn size(mut self, width: u32, height: u32) -> Self {
         self.size = [width, height];
+        self
+    }
+
+    /// Samples of a pixel, from 1 to [`MAX_SAMPLES`]: the colour is their mean in linear light, all else is
+    /// that of the pixel's centre. By default 4.
+    pub fn samples(mut self, samples: u32) -> Self {
+        self.samples = samples;
+        self
+    }
+
+    /// How light becomes the colours of a picture: stops by which it is brightened, from -[`MAX_EXPOSURE`] to
+    /// [`MAX_EXPOSURE`], and then a tone curve. By default none of both.
+    pub fn look(mut self, exposure: f32, tone: Tone) -> Self {
+        (self.exposure, self.tone) = (exposure, tone);
         self
     }
 
@@ -135,12 +182,20 @@ impl SceneBuilder {
     ///
     /// # Errors
     ///
-    /// When there is no surface, the size is out of range, there are too many lights, a colour is negative or
-    /// not finite, or what a surface selects cannot trace view rays.
+    /// When there is no surface, the size, the samples or the exposure are out of range, there are too many
+    /// lights, a colour is negative or not finite, or what a surface selects cannot trace view rays.
     pub fn build(self) -> Result<Scene, ValueError> {
         let [width, height] = self.size;
         if !(self.size.iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))) {
             return Err(ValueProblem::Size { width, height }.of("size"));
+        }
+        if !(1..=MAX_SAMPLES).contains(&self.samples) {
+            let value = f64::from(self.samples);
+            return Err(ValueProblem::Number { value, must: "from 1 to 1024" }.of("samples"));
+        }
+        if !(-MAX_EXPOSURE..=MAX_EXPOSURE).contains(&self.exposure) {
+            let value = f64::from(self.exposure);
+            return Err(ValueProblem::Number { value, must: "from -32 to 32 stops" }.of("exposure"));
         }
         if self.surfaces.is_empty() {
             return Err(ValueProblem::NoSurface.of("surfaces"));
@@ -155,10 +210,13 @@ impl SceneBuilder {
             surface.selection().check().map_err(of_selection)?;
         }
         let camera = match self.camera {
-            Some(camera) => camera,
-            None => Camera::new(DEFAULT_EYE, DVec3::ZERO, DEFAULT_FOV)
-                .map_err(ValueProblem::from)
-                .map_err(problem("eye"))?,
+            CameraChoice::Given(camera) => camera,
+            CameraChoice::Fitted(view, fit) => {
+                fitted(&self.surfaces, view, fit, self.size).map_err(|error| {
+                    let key = if matches!(error, CameraError::BadFov(_)) { "fov" } else { "view" };
+                    ValueProblem::from(error).of(key)
+                })?
+            }
         };
         let lights = match self.lights {
             Some(lights) => lights,
@@ -178,6 +236,9 @@ impl SceneBuilder {
             ambient,
             background,
             size: self.size,
+            samples: self.samples,
+            exposure: self.exposure,
+            tone: self.tone,
             backend: self.backend,
             sampling: self.sampling,
         })

@@ -44,3 +44,41 @@ impl FromStr for BackendChoice {
         found.ok_or_else(|| UnknownName::new("backend", name, Self::ALL.map(Self::name)))
     }
 }
+
+/// How a camera makes a plane picture of space.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ProjectionChoice {
+    /// All rays come from the eye.
+    #[default]
+    Perspective,
+    /// All rays are parallel, as on a map.
+    Orthographic,
+}
+
+impl ProjectionChoice {
+    /// Every choice, in the order in which help lists them.
+    pub const ALL: [ProjectionChoice; 2] = [ProjectionChoice::Perspective, ProjectionChoice::Orthographic];
+
+    /// The name used on the command line and in scenes.
+    pub const fn name(self) -> &'static str {
+        match self {
+            ProjectionChoice::Perspective => "perspective",
+            ProjectionChoice::Orthographic => "orthographic",
+        }
+    }
+}
+
+impl fmt::Display for ProjectionChoice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for ProjectionChoice {
+    type Err = UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, UnknownName> {
+        let found = Self::ALL.into_iter().find(|choice| choice.name() == name);
+        found.ok_or_else(|| UnknownName::new("projection", name, Self::ALL.map(Self::name)))
+    }
+}

@@ -31,17 +31,26 @@ const SURFACES: &str = "surfaces";
 /// cannot be used; errors in the file say their line.
 pub fn read_scene(path: &Path) -> Result<SceneSpec, SceneError> {
     let text = read_text(path).map_err(|source| SceneError::Io { path: path.to_owned(), source })?;
-    let mut spec = parse(&text).map_err(|mistake| match mistake {
+    parse_scene(&text, path)
+}
+
+/// As [`read_scene`], of the text of a scene file at that path, which need not be there.
+///
+/// # Errors
+///
+/// As [`read_scene`], but for those of reading.
+pub fn parse_scene(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
+    let mut spec = parse(text).map_err(|mistake| match mistake {
         Mistake::Toml(mut source) => {
-            source.set_input(Some(&text));
+            source.set_input(Some(text));
             SceneError::Toml { path: path.to_owned(), source }
         }
         Mistake::Key { what, at } => {
-            SceneError::Key { path: path.to_owned(), line: line_at(&text, at.start), what }
+            SceneError::Key { path: path.to_owned(), line: line_at(text, at.start), what }
         }
     })?;
     spec.check().map_err(|source| {
-        let line = line_of(&text, source.surface, source.key);
+        let line = line_of(text, source.surface, source.key);
         SceneError::InFile { path: path.to_owned(), line, source }
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));

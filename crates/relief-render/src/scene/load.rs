@@ -4,15 +4,21 @@ use super::builder::{DEFAULT_EYE, DEFAULT_FOV};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::load_surface::{Maps, Parts};
 use super::metres::check_metres;
-use super::{DEFAULT_MAX_MEMORY, LightSpec, MAX_IMAGE_SIDE, Scene, SceneBuilder, SceneSpec, SurfaceSpec};
-use crate::camera::{Camera, CameraError};
+use super::{
+    DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, LightSpec, MAX_IMAGE_SIDE, ProjectionChoice, Scene, SceneBuilder,
+    SceneSpec, SurfaceSpec,
+};
+use crate::camera::{Camera, CameraError, Projection};
 use crate::light::{Light, LightError};
 use glam::{DVec3, Vec3};
 use relief_core::{ByteSize, HeightMap};
 
-/// Memory that rendering takes for a pixel: its results on the GPU, their copy, and the picture to be
-/// written.
-const BYTES_PER_PIXEL: u64 = 192;
+/// Memory that rendering takes for a pixel of the band of rows that it is at: its results on the GPU, their
+/// copies, and its part of the picture to be written.
+const BYTES_PER_PIXEL: u64 = 256;
+
+/// Pixels of a band of rows; of very wide pictures one row.
+const BAND_PIXELS: u64 = 1 << 18;
 
 impl SceneSpec {
     /// Whether everything that needs no file is possible. A scene file is checked so before flags are laid
@@ -66,13 +72,15 @@ impl SceneSpec {
     /// What `max_memory` leaves for maps.
     fn memory_beside_the_picture(&self, limit: ByteSize) -> Result<u64, SceneError> {
         let [width, height] = self.size.unwrap_or(super::builder::DEFAULT_SIZE);
-        let pixels = u64::from(width) * u64::from(height);
+        let whole = u64::from(width) * u64::from(height);
+        let pixels = whole.min(BAND_PIXELS.max(u64::from(width)));
         let needed = pixels.saturating_mul(BYTES_PER_PIXEL);
         limit.0.checked_sub(needed).ok_or(SceneError::TooMuchMemory { width, height, needed, limit })
     }
 
     fn builder(&self, surfaces: Vec<super::Surface>) -> Result<SceneBuilder, ValueError> {
         check_metres("eye", self.eye.as_ref().map_or(&[], |eye| eye))?;
+        check_metres("view-height", self.view_height.as_slice())?;
         check_metres("target", self.target.as_ref().map_or(&[], |target| target))?;
         for position in self.lights.iter().flatten().filter_map(|light| light.position.as_ref()) {
             check_metres("lights", position)?;
@@ -82,8 +90,10 @@ impl SceneSpec {
         {
             return Err(ValueProblem::Size { width, height }.of("size"));
         }
-        let mut builder = SceneBuilder::showing(surfaces)
-            .camera(self.camera()?)
+        let mut builder = self
+            .camera(SceneBuilder::showing(surfaces))?
+            .look(self.exposure.unwrap_or_default(), self.tone.unwrap_or_default())
+            .samples(self.samples.unwrap_or(DEFAULT_SAMPLES))
             .backend(self.backend.unwrap_or_default())
             .sampling(self.sampling.unwrap_or_default());
         if let Some(lights) = self.lights()? {
@@ -101,17 +111,51 @@ impl SceneSpec {
         Ok(builder)
     }
 
-    fn camera(&self) -> Result<Camera, ValueError> {
+    /// The builder with the camera that is described.
+    fn camera(&self, builder: SceneBuilder) -> Result<SceneBuilder, ValueError> {
+        let fov = self.fov.unwrap_or(DEFAULT_FOV);
+        let projection = self.projection.unwrap_or_default();
+        match projection {
+            ProjectionChoice::Perspective if self.view_height.is_some() => {
+                return Err(ValueProblem::Needs("projection orthographic").of("view-height"));
+            }
+            ProjectionChoice::Orthographic if self.fov.is_some() => {
+                return Err(ValueProblem::Excludes("projection orthographic").of("fov"));
+            }
+            _ => {}
+        }
+        if self.eye.is_none() && self.target.is_none() {
+            if self.view_height.is_some() {
+                return Err(ValueProblem::Needs("eye").of("view-height"));
+            }
+            let view = self.view.unwrap_or_default();
+            return Ok(match projection {
+                ProjectionChoice::Perspective => builder.fitted_camera(view, fov),
+                ProjectionChoice::Orthographic => builder.fitted_orthographic_camera(view),
+            });
+        }
+        if self.view.is_some() {
+            return Err(ValueProblem::Excludes("eye and target").of("view"));
+        }
+        let projection = match (projection, self.view_height) {
+            (ProjectionChoice::Perspective, _) => Projection::Perspective { fov_degrees: fov },
+            (ProjectionChoice::Orthographic, Some(height_m)) => Projection::Orthographic { height_m },
+            (ProjectionChoice::Orthographic, None) => {
+                return Err(ValueProblem::Needs("view-height").of("projection"));
+            }
+        };
         let eye = self.eye.map_or(DEFAULT_EYE, DVec3::from);
         let target = self.target.map_or(DVec3::ZERO, DVec3::from);
-        Camera::new(eye, target, self.fov.unwrap_or(DEFAULT_FOV)).map_err(|error| {
+        let camera = Camera::with(eye, target, projection).map_err(|error| {
             let key = match error {
                 CameraError::BadFov(_) => "fov",
+                CameraError::BadHeight(_) => "view-height",
                 _ if self.eye.is_some() => "eye",
                 _ => "target",
             };
             ValueProblem::from(error).of(key)
-        })
+        })?;
+        Ok(builder.camera(camera))
     }
 
     fn lights(&self) -> Result<Option<Vec<Light>>, ValueError> {

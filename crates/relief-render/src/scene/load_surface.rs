@@ -32,6 +32,14 @@ const COLOR_BYTES: u64 = 16;
 /// in metres.
 const DEFAULT_SCALE_M: f64 = 0.05;
 
+/// The deepest relief that is taken for ground, as a part of the longer side of a tile: no landscape is
+/// nearly as deep. A model that is states no unit, or another than it has.
+const DEEPEST_GROUND: f64 = 0.75;
+
+/// The depth at which such a model is shown, as a part of the shorter side of a tile: nobody sees into a much
+/// deeper one.
+const DEPTH_OF_NO_GROUND: f64 = 0.25;
+
 /// The most tiles along an axis, and its inverse the fewest. Beyond it `f32` does not tell the texels of a
 /// tile apart, and much farther it overflows.
 const MAX_TILES: f32 = 1e6;
@@ -145,7 +153,12 @@ impl SurfaceSpec {
             Builtin::Plane => self.placed_mesh(map.proportions())?,
             _ => parts.mesh,
         };
-        let scale_m = parts.scale_m.or_else(|| stated_scale_m(&map, &mesh));
+        let scale_m = parts.scale_m.or_else(|| {
+            let stated = stated_scale_m(&map, &mesh)?;
+            let [u, v] = mesh.tile_m();
+            let is_ground = stated <= DEEPEST_GROUND * u.max(v);
+            Some(if is_ground { stated } else { DEPTH_OF_NO_GROUND * u.min(v) })
+        });
         let scale_m = scale_m.unwrap_or(DEFAULT_SCALE_M);
         check_scale(scale_m)?;
         let map = map
@@ -225,10 +238,8 @@ impl SurfaceSpec {
     }
 
     fn material(&self) -> Result<Material, ValueError> {
-        let Some(spec) = &self.material else {
-            return Ok(Material::default());
-        };
-        let default = Material::default();
+        let default = if self.color.is_some() { Material::under_colours() } else { Material::default() };
+        let Some(spec) = &self.material else { return Ok(default) };
         Material::new(
             spec.diffuse.map_or(default.diffuse(), Vec3::from),
             spec.specular.map_or(default.specular(), Vec3::from),
@@ -265,9 +276,9 @@ fn check_scale(scale_m: f64) -> Result<(), ValueError> {
 }
 
 /// The displacement between heights 0 and 1 that gives the relief the proportions that the height map's file
-/// states: as deep to a tile of the mesh as to one of its own, on the mean of both directions. On a plane both
-/// are the same.
-fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
+/// states: as deep to a tile of the mesh as to one of its own, on the mean of both directions. On a plane
+/// both are the same.
+pub(super) fn stated_scale_m(map: &HeightMap, mesh: &Mesh) -> Option<f64> {
     let (tile_m, span_m) = map.stated_lengths_m()?;
     let [u, v] = mesh.tile_m();
     Some(span_m * (u / tile_m[0] * (v / tile_m[1])).sqrt())

@@ -10,6 +10,7 @@ mod choices;
 mod error;
 mod file;
 mod keys;
+mod keys_table;
 mod limits;
 mod load;
 mod load_surface;
@@ -17,18 +18,23 @@ mod metres;
 mod spec;
 mod surface;
 mod surface_spec;
+mod view;
 
 pub use builder::SceneBuilder;
-pub use choices::BackendChoice;
+pub use choices::{BackendChoice, ProjectionChoice};
 pub use error::{SceneError, ValueError, ValueProblem};
-pub use file::read_scene;
-pub use limits::{DEFAULT_MAX_MEMORY, MAX_IMAGE_SIDE};
+pub use file::{parse_scene, read_scene};
+pub use keys_table::{Form, Key, keys};
+pub use limits::{DEFAULT_MAX_MEMORY, DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
 pub use spec::{LightSpec, SceneSpec};
 pub use surface::Surface;
 pub use surface_spec::{MaterialSpec, SurfaceSpec};
+pub use view::View;
 
 use crate::camera::Camera;
 use crate::light::Light;
+use crate::picture::Look;
+use crate::tone::Tone;
 use glam::Vec3;
 pub use relief_shaders::wgsl::Sampling;
 
@@ -41,6 +47,9 @@ pub struct Scene {
     pub(crate) ambient: Vec3,
     pub(crate) background: Vec3,
     pub(crate) size: [u32; 2],
+    pub(crate) samples: u32,
+    pub(crate) exposure: f32,
+    pub(crate) tone: Tone,
     pub(crate) backend: BackendChoice,
     pub(crate) sampling: Sampling,
 }
@@ -79,6 +88,16 @@ impl Scene {
     /// Width and height of the picture in pixels.
     pub fn size(&self) -> [u32; 2] {
         self.size
+    }
+
+    /// Samples of a pixel.
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// How light becomes the colours of a picture.
+    pub fn look(&self) -> Look {
+        Look { background: self.background.to_array(), exposure: self.exposure, tone: self.tone }
     }
 
     /// What computes the picture.

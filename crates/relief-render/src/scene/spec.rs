@@ -1,7 +1,8 @@
 //! Descriptions of scenes, with gaps.
 
 use super::keys::{amount, numbers, parsed};
-use super::{BackendChoice, Sampling, SurfaceSpec};
+use super::{BackendChoice, ProjectionChoice, Sampling, SurfaceSpec, View};
+use crate::tone::Tone;
 use relief_core::ByteSize;
 use serde::Deserialize;
 
@@ -18,23 +19,41 @@ pub struct SceneSpec {
     /// The surfaces, `[[surfaces]]` in a scene file. None: one that is as [`Self::surface`] says.
     #[serde(skip)]
     pub surfaces: Vec<SurfaceSpec>,
-    /// Position of the eye in metres. By default (0.6, 0.9, 1.1).
+    /// From where the camera looks that sees all of the scene, where neither `eye` nor `target` is given:
+    /// `corner` (default), `top`, `front` or `right`.
+    #[serde(deserialize_with = "parsed")]
+    pub view: Option<View>,
+    /// Position of the eye in metres. Without it and `target` the camera is fitted to scene and picture; with
+    /// `target` alone it is (0.6, 0.9, 1.1).
     #[serde(deserialize_with = "numbers")]
     pub eye: Option<[f64; 3]>,
-    /// The point looked at, in metres. By default the origin.
+    /// The point looked at, in metres. With `eye` alone it is the origin.
     #[serde(deserialize_with = "numbers")]
     pub target: Option<[f64; 3]>,
-    /// Vertical field of view in degrees. By default 40.
+    /// How space becomes a picture: `perspective` (default) or `orthographic`.
+    #[serde(deserialize_with = "parsed")]
+    pub projection: Option<ProjectionChoice>,
+    /// Vertical field of view of a perspective in degrees. By default 40.
     pub fov: Option<f64>,
+    /// Metres from the lower to the upper edge of an orthographic picture. A fitted camera knows them itself,
+    /// another one needs them.
+    pub view_height: Option<f64>,
     /// Width and height of the picture in pixels. By default 800 and 600.
     #[serde(deserialize_with = "numbers")]
     pub size: Option<[u32; 2]>,
-    /// Direction toward the only light, white and of irradiance 1. By default (0.5, 0.8, 0.3).
+    /// Samples of a pixel, 1 to 1024: more make edges smoother. By default 4.
+    pub samples: Option<u32>,
+    /// Stops by which light is brightened, from -32 to 32: each doubles it. By default 0.
+    pub exposure: Option<f32>,
+    /// The tone curve: `none` (default) or `agx`.
+    #[serde(deserialize_with = "parsed")]
+    pub tone: Option<Tone>,
+    /// Direction toward the only light, white and of irradiance 1. By default (-0.6, 0.6, -0.1).
     #[serde(deserialize_with = "numbers")]
     pub light: Option<[f64; 3]>,
     /// All lights, in place of `light`.
     pub lights: Option<Vec<LightSpec>>,
-    /// Irradiance from everywhere, linear red, green, blue. By default 0.15 each.
+    /// Irradiance from everywhere, linear red, green, blue. By default 0.12 each.
     #[serde(deserialize_with = "numbers")]
     pub ambient: Option<[f32; 3]>,
     /// Linear colour of pixels that show no surface. By default 0.05 each.
@@ -79,11 +98,23 @@ impl SceneSpec {
     /// surfaces holds for each of them; surfaces of its own take the place of all.
     ///
     /// What belongs to something replaced goes with it: of the scene's keys `light` and `lights` each other,
-    /// of a surface's see [`SurfaceSpec::overridden_by`].
+    /// a `view` with an eye or a target and these with a view, `fov` or `view-height` with another
+    /// projection; of a surface's see [`SurfaceSpec::overridden_by`].
     #[must_use]
     pub fn overridden_by(mut self, over: SceneSpec) -> SceneSpec {
         if over.light.is_some() || over.lights.is_some() {
             (self.light, self.lights) = (None, None);
+        }
+        if over.eye.is_some() || over.target.is_some() {
+            self.view = None;
+        }
+        if over.view.is_some() {
+            (self.eye, self.target, self.view_height) = (None, None, None);
+        }
+        match over.projection {
+            Some(ProjectionChoice::Perspective) => self.view_height = None,
+            Some(ProjectionChoice::Orthographic) => self.fov = None,
+            None => {}
         }
         let of_each = |surface: SurfaceSpec| surface.overridden_by(over.surface.clone());
         let surfaces = if over.surfaces.is_empty() {
@@ -94,10 +125,16 @@ impl SceneSpec {
         SceneSpec {
             surface: self.surface.overridden_by(over.surface),
             surfaces,
+            view: over.view.or(self.view),
             eye: over.eye.or(self.eye),
             target: over.target.or(self.target),
+            projection: over.projection.or(self.projection),
             fov: over.fov.or(self.fov),
+            view_height: over.view_height.or(self.view_height),
             size: over.size.or(self.size),
+            samples: over.samples.or(self.samples),
+            exposure: over.exposure.or(self.exposure),
+            tone: over.tone.or(self.tone),
             light: over.light.or(self.light),
             lights: over.lights.or(self.lights),
             ambient: over.ambient.or(self.ambient),

@@ -1,5 +1,6 @@
 //! Surfaces: a mesh with a height map on it, and what else belongs to it.
 
+use super::load_surface::stated_scale_m;
 use crate::material::Material;
 use crate::mesh::Mesh;
 use relief_core::{HeightMap, Metric};
@@ -26,7 +27,7 @@ pub struct Surface {
 
 impl Surface {
     /// A height map on a mesh that is placed in the world, with its tile factors applied: traced by the
-    /// method `exact`, light grey, seen from its front.
+    /// method `exact`, grey, seen from its front.
     pub fn new(mesh: impl Into<Arc<Mesh>>, height_map: impl Into<Arc<HeightMap>>) -> Self {
         let mesh = mesh.into();
         Self {
@@ -123,6 +124,12 @@ impl Surface {
     /// Whether triangles seen from behind are drawn.
     pub fn two_sided(&self) -> bool {
         self.two_sided
+    }
+
+    /// The displacement in metres between heights 0 and 1 that is true to the lengths that the height map's
+    /// file states; `None` where it states none.
+    pub fn true_scale_m(&self) -> Option<f64> {
+        stated_scale_m(&self.height_map, &self.mesh)
     }
 
     /// The metres of the surface: of a tile on the mean over the mesh, and of the relief.

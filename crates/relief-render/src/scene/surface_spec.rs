@@ -29,16 +29,17 @@ pub struct SurfaceSpec {
     /// Size and byte order of a headerless file, as in `"403x344,le"`.
     #[serde(deserialize_with = "parsed")]
     pub raw: Option<RawLayout>,
-    /// Whether texels without a value are filled from their surroundings. By default those of elevation models
-    /// are, and [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts them; those of
-    /// other files are an error.
+    /// Whether texels without a value are filled from their surroundings. By default those of elevation
+    /// models are, and [`HeightMap::filled_texels`](relief_core::HeightMap::filled_texels) counts them; those
+    /// of other files are an error.
     pub fill: Option<bool>,
     /// How the maps go on beyond their edges: `repeat`, `clamp` or `mirror`. By default elevation models are
     /// clamped, others repeated.
     #[serde(deserialize_with = "parsed")]
     pub wrap: Option<Wrap>,
     /// Metres of displacement between heights 0 and 1. By default in proportion to the mesh's tile where the
-    /// height map's file states metres, else 0.05.
+    /// height map's file states metres, or a quarter of its shorter side where these make it deeper than any
+    /// ground; else 0.05.
     pub scale: Option<f64>,
     /// Displacement of height 0 in metres. By default minus the scale: the relief is carved into the surface.
     pub bias: Option<f64>,
@@ -49,12 +50,12 @@ pub struct SurfaceSpec {
     /// Where the normal map's green points: `+y` (default) up in the picture, `-y` down.
     #[serde(deserialize_with = "parsed")]
     pub green: Option<GreenSign>,
-    /// Metres of a tile along `u` and `v`. By default as the height map's file states them, else its texels are
-    /// square.
+    /// Metres of a tile along `u` and `v`. By default as the height map's file states them, else its texels
+    /// are square.
     #[serde(deserialize_with = "numbers")]
     pub tile_size: Option<[f64; 2]>,
-    /// The base mesh: `plane` (default), which has the height map's proportions, `square`, `cube`, `cylinder`,
-    /// `sphere` or `torus`.
+    /// The base mesh: `plane` (default), which has the height map's proportions, `square`, `cube`,
+    /// `cylinder`, `sphere` or `torus`.
     #[serde(deserialize_with = "parsed")]
     pub mesh: Option<Builtin>,
     /// Tiles along `u` and `v`. By default 1 and 1.
@@ -77,14 +78,14 @@ pub struct SurfaceSpec {
     /// Settings of what is run, by names such as `search.steps`.
     #[serde(deserialize_with = "settings")]
     pub set: BTreeMap<String, f64>,
-    /// The material. By default light grey.
+    /// The material. By default grey.
     pub material: Option<MaterialSpec>,
     /// Whether triangles seen from behind are drawn. By default they are not.
     pub two_sided: Option<bool>,
 }
 
 /// A Blinn-Phong material; what is not said is that of
-/// [`Material::default`](crate::material::Material::default).
+/// [`Material::default`](crate::material::Material::default), but diffuse 0.8 under a colour map.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct MaterialSpec {

@@ -1,10 +1,12 @@
 use super::*;
+use crate::camera::Projection;
 use crate::light::{Light, MAX_LIGHTS};
 use crate::mesh::{Builtin, square};
+use crate::tone::Tone;
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use relief_core::{ByteSize, HeightMap, Wrap};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -63,8 +65,12 @@ set.search.steps = 64
 set.refine.steps = 6
 eye = [1, 2, 3]
 target = [0, 0.5, 0]
+projection = "perspective"
 fov = 30
 size = [640, 480]
+samples = 9
+exposure = -0.5
+tone = "agx"
 lights = [
     { direction = [0, 1, 0], intensity = 0.5 },
     { position = [1, 1, 1], color = [1, 0.5, 0.25], intensity = 2 },
@@ -118,10 +124,16 @@ fn every_key_is_read() {
     let expected = SceneSpec {
         surface,
         surfaces: Vec::new(),
+        view: None,
         eye: Some([1.0, 2.0, 3.0]),
         target: Some([0.0, 0.5, 0.0]),
+        projection: Some(ProjectionChoice::Perspective),
         fov: Some(30.0),
+        view_height: None,
         size: Some([640, 480]),
+        samples: Some(9),
+        exposure: Some(-0.5),
+        tone: Some(Tone::Agx),
         light: None,
         lights: Some(vec![
             LightSpec { direction: Some([0.0, 1.0, 0.0]), intensity: Some(0.5), ..LightSpec::default() },
@@ -394,8 +406,8 @@ fn a_scene_is_loaded_with_its_defaults() {
     let map = surface.height_map();
     assert_eq!((map.width(), map.height(), map.wrap()), (128, 128, Wrap::Repeat));
     assert_eq!((map.scale_m(), map.bias_m()), (0.05, -0.05));
-    assert_eq!((scene.size(), scene.camera().eye()), ([800, 600], DVec3::new(0.6, 0.9, 1.1)));
-    assert_eq!((scene.camera().target(), scene.camera().fov_degrees()), (DVec3::ZERO, 40.0));
+    assert_eq!((scene.size(), scene.samples()), ([800, 600], 4));
+    assert_eq!(scene.camera().projection(), Projection::Perspective { fov_degrees: 40.0 });
     assert_eq!(scene.lights().len(), 1);
     assert_eq!((surface.two_sided(), surface.mesh().triangles().len()), (false, 2));
     assert!(surface.selection().is_exact());
@@ -433,7 +445,7 @@ fn missing_maps_and_too_large_ones_are_refused() {
     let tight = SceneSpec { size: Some([10, 10]), ..with_map(shipped("data/noise.png")) };
     let with = |bytes| SceneSpec { max_memory: Some(ByteSize(bytes)), ..tight.clone() }.load();
     assert!(matches!(with(1000), Err(SceneError::TooMuchMemory { width: 10, height: 10, .. })));
-    let Err(SceneError::Read(error)) = with(20_000) else { panic!("the picture fits, the map does not") };
+    let Err(SceneError::Read(error)) = with(30_000) else { panic!("the picture fits, the map does not") };
     assert!(matches!(error.problem, relief_io::ReadProblem::TooMuchMemory { width: 128, height: 128, .. }));
     assert!(with(64 << 20).is_ok());
     // Reading fits at 8 bytes a texel; the map and what is built on it, 11 bytes a texel, do not.
@@ -446,7 +458,10 @@ fn missing_maps_and_too_large_ones_are_refused() {
         panic!("there is room to read the map, but not to render it")
     };
     assert!(width == 300 && needed > left);
+    // Of a vast picture a band of rows is held.
     let vast = SceneSpec { size: Some([MAX_IMAGE_SIDE; 2]), ..tight };
+    assert!(vast.load().is_ok());
+    let vast = SceneSpec { max_memory: Some(ByteSize(32 << 20)), ..vast };
     assert!(matches!(vast.load(), Err(SceneError::TooMuchMemory { .. })));
 }
 
@@ -552,5 +567,33 @@ fn a_tile_of_no_length_is_refused() {
     for bad in [0.0, -1.0, 1e-320, f64::NAN, f64::INFINITY, 1e30] {
         let spec = SurfaceSpec { tile_size: Some([bad, 1.0]), ..SurfaceSpec::default() };
         assert!(spec.parts().is_err(), "{bad}");
+    }
+}
+
+#[test]
+fn a_description_is_written_as_it_is_read() {
+    let path = Path::new("scene.toml");
+    let full = parse_scene(FULL, path).expect("a proper scene");
+    let text = full.to_toml();
+    assert_eq!(parse_scene(&text, path).unwrap_or_else(|error| panic!("{error} in:\n{text}")), full);
+    assert_eq!(parse_scene(&SceneSpec::default().to_toml(), path).expect("no scene"), SceneSpec::default());
+    let several = shipped("scenes/still-life.toml");
+    let text = fs::read_to_string(&several).expect("a shipped scene");
+    let several = parse_scene(&text, path).expect("a proper scene");
+    assert_eq!(parse_scene(&several.to_toml(), path).expect("the same scene"), several);
+}
+
+#[test]
+fn every_key_is_listed_with_a_default_that_can_be_written() {
+    let listed = |of_surface: bool| -> BTreeSet<&str> {
+        keys().iter().filter(|key| key.of_surface == of_surface).map(|key| key.name).collect()
+    };
+    let stages = relief_shaders::STAGES.iter().map(|stage| stage.key);
+    // A surface's own size is a key of [[surfaces]] alone.
+    let of_surface = keys::keys_of::<SurfaceSpec>().iter().copied().filter(|key| *key != "size");
+    assert_eq!(listed(true), of_surface.chain(stages).collect());
+    assert_eq!(listed(false), keys::keys_of::<SceneSpec>().iter().copied().collect());
+    for Key { name, default, .. } in keys().iter().filter(|key| !key.default.is_empty()) {
+        read(&format!("{name} = {default}\n")).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }

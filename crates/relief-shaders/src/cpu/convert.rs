@@ -117,6 +117,8 @@ impl Frame {
         Self {
             view_projection: [nowhere(); 4],
             eye: nowhere(),
+            eye_right: nowhere(),
+            eye_down: nowhere(),
             forward: nowhere(),
             corner: nowhere(),
             right: nowhere(),

@@ -1,7 +1,7 @@
 //! The shaders' functions that hosts call.
 
 use super::generated::Resources;
-use super::{Bound, Corner, Entered, Found, Hit, Path, PixelIn, PixelOut, Vec3};
+use super::{Bound, Corner, Entered, Found, Hit, Path, PixelIn, PixelOut, Vec3, Vec4};
 
 /// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact
 /// sampling.
@@ -17,11 +17,11 @@ impl<'a> Program<'a> {
         Self(Resources::of(bound))
     }
 
-    /// Where the camera stands.
+    /// Where the ray begins along which the camera sees a point of the picture, in pixels from its upper left
+    /// corner.
     #[inline]
-    pub fn eye(&self) -> [f32; 3] {
-        let eye = self.0.frame.eye;
-        [eye.x, eye.y, eye.z]
+    pub fn pixel_eye(&self, point: [f32; 2]) -> Vec3<f32> {
+        self.0.pixel_eye(point)
     }
 
     /// The direction in which the camera sees a point of the picture, in pixels from its upper left corner.
@@ -73,5 +73,12 @@ impl<'a> Program<'a> {
     #[inline]
     pub fn shade_hit(&self, pixel: PixelIn, entered: Entered, hit: Hit) -> PixelOut {
         self.0.shade_hit(pixel, entered, hit)
+    }
+
+    /// The colour of a pixel's samples so far with one more, of that weight. The fourth part is how much of
+    /// the pixel is covered.
+    #[inline]
+    pub fn add_sample(&self, sum: Vec4<f32>, color: Vec4<f32>, weight: f32) -> Vec4<f32> {
+        self.0.add_sample(sum, color, weight)
     }
 }

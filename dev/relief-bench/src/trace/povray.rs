@@ -110,7 +110,7 @@ fn console(output: &Output) -> String {
 fn description(map: &HeightMap) -> Result<String, String> {
     let camera = camera().map_err(|error| error.to_string())?;
     let [width, height] = SIZE.map(f64::from);
-    let tall = 2.0 * (camera.fov_degrees().to_radians() / 2.0).tan();
+    let tall = 2.0 * camera.half_height();
     let [across, along] = Ground::of(map).sides;
     // 65535 of 65536 is the highest level of a 16-bit picture. Its bottom row lies at z = 0, ours at the
     // greatest z.

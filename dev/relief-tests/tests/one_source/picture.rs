@@ -39,7 +39,7 @@ impl Picture {
         let camera =
             Camera::new(DVec3::new(0.2, 0.6, 1.1), DVec3::new(0.05, 0.0, 0.1), 48.0).expect("proper");
         let (eye, forward) = (camera.eye(), camera.forward());
-        let per_pixel = 2.0 * (camera.fov_degrees().to_radians() / 2.0).tan() / f64::from(height);
+        let per_pixel = 2.0 * camera.half_height() / f64::from(height);
         let (across, down) = (camera.right() * per_pixel, -camera.up() * per_pixel);
         let corner = forward - across * (f64::from(width) / 2.0) - down * (f64::from(height) / 2.0);
         let four = |v: DVec3, w: f32| v.as_vec3().extend(w).to_array();
@@ -53,6 +53,8 @@ impl Picture {
         let frame = Frame {
             view_projection: view_projection.as_mat4().to_cols_array_2d().map(Into::into),
             eye: four(eye, 1.0).into(),
+            eye_right: [0.0; 4].into(),
+            eye_down: [0.0; 4].into(),
             forward: four(forward, 0.0).into(),
             corner: four(corner, 0.0).into(),
             right: four(across, 0.0).into(),
@@ -87,7 +89,7 @@ impl Picture {
             maps: in_slots(selection, baked),
             two_sided: variation.two_sided,
         };
-        Self { job: Job { width, height, frame, surfaces: vec![surface] } }
+        Self { job: Job { width, height, samples: 1, frame, surfaces: vec![surface] } }
     }
 
     pub fn job(&self) -> &Job {

@@ -25,8 +25,12 @@ pub fn all() -> BTreeMap<String, String> {
 fn hashes(scene: &str, method: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(format!("{scene}.toml"));
     let surface = SurfaceSpec { method: Some(method.to_owned()), ..SurfaceSpec::default() };
-    let over =
-        SceneSpec { backend: Some(BackendChoice::Cpu), size: Some(SIZE), ..SceneSpec::of_surface(surface) };
+    let over = SceneSpec {
+        backend: Some(BackendChoice::Cpu),
+        size: Some(SIZE),
+        samples: Some(1),
+        ..SceneSpec::of_surface(surface)
+    };
     let scene =
         read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map");
     let rendering = render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering;

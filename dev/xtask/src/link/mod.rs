@@ -20,10 +20,10 @@ mod rust;
 mod wesl_link;
 
 /// The roots of what GPUs run, whose declarations are held to what the linker makes of them.
-const GPU_ROOTS: [&str; 5] = ["roots/trace", "roots/clear", "roots/shade", "roots/show", "roots/probe"];
+const GPU_ROOTS: [&str; 5] = ["roots/trace", "roots/shade", "roots/resolve", "roots/show", "roots/probe"];
 
 /// The module whose functions are translated to Rust, in exact sampling, and which of them.
-const CPU_ROOT: (&str, &[&str]) = ("shared/pixel", &["shade_pixel", "pixel_of"]);
+const CPU_ROOT: (&str, &[&str]) = ("shared/pixel", &["shade_pixel", "pixel_of", "add_sample"]);
 
 /// All generated files.
 pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {

@@ -14,7 +14,7 @@ use super::identity::Identity;
 use super::spool::{SpoolReader, Spooled};
 use super::storage::{FileFormat, Storage};
 
-/// A file to be written: of a texture some channels and some mip levels.
+/// A file to be written: of a texture some channels, some mip levels, and of a volume some slices.
 #[derive(Debug)]
 pub struct Plan {
     /// Its name.
@@ -22,6 +22,7 @@ pub struct Plan {
     texture: usize,
     channels: Range<usize>,
     levels: Range<usize>,
+    slices: Range<u32>,
 }
 
 /// Why files were not written.
@@ -60,9 +61,10 @@ pub fn plan<'a>(base: &str, format: FileFormat, shapes: impl IntoIterator<Item =
     numbered.flat_map(|(index, shape)| plan_texture(base, format, index, shape)).collect()
 }
 
-/// The files of a texture. PNG and KTX2 files hold up to four channels; PNG and EXR files hold one mip level,
-/// and so do KTX2 files where levels are not each half the one before it, rounded down, which the format
-/// takes for granted.
+/// The files of a texture. PNG and KTX2 files hold up to four channels; two colours are two files, so that no
+/// channel of the second becomes the opacity of the first. PNG and EXR files hold one mip level, and so do
+/// KTX2 files where levels are not each half the one before it, rounded down, which the format takes for
+/// granted. In EXR files slices lie below each other, as many as fit.
 fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> Vec<Plan> {
     let count = shape.channels as usize;
     let levels = shape.mips.len() + 1;
@@ -71,7 +73,10 @@ fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> 
         level_size(shape, level) == half && level_size(shape, level - 1) != [1; 3]
     });
     let together = levels == 1 || (format == FileFormat::Ktx2 && halves);
-    let step = format.channels().min(count.max(1));
+    let step = match format.channels().min(count.max(1)) {
+        4 if count == 6 => 3,
+        step => step,
+    };
     let mut plans = Vec::new();
     for from in (0..count).step_by(step) {
         let channels = from..(from + step).min(count);
@@ -86,12 +91,30 @@ fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> 
             if !together {
                 parts.push(format!("level{level}"));
             }
-            parts.push(format.extension().to_owned());
             let levels = if together { 0..levels } else { level..level + 1 };
-            plans.push(Plan { name: parts.join("."), texture: index, channels: channels.clone(), levels });
+            let size = level_size(shape, level);
+            let depth = size[2];
+            let slices = if format == FileFormat::Exr { slices_below(size) } else { depth.max(1) };
+            for first in (0..depth).step_by(slices as usize) {
+                let slices = first..depth.min(first.saturating_add(slices));
+                let mut parts = parts.clone();
+                if slices.end - first < depth {
+                    parts.push(format!("slices{first}-{}", slices.end - 1));
+                }
+                parts.push(format.extension().to_owned());
+                let (channels, levels) = (channels.clone(), levels.clone());
+                plans.push(Plan { name: parts.join("."), texture: index, channels, levels, slices });
+            }
         }
     }
     plans
+}
+
+/// How many slices of that size a picture holds below each other, at least one.
+fn slices_below([width, height, depth]: [u32; 3]) -> u32 {
+    let fits = |slices: &u32| HeightMap::check_size(width, height.saturating_mul(*slices)).is_ok();
+    let most = (MAX_TEXELS / (u64::from(width) * u64::from(height)).max(1)).min(u64::from(depth)) as u32;
+    Some(most.min(MAX_SIDE / height.max(1))).filter(fits).unwrap_or(1).max(1)
 }
 
 fn level_size(shape: &Shape, level: usize) -> [u32; 3] {
@@ -106,7 +129,7 @@ impl Plan {
     /// When it cannot; the text says what to do.
     pub fn check(&self, packing: Packing, shapes: &[Shape]) -> Result<(), String> {
         let size = level_size(&shapes[self.texture], self.levels.start);
-        let [width, height, depth] = size;
+        let [width, height, _] = size;
         match packing.format {
             FileFormat::Ktx2 => {
                 let (count, levels) = (self.channels.len(), self.levels.len() as u32);
@@ -116,12 +139,13 @@ impl Plan {
                 texture.check().map_err(|problem| problem.to_string())
             }
             FileFormat::Exr | FileFormat::Png => {
-                let fits = HeightMap::check_size(width, height.saturating_mul(depth));
+                let slices = self.slices.end - self.slices.start;
+                let fits = HeightMap::check_size(width, height.saturating_mul(slices));
                 fits.map_err(|_| {
                     let format = packing.format.extension();
                     format!(
-                        "{width}x{height}x{depth} texels do not go into an {format} file, where slices lie below each \
-                         other: {MAX_SIDE} texels a side and {MAX_TEXELS} in all do; use --format ktx2, or fewer slices"
+                        "{width}x{height} texels do not go into an {format} file: {MAX_SIDE} texels a side and \
+                         {MAX_TEXELS} in all do"
                     )
                 })
             }
@@ -142,9 +166,10 @@ pub fn write(
 ) -> Result<(), FilesError> {
     let names: Vec<String> = plans.iter().map(|plan| plan.name.clone()).collect();
     let rows_of = |plan: &Plan| -> u64 {
+        let slices = u64::from(plan.slices.end - plan.slices.start);
         let rows = plan.levels.clone().map(|level| {
-            let [_, height, depth] = textures[plan.texture].texture.level_size(level);
-            u64::from(height) * u64::from(depth)
+            let [_, height, _] = textures[plan.texture].texture.level_size(level);
+            u64::from(height) * slices
         });
         rows.sum::<u64>() * plan.channels.len() as u64
     };
@@ -174,19 +199,23 @@ fn write_one(
     let Packing { format, storage, zstd } = packing;
     let texture = &spooled.texture;
     let single = (plan.levels.len() == 1 && !texture.mips.is_empty()).then_some(plan.levels.start);
-    let entries = identity.metadata(texture, plan.channels.clone(), single, storage, names);
-    let metadata = Metadata::new(entries).map_err(|problem| FilesError::Value(problem.to_string()))?;
     let size = texture.level_size(plan.levels.start);
+    let is_part = plan.slices.end - plan.slices.start < size[2];
+    let slices = is_part.then(|| plan.slices.clone());
+    let entries = identity.metadata(texture, plan.channels.clone(), single, slices, storage, names);
+    let metadata = Metadata::new(entries).map_err(|problem| FilesError::Value(problem.to_string()))?;
     let channels = &texture.channels[plan.channels.clone()];
     // Writers know failed rows as failures of the system only.
     let mut failure = None;
     let mut rows = |row: Row, texels: &mut [f32]| -> io::Result<()> {
         let Some(channel) = channels.get(row.channel) else {
-            texels.fill(0.0);
+            // A fourth one is opacity.
+            texels.fill(if row.channel == 3 { 1.0 } else { 0.0 });
             return Ok(());
         };
         let source = Row {
             level: row.level + plan.levels.start as u32,
+            slice: row.slice + plan.slices.start,
             channel: row.channel + plan.channels.start,
             ..row
         };
@@ -201,7 +230,7 @@ fn write_one(
         }
         if failure.is_some() { Err(io::Error::other("stopped")) } else { Ok(()) }
     };
-    let [width, height, depth] = size;
+    let [width, height, _] = size;
     let written = match format {
         FileFormat::Exr => {
             let names: Vec<&str> = channels.iter().map(|channel| channel.name).collect();
@@ -209,7 +238,7 @@ fn write_one(
             let mut below = |row: Row, texels: &mut [f32]| {
                 rows(Row { slice: row.row / height, row: row.row % height, ..row }, texels)
             };
-            let tall = height.saturating_mul(depth);
+            let tall = height.saturating_mul(plan.slices.end - plan.slices.start);
             write_exr_rows(path, width, tall, &names, &metadata, &mut below)
         }
         FileFormat::Png => {

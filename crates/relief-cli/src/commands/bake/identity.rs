@@ -1,5 +1,6 @@
 //! What a baked file says of itself.
 
+use std::ops::Range;
 use std::path::Path;
 
 use relief_bake::{Kind, Settings, Texture, bits_of_heights};
@@ -97,12 +98,14 @@ impl Identity {
         &self.key
     }
 
-    /// What a file of that texture and those channels says, with the names of all files of the bake.
+    /// What a file of that texture and those channels says, with the names of all files of the bake. The
+    /// `level` and the `slices` are those of a file that does not hold all of them.
     pub fn metadata(
         &self,
         texture: &Texture,
-        channels: std::ops::Range<usize>,
+        channels: Range<usize>,
         level: Option<usize>,
+        slices: Option<Range<u32>>,
         storage: Storage,
         files: &[String],
     ) -> Entries {
@@ -114,6 +117,7 @@ impl Identity {
             "value = texel"
         };
         let [width, height, depth] = texture.level_size(level.unwrap_or(0));
+        let depth = slices.as_ref().map_or(depth, |slices| slices.end - slices.start);
         let own = [
             ("channels", join(channels.iter().map(|channel| channel.name.to_owned()).collect())),
             ("channel_units", join(channels.iter().map(|channel| channel.unit.to_owned()).collect())),
@@ -129,6 +133,9 @@ impl Identity {
         }
         if let Some(level) = level {
             entries.push(("relief.level".to_owned(), level.to_string()));
+        }
+        if let Some(Range { start, .. }) = slices {
+            entries.push(("relief.first_slice".to_owned(), start.to_string()));
         }
         entries
             .extend(texture.notes.iter().map(|(name, value)| (format!("relief.note.{name}"), value.clone())));

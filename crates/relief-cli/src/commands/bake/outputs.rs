@@ -8,9 +8,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use relief_io::file_set::{FileSet, FileSetError, FoundManifest, ListedFile, Manifest, Part};
 use relief_io::write_atomically;
 
-use super::cancelled;
 use super::identity::is_baked;
 use crate::failure::Failure;
+use crate::interrupt::cancelled;
 use crate::waiting::waiting;
 
 /// How the manifest's name ends.

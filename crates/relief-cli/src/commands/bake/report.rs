@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use super::{Job, Task};
 use crate::failure::Failure;
+use crate::say;
 
 /// What became of a kind.
 pub struct Baked {
@@ -55,10 +56,10 @@ impl Job<'_> {
             return Ok(());
         }
         for name in kept {
-            eprintln!(
-                "note: {} was left: an earlier bake wrote it, this one does not, and it has been changed since",
+            say::note(format_args!(
+                "{} was left: an earlier bake wrote it, this one does not, and it has been changed since",
                 folder.join(name).display()
-            );
+            ));
         }
         all.iter().try_for_each(|baked| baked.print(folder, out))?;
         Ok(())

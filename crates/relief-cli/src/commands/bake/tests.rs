@@ -209,6 +209,64 @@ fn channels_and_levels_go_where_the_format_has_room() {
 }
 
 #[test]
+fn a_normal_map_is_one_picture_unless_mips_are_asked_for() {
+    let bake = |line: &str| {
+        let room = Room::new();
+        let arguments = format!("bake {} -o {} {line}", room.map.display(), room.folder.path().display());
+        let line = Line::try_parse_from(arguments.split_whitespace()).expect("it can be parsed");
+        let kinds = choose(&line.arguments, relief_bake::kind).expect("kinds that there are");
+        let (job, map) = Job::new(&line.arguments, kinds).expect("they can be baked");
+        job.run(map, &AtomicBool::new(false), &mut Vec::new()).expect("it can be written");
+        room
+    };
+    let room = bake("--kind normal,occlusion,cone");
+    assert_eq!(room.files(), ["map.cone.exr", "map.normal.png", "map.occlusion.png"]);
+    let file = std::fs::File::open(room.path("map.normal.png")).expect("it was written");
+    let reader = png::Decoder::new(io::BufReader::new(file)).read_info().expect("a picture");
+    assert_eq!(reader.output_color_type(), (png::ColorType::Rgb, png::BitDepth::Sixteen));
+    assert_eq!(bake("--kind normal --texels float").files(), ["map.normal.exr"]);
+
+    // The moments are a texture of their own beside the colour, which is opaque.
+    let room = bake("--kind normal --format ktx2");
+    assert_eq!(room.files(), ["map.normal.channels0-2.ktx2", "map.normal.channels3-5.ktx2"]);
+    for name in room.files() {
+        let file = read_ktx2(&room.path(&name), 1 << 24).expect("a texture");
+        assert_eq!((file.levels.len(), file.levels[0].planes.len()), (5, 4), "{name}");
+        assert!(file.levels.iter().all(|level| level.planes[3].iter().all(|texel| *texel == 1.0)));
+    }
+    let room = bake("--kind normal --set normal.mips=1");
+    let levels = (0..5).map(|level| format!("map.normal.channels0-2.level{level}.png"));
+    let moments = (0..5).map(|level| format!("map.normal.channels3-5.level{level}.png"));
+    assert_eq!(room.files(), levels.chain(moments).collect::<Vec<_>>());
+}
+
+#[test]
+fn slices_that_one_picture_cannot_hold_go_into_several() {
+    // Two columns of this height below each other are as tall as a picture may be.
+    let tall = relief_core::MAX_SIDE / 2;
+    let room = Room::of([1, tall]);
+    room.bake("--kind volume --format exr");
+    assert_eq!(room.files(), ["map.volume.slices0-1.exr", "map.volume.slices2-2.exr"]);
+    let options = relief_io::HeightOptions { range: Some([0.0, 2.0]), ..Default::default() };
+    for (name, slices, first) in [("slices0-1", 0..2u32, "0"), ("slices2-2", 2..3, "2")] {
+        let path = room.path(&format!("map.volume.{name}.exr"));
+        let found = read_height(&path, &options).expect("it is a map");
+        let expected = slices.clone().flat_map(|slice| (0..tall).map(move |_| slice as f32 / 2.0));
+        assert!(found.texels().iter().copied().eq(expected), "{name}");
+        let metadata = read_metadata(&path).expect("it has metadata");
+        assert_eq!(metadata.get("relief.first_slice"), Some(first));
+        assert_eq!(metadata.get("relief.size"), Some(format!("1 {tall} {}", slices.len()).as_str()));
+    }
+    // The default horizon of a large map.
+    let shape = Shape { name: "", size: [16384, 16384, 16], mips: Vec::new(), channels: 1 };
+    let shapes = [shape];
+    let plans = files::plan("map.horizon", FileFormat::Exr, &shapes);
+    let packing = Packing { format: FileFormat::Exr, storage: Storage::Float, zstd: false };
+    assert_eq!(plans.len(), 4);
+    early::check_files(&plans, packing, &shapes).expect("they can be written");
+}
+
+#[test]
 fn cancelled_bakes_leave_nothing() {
     // One kind asks whether it is cancelled; of the other the files are what is cancelled.
     for line in

@@ -13,9 +13,11 @@ use relief_bake::kind::normal::Axes;
 use relief_io::{Metadata, NormalVectors, read_metadata, read_normal_vectors};
 use serde_json::{Value, json};
 
-use super::output::{Output, Staged};
-use super::{Common, Relief, WRITTEN, catch_interrupts, of_integration};
+use super::output::Output;
+use super::{Common, Relief, WRITTEN, of_integration};
+use crate::commands::staged::Staged;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::progress::Progress;
 
 /// Bytes a texel that reading and integrating take at their peak.
@@ -102,8 +104,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         steepest: common.steepest,
     };
     // Until here nothing exists that an interrupted program would leave behind.
-    let cancel = catch_interrupts()?;
-    let mut staged = Staged::open(&[&output], common.json, cancel)?;
+    let cancel = interrupt::catch()?;
+    let mut staged = Staged::open(&[&output.path], common.json, cancel)?;
     let (heights, slopes, fit) = {
         let bar = Progress::bar("integrating", common.json);
         let report = |part: f32| bar.show(part);
@@ -133,7 +135,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("source_green", green.way.to_owned()),
     ];
     let relief = Relief::new(heights, steepness, how, &output, more)?;
-    staged.add(&output, &relief.content, cancel)?;
+    output.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     let mut out = io::stdout().lock();

@@ -13,10 +13,12 @@ use relief_io::file_set::is_same_file;
 use relief_io::{Metadata, Picture, linear_to_srgb, read_picture_as};
 
 use super::lights::Lights;
-use super::output::{Content, Format, Output, Staged};
-use super::{Common, Relief, WRITTEN, cancelled, catch_interrupts, of_integration, of_photos};
+use super::output::{Content, Format, Output};
+use super::{Common, Relief, WRITTEN, of_integration, of_photos};
 use crate::advice;
+use crate::commands::staged::Staged;
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::progress::Progress;
 
 /// Bytes a texel that a photograph keeps: its brightness.
@@ -84,11 +86,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         steepest: common.steepest,
     };
     // Until here nothing exists that an interrupted program would leave behind.
-    let cancel = catch_interrupts()?;
-    let named: Vec<&Output> = [Some(&outputs.height), outputs.normals.as_ref(), outputs.albedo.as_ref()]
-        .into_iter()
-        .flatten()
-        .collect();
+    let cancel = interrupt::catch()?;
+    let named = [Some(&outputs.height), outputs.normals.as_ref(), outputs.albedo.as_ref()];
+    let named: Vec<&Path> = named.into_iter().flatten().map(|output| output.path.as_path()).collect();
     let mut staged = Staged::open(&named, common.json, cancel)?;
     let photos = with_lights(&lights, &pixels);
     let bar = Progress::bar("solving", common.json);
@@ -99,10 +99,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut brightest = None;
     if let Some(albedo) = &outputs.albedo {
         let content = colours(&lights, &photos, &found, size, albedo, common, || {
-            progress.at(0.5).map_err(|_| cancelled())
+            progress.at(0.5).map_err(|_| interrupt::cancelled())
         })?;
         brightest = content.planes.iter().flatten().copied().reduce(f32::max);
-        staged.add(albedo, &encoded(content, albedo.format), cancel)?;
+        albedo.write(&mut staged, &encoded(content, albedo.format), cancel)?;
     }
     drop(pixels);
     let unknown = found.known.iter().filter(|known| !**known).count();
@@ -111,7 +111,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let Photometry { normals: [x, y, z], .. } = found;
         let vectors: Vec<[f32; 3]> = x.iter().zip(&y).zip(&z).map(|((&x, &y), &z)| [x, y, z]).collect();
         if let Some(normals) = &outputs.normals {
-            staged.add(normals, &normal_map([x, y, z], size, normals.format)?, cancel)?;
+            normals.write(&mut staged, &normal_map([x, y, z], size, normals.format)?, cancel)?;
         }
         let slopes =
             NormalSlopes::of_normals(size, &vectors, how.axes, how.steepest).map_err(of_integration)?;
@@ -125,7 +125,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(bar);
     let more = vec![("photographs", lights.photos.len().to_string())];
     let relief = Relief::new(heights, steepness, how, &outputs.height, more)?;
-    staged.add(&outputs.height, &relief.content, cancel)?;
+    outputs.height.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
     let mut out = io::stdout().lock();

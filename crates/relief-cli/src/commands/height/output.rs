@@ -1,16 +1,14 @@
-//! The files that `relief height` writes: all of them whole, or none.
+//! The files that `relief height` writes.
 
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use relief_core::registry::UnknownName;
-use relief_io::file_set::{FileSet, FileSetError, is_same_file};
 use relief_io::{Metadata, PngTexture, write_exr_rows, write_png_rows};
 
-use super::cancelled;
+use crate::commands::staged::{Staged, format_of};
 use crate::failure::Failure;
-use crate::waiting::waiting;
+use crate::interrupt::cancelled;
 
 /// A file format, by the ending of the output's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,31 +40,7 @@ pub struct Content {
 impl Output {
     /// The file that a flag names, if it can be written and is none of those that are read.
     pub fn new(flag: &str, path: &Path, inputs: &[&Path]) -> Result<Self, Failure> {
-        let name = path.display();
-        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-        let Some(extension) = extension else {
-            return Err(Failure::Usage(format!("{flag} {name}: give it a name that ends in .png or .exr")));
-        };
-        let known = FORMATS.iter().find(|(known, _)| *known == extension);
-        let Some(&(_, format)) = known else {
-            let unknown = UnknownName::new("file format", &extension, FORMATS.map(|(known, _)| known));
-            return Err(Failure::Usage(format!("{flag} {name}: {unknown}")));
-        };
-        if !folder_of(path).is_dir() {
-            let folder = folder_of(path).display();
-            return Err(Failure::Work(format!("{name}: cannot be written: there is no folder {folder}")));
-        }
-        if path.is_dir() {
-            return Err(Failure::Work(format!("{name}: cannot be written: it is a folder")));
-        }
-        let output = Self { path: path.to_owned(), format };
-        match inputs.iter().find(|input| is_same_file(path, input)) {
-            Some(input) => {
-                let input = input.display();
-                Err(Failure::Usage(format!("{flag} {name}: would replace {input}, which is read")))
-            }
-            None => Ok(output),
-        }
+        Ok(Self { path: path.to_owned(), format: format_of(flag, path, &FORMATS, inputs)? })
     }
 
     /// How texels are stored, as metadata say it.
@@ -76,34 +50,11 @@ impl Output {
             Format::Exr => "float32",
         }
     }
-}
 
-fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// Files that are whole, in a hidden folder beside their places. Dropped, they are gone.
-pub struct Staged(FileSet);
-
-impl Staged {
-    /// Finds out whether all of the outputs can be written, of which there is at least one. Waits for another
-    /// process that writes the first, and mends what a killed one left.
-    pub fn open(outputs: &[&Output], quiet: bool, cancel: &AtomicBool) -> Result<Self, Failure> {
-        let first = outputs.first().map_or(Path::new(""), |output| output.path.as_path());
-        let (folder, name) = (folder_of(first), first.file_name().unwrap_or_default());
-        let set = FileSet::open(folder, name, &mut waiting(folder, quiet, cancel));
-        let mut set = set.map_err(|error| match error {
-            FileSetError::Busy { .. } if cancel.load(Ordering::Relaxed) => cancelled(),
-            other => Failure::work(other),
-        })?;
-        outputs.iter().try_for_each(|output| set.check(&output.path)).map_err(Failure::work)?;
-        Ok(Self(set))
-    }
-
-    /// Writes a file aside.
-    pub fn add(&mut self, output: &Output, content: &Content, cancel: &AtomicBool) -> Result<(), Failure> {
-        let Output { path, format } = output;
-        let aside = self.0.put(path).map_err(Failure::work)?;
+    /// Writes it aside.
+    pub fn write(&self, staged: &mut Staged, content: &Content, cancel: &AtomicBool) -> Result<(), Failure> {
+        let Output { path, format } = self;
+        let aside = staged.aside(path)?;
         let [width, height] = content.size;
         let mut rows = |row: relief_io::Row, texels: &mut [f32]| -> io::Result<()> {
             if cancel.load(Ordering::Relaxed) {
@@ -125,10 +76,5 @@ impl Staged {
             return Err(cancelled());
         }
         written.map_err(|error| Failure::Work(format!("{}: {}", path.display(), error.problem)))
-    }
-
-    /// Gives all files their names.
-    pub fn finish(self) -> Result<(), Failure> {
-        self.0.commit().map_err(Failure::work)
     }
 }

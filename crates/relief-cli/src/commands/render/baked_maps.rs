@@ -13,14 +13,20 @@ use serde_json::{Value, json};
 pub struct CacheArguments {
     /// Folder that keeps the maps that the method reads, baked once for each height map; it may be emptied at
     /// any time [default: the environment's RELIEF_CACHE, else the system's cache folder]
-    #[arg(long, value_name = "DIR", conflicts_with = "no_cache")]
+    #[arg(long, value_name = "DIR", conflicts_with = "no_cache", hide_short_help = true)]
     cache: Option<PathBuf>,
     /// What that folder may hold; maps unused longest are dropped
     /// [default: the environment's RELIEF_CACHE_SIZE, else 2GiB]
-    #[arg(long, value_name = "SIZE", conflicts_with = "no_cache", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "SIZE",
+        conflicts_with = "no_cache",
+        allow_hyphen_values = true,
+        hide_short_help = true
+    )]
     cache_size: Option<ByteSize>,
     /// Bake the maps that the method reads, and neither look for them nor keep them
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     no_cache: bool,
 }
 

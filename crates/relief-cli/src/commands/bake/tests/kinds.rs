@@ -18,6 +18,7 @@ const fn kind(
         publication: Publication { paper: "Relief", section: "tests" },
         params,
         guarantee: "none",
+        is_picture: false,
         shapes,
         reach: |_| Reach::Texels(0),
         bake,

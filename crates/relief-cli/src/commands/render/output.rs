@@ -1,0 +1,218 @@
+//! The files that `relief render` writes: a picture, and numbers beside it. Both are written row by row while
+//! the scene is rendered, so that pictures of any size fit into the memory.
+
+use std::io;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::str::FromStr;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use relief_io::{
+    LineSink, Metadata, PictureFormat, PictureSink, WriteProblem, write_exr_lines, write_picture,
+};
+use relief_render::picture::{AOV_CHANNELS, aov_of};
+use relief_render::scene::{Scene, SceneSpec};
+use relief_render::tone::Tone;
+use relief_render::{Bands, Made, RenderError};
+use relief_shaders::cpu::PixelOut;
+
+use super::Arguments;
+use crate::commands::staged::{Staged, format_of};
+use crate::failure::Failure;
+use crate::interrupt::cancelled;
+
+/// Bits of a sample in a PNG.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bits {
+    Eight,
+    Sixteen,
+}
+
+impl FromStr for Bits {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, &'static str> {
+        match text {
+            "8" => Ok(Bits::Eight),
+            "16" => Ok(Bits::Sixteen),
+            _ => Err("a PNG has 8 or 16 bits"),
+        }
+    }
+}
+
+/// The endings of pictures' names.
+const PICTURES: [(&str, PictureFormat); 4] = [
+    ("png", PictureFormat::Png8),
+    ("jpg", PictureFormat::Jpeg),
+    ("jpeg", PictureFormat::Jpeg),
+    ("exr", PictureFormat::Exr),
+];
+
+/// The files to be written.
+pub struct Outputs<'a> {
+    picture: &'a Path,
+    format: PictureFormat,
+    aov: Option<&'a Path>,
+}
+
+/// Why they were not.
+pub enum Error {
+    Render(RenderError),
+    Failed(Failure),
+}
+
+impl From<Failure> for Error {
+    fn from(failure: Failure) -> Self {
+        Error::Failed(failure)
+    }
+}
+
+/// What the pixels of a picture have in sum.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    /// Pixels that show a surface, at least in part.
+    pub covered: usize,
+    /// Those whose search ran out of steps.
+    pub exhausted: usize,
+    /// Reads of one sample of each.
+    pub reads: u64,
+}
+
+/// Renders into a sink, with numbers of every pixel or without.
+pub type Render<'a> = dyn FnMut(bool, &mut Bands) -> Result<Made, RenderError> + 'a;
+
+impl<'a> Outputs<'a> {
+    /// Outputs that cannot be written, and those that would replace what is read, are found before the work,
+    /// not after it.
+    pub fn new(arguments: &'a Arguments, spec: &SceneSpec) -> Result<Self, Failure> {
+        let surfaces = spec.each_surface();
+        let maps = surfaces.iter().flat_map(|surface| [&surface.height, &surface.color, &surface.normal]);
+        let inputs: Vec<&Path> = maps.flatten().map(AsRef::as_ref).chain(arguments.scene.file()).collect();
+        let picture = arguments.output.as_path();
+        let mut format = format_of("--output", picture, &PICTURES, &inputs)?;
+        match (arguments.bits, format) {
+            (None | Some(Bits::Eight), PictureFormat::Png8) | (None, _) => {}
+            (Some(Bits::Sixteen), PictureFormat::Png8) => format = PictureFormat::Png16,
+            (Some(_), _) => return Err(Failure::usage("--bits is for PNG: leave it out")),
+        }
+        if format.is_linear() && spec.tone.is_some_and(|tone| tone != Tone::None) {
+            return Err(Failure::usage("an EXR holds linear light, without a tone curve: leave --tone out"));
+        }
+        let aov = arguments.aov.as_deref();
+        if let Some(path) = aov {
+            format_of("--aov", path, &[("exr", ())], &inputs)?;
+            if relief_io::file_set::is_same_file(path, picture) || path == picture {
+                return Err(Failure::usage("--aov and --output name the same file"));
+            }
+        }
+        Ok(Self { picture, format, aov })
+    }
+
+    /// Writes them while the scene is rendered.
+    pub fn write(
+        &self,
+        scene: &Scene,
+        cancel: &AtomicBool,
+        quiet: bool,
+        render: &mut Render,
+    ) -> Result<(Counts, Made), Error> {
+        let paths: Vec<&Path> = [Some(self.picture), self.aov].into_iter().flatten().collect();
+        let mut staged = Staged::open(&paths, quiet, cancel)?;
+        let picture = staged.aside(self.picture)?;
+        let aov = self.aov.map(|path| staged.aside(path)).transpose()?;
+        let mut ended = Err(Error::Render(RenderError::Stopped));
+        // Writers know what fails inside of them as failures of the system only.
+        let mut draw = |picture: &mut PictureSink, numbers: Option<&mut LineSink>| -> io::Result<()> {
+            ended = self.draw(scene, render, picture, numbers);
+            if ended.is_ok() { Ok(()) } else { Err(io::Error::other("stopped")) }
+        };
+        let size = scene.size();
+        let mut of_aov = None;
+        let written = write_picture(&picture, size, self.format, |picture| match &aov {
+            None => draw(picture, None),
+            Some(path) => {
+                let written = write_exr_lines(path, size, &AOV_CHANNELS, &Metadata::default(), |numbers| {
+                    draw(picture, Some(numbers))
+                });
+                written.map_err(|error| {
+                    of_aov = self.aov.map(|path| failed(path, error.problem));
+                    io::Error::other("stopped")
+                })
+            }
+        });
+        if cancel.load(Ordering::Relaxed) {
+            return Err(cancelled().into());
+        }
+        // What happened first says why.
+        let ended = match (ended, written) {
+            (Ok(ended), Ok(())) => ended,
+            (Ok(_), Err(error)) => {
+                return Err(of_aov.unwrap_or_else(|| failed(self.picture, error.problem)).into());
+            }
+            (Err(error), _) => return Err(error),
+        };
+        staged.finish()?;
+        Ok(ended)
+    }
+
+    /// Renders into the sinks of both files.
+    fn draw(
+        &self,
+        scene: &Scene,
+        render: &mut Render,
+        picture: &mut PictureSink,
+        mut numbers: Option<&mut LineSink>,
+    ) -> Result<(Counts, Made), Error> {
+        let (look, width) = (scene.look(), scene.size()[0] as usize);
+        let is_linear = self.format.is_linear();
+        let mut counts = Counts::default();
+        let mut colours = Vec::with_capacity(width);
+        let mut planes = AOV_CHANNELS.map(|_| Vec::new());
+        let mut row = |pixels: &[PixelOut]| -> Result<(), Failure> {
+            colours.clear();
+            let colour = |pixel| if is_linear { look.linear(pixel) } else { look.srgb(pixel) };
+            colours.extend(pixels.iter().map(colour));
+            picture(&colours).map_err(|error| failed(self.picture, WriteProblem::Io(error)))?;
+            if let (Some(sink), Some(path)) = (&mut numbers, self.aov) {
+                planes.iter_mut().for_each(Vec::clear);
+                for pixel in pixels {
+                    for (plane, number) in planes.iter_mut().zip(aov_of(pixel)) {
+                        plane.push(number);
+                    }
+                }
+                let lines = planes.each_ref().map(Vec::as_slice);
+                sink(&lines).map_err(|error| failed(path, WriteProblem::Io(error)))?;
+            }
+            counts.add(pixels);
+            Ok(())
+        };
+        let mut stopped = None;
+        let rendered =
+            render(self.aov.is_some(), &mut |band| match band.chunks(width.max(1)).try_for_each(&mut row) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(failure) => {
+                    stopped = Some(failure);
+                    ControlFlow::Break(())
+                }
+            });
+        match (rendered, stopped) {
+            (_, Some(failure)) => Err(failure.into()),
+            (Ok(made), None) => Ok((counts, made)),
+            (Err(error), None) => Err(Error::Render(error)),
+        }
+    }
+}
+
+impl Counts {
+    fn add(&mut self, pixels: &[PixelOut]) {
+        for pixel in pixels.iter().filter(|pixel| pixel.color.w > 0.0) {
+            self.covered += 1;
+            self.exhausted += pixel.exhausted as usize;
+            self.reads += u64::from(pixel.reads);
+        }
+    }
+}
+
+fn failed(path: &Path, problem: WriteProblem) -> Failure {
+    Failure::Work(format!("{}: {problem}", path.display()))
+}

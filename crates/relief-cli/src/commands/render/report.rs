@@ -1,0 +1,132 @@
+//! What is said of a rendering.
+
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+use std::path::Path;
+
+use relief_render::Made;
+use relief_render::scene::{Scene, SceneSpec, Surface};
+use serde_json::json;
+
+use super::output::Counts;
+use super::{Arguments, baked_maps};
+use crate::commands::maps::{inside_out, nearly_grey};
+use crate::failure::Failure;
+use crate::{advice, values};
+
+/// Of each height map how it was read where that was not asked for, once.
+pub fn of_reading(spec: &SceneSpec, scene: &Scene) -> BTreeSet<String> {
+    let surfaces = spec.each_surface().into_iter().zip(scene.surfaces());
+    let notes = surfaces.flat_map(|(described, surface)| {
+        let path = described.height.unwrap_or_default();
+        let turned = inside_out(&path).filter(|_| described.depth.is_none());
+        let name = path.display().to_string();
+        let filled = (described.fill.is_none(), surface.height_map().filled_texels());
+        let filled = matches!(filled, (true, 1..)).then(|| {
+            let count = filled.1;
+            format!("{name}: {count} of its texels have no value; they are filled from their surroundings")
+        });
+        filled.into_iter().chain(nearly_grey(&name, surface.height_map())).chain(turned)
+    });
+    notes.collect()
+}
+
+/// What is counted as reads: those of the method's own shader, or where the CPU answers `exact` by the exact
+/// tracer, which is not that shader, the nodes and cells that the tracer looks at.
+fn what_reads_are(scene: &Scene, backend: &str) -> &'static str {
+    let traced = |surface: &&Surface| backend == "cpu" && surface.selection().is_exact();
+    match (scene.surfaces().iter().filter(traced).count(), scene.surfaces().len()) {
+        (0, _) => "reads",
+        (some, all) if some == all => "tracer nodes",
+        _ => "reads and tracer nodes",
+    }
+}
+
+/// Says what was rendered and how.
+pub fn tell(
+    arguments: &Arguments,
+    spec: &SceneSpec,
+    scene: &Scene,
+    counts: &Counts,
+    made: &Made,
+) -> Result<(), Failure> {
+    let Made { backend, device, reason, elapsed, .. } = made;
+    let reason = reason.as_ref().map(|reason| advice::with(reason, advice::of_reason(reason)));
+    let Counts { covered, exhausted, .. } = *counts;
+    let mean = if covered == 0 { 0.0 } else { counts.reads as f64 / covered as f64 };
+    let counted = what_reads_are(scene, backend);
+    let seconds = elapsed.as_secs_f64();
+    let [width, height] = scene.size();
+    let mut out = io::stdout().lock();
+    if arguments.json {
+        // Names that are no Unicode have no exact form in JSON.
+        let name = |path: &Path| path.display().to_string();
+        let surface = |surface: &Surface| {
+            let (selection, map) = (surface.selection(), surface.height_map());
+            json!({
+                "search": selection.search().name, "refine": selection.refine().name,
+                "scale_m": map.scale_m(), "bias_m": map.bias_m(), "wrap": map.wrap().name(),
+                "filled_texels": map.filled_texels(),
+            })
+        };
+        let about = json!({
+            "output": name(&arguments.output), "aov": arguments.aov.as_deref().map(name), "width": width, "height": height, "samples": scene.samples(),
+            "backend": backend, "device": device, "reason": reason, "seconds": seconds,
+            "surfaces": scene.surfaces().iter().map(surface).collect::<Vec<_>>(),
+            "covered": covered, "exhausted": exhausted,
+            "mean_reads": mean, "reads_are": counted,
+            "maps": made.maps.iter().map(baked_maps::as_json).collect::<Vec<_>>(),
+        });
+        writeln!(out, "{about:#}")?;
+        return Ok(());
+    }
+    let run = match scene.surfaces() {
+        [surface] => format!("{} + {}", surface.selection().search().name, surface.selection().refine().name),
+        surfaces => format!("{} surfaces", surfaces.len()),
+    };
+    let samples = match scene.samples() {
+        1 => "1 sample".to_owned(),
+        count => format!("{count} samples"),
+    };
+    writeln!(
+        out,
+        "{}: {width}x{height}, {run}, {samples} on the {backend} ({device}) in {seconds:.2} s, {mean:.1} {counted} a pixel",
+        arguments.output.display()
+    )?;
+    for (described, surface) in spec.each_surface().iter().zip(scene.surfaces()) {
+        let (None, Some(exact)) = (described.scale, surface.true_scale_m()) else { continue };
+        let shown = surface.height_map().scale_m();
+        let [scale_m, exact_m] = [shown, exact].map(values::six_digits);
+        if shown == exact {
+            writeln!(
+                out,
+                "scale {scale_m} m: true to the metres that the height map's file states; --scale exaggerates"
+            )?;
+        } else {
+            writeln!(
+                out,
+                "scale {scale_m} m: by the metres that the height map's file states it is deeper than any ground, \
+                 perhaps for a wrong unit; --scale {exact_m} is true to them"
+            )?;
+        }
+    }
+    for account in &made.maps {
+        writeln!(out, "{}", baked_maps::line(account))?;
+    }
+    if let Some(reason) = reason {
+        writeln!(out, "backend auto chose the {backend}: {reason}")?;
+    }
+    if covered == 0 {
+        writeln!(
+            out,
+            "no pixel shows the surface: check --eye, --target and --fov; backs show with --two-sided only"
+        )?;
+    }
+    if exhausted > 0 {
+        writeln!(
+            out,
+            "{exhausted} of {covered} pixels ran out of steps: raise search.limit or search.steps with --set"
+        )?;
+    }
+    Ok(())
+}

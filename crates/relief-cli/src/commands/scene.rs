@@ -1,0 +1,124 @@
+//! `relief scene`: a scene file of the flags of `relief render`, with every key; and a schema for editors.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf, absolute};
+
+use clap::Args;
+use relief_io::write_atomically;
+use relief_render::scene::{Form, Key, SceneSpec, keys, parse_scene};
+use serde_json::{Map, Value, json};
+
+use super::scene_arguments::SceneArguments;
+use super::staged::format_of;
+use crate::failure::Failure;
+
+/// What `relief scene` is given.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  relief scene --height wall.png --method cone -o wall.toml\n  \
+    relief scene wall.toml --samples 16        # the same with another key, on the standard output\n  \
+    relief scene --schema > relief-scene.schema.json")]
+pub struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Scene file to write [default: the standard output]
+    #[arg(short, long, value_name = "FILE.toml", conflicts_with = "schema")]
+    output: Option<PathBuf>,
+    /// Print the JSON schema of scene files, for editors that complete and check them
+    #[arg(long)]
+    schema: bool,
+}
+
+/// Writes the scene file, or the schema.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    if arguments.schema {
+        return Ok(writeln!(out, "{:#}", schema())?);
+    }
+    let mut spec = arguments.scene.spec()?;
+    let Some(path) = &arguments.output else {
+        return Ok(out.write_all(spec.to_toml().as_bytes())?);
+    };
+    let maps = spec.each_surface();
+    let inputs = maps.iter().flat_map(|surface| [&surface.height, &surface.color, &surface.normal]);
+    let inputs: Vec<&Path> = inputs.flatten().map(AsRef::as_ref).collect();
+    format_of("--output", path, &[("toml", ())], &inputs)?;
+    // Paths in a scene file start at its folder, those of flags at the current one.
+    if path.parent().is_some_and(|folder| !folder.as_os_str().is_empty()) {
+        make_absolute(&mut spec)?;
+    }
+    let text = spec.to_toml();
+    // What is written can be read again.
+    parse_scene(&text, path).map_err(Failure::work)?;
+    write_atomically(path, |file| file.write_all(text.as_bytes())).map_err(Failure::work)?;
+    Ok(writeln!(out, "{}", path.display())?)
+}
+
+fn make_absolute(spec: &mut SceneSpec) -> Result<(), Failure> {
+    for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
+        for file in [&mut surface.height, &mut surface.color, &mut surface.normal].into_iter().flatten() {
+            *file =
+                absolute(&*file).map_err(|error| Failure::Work(format!("{}: {error}", file.display())))?;
+        }
+    }
+    Ok(())
+}
+
+/// The JSON schema of scene files (draft 2020-12).
+fn schema() -> Value {
+    let all = keys();
+    let of_surface: Map<String, Value> =
+        all.iter().filter(|key| key.of_surface).map(|key| (key.name.to_owned(), of_key(key))).collect();
+    let mut properties: Map<String, Value> =
+        all.iter().map(|key| (key.name.to_owned(), of_key(key))).collect();
+    let mut own = of_surface;
+    own.insert(
+        "size".to_owned(),
+        json!({ "type": "number", "description": "how many times as large the mesh is" }),
+    );
+    properties.insert(
+        "surfaces".to_owned(),
+        json!({
+            "type": "array", "description": "several surfaces; what they do not say is said above them",
+            "items": { "type": "object", "properties": own, "additionalProperties": false },
+        }),
+    );
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema", "title": "A scene of relief", "type": "object",
+        "properties": properties, "additionalProperties": false,
+    })
+}
+
+fn of_key(key: &Key) -> Value {
+    let numbers = |kind: &str, count: usize| json!({ "type": "array", "items": { "type": kind }, "minItems": count, "maxItems": count });
+    let colour = || numbers("number", 3);
+    let mut schema = match &key.form {
+        Form::Text => json!({ "type": "string" }),
+        Form::Name(names) => json!({ "type": "string", "enum": names }),
+        Form::Flag => json!({ "type": "boolean" }),
+        Form::Number => json!({ "type": "number" }),
+        Form::Whole => json!({ "type": "integer" }),
+        Form::Numbers(count) => numbers("number", *count),
+        Form::Wholes(count) => numbers("integer", *count),
+        Form::Memory => json!({ "type": ["integer", "string"] }),
+        Form::Settings => json!({
+            "type": "object",
+            "additionalProperties": { "type": "object", "additionalProperties": { "type": "number" } },
+        }),
+        Form::Material => json!({
+            "type": "object", "additionalProperties": false,
+            "properties": { "diffuse": colour(), "specular": colour(), "shininess": { "type": "integer" } },
+        }),
+        Form::Lights => json!({
+            "type": "array",
+            "items": {
+                "type": "object", "additionalProperties": false,
+                "properties": {
+                    "direction": numbers("number", 3), "position": numbers("number", 3), "color": colour(),
+                    "intensity": { "type": "number" },
+                },
+            },
+        }),
+    };
+    schema["description"] = key.about.into();
+    schema
+}

@@ -1,0 +1,237 @@
+//! What a scene is made of on the command line: a scene file, and flags that override it.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use relief_core::ByteSize;
+use relief_io::GreenSign;
+use relief_render::mesh::Builtin;
+use relief_render::scene::{
+    BackendChoice, LightSpec, MaterialSpec, ProjectionChoice, Sampling, SceneError, SceneSpec, SurfaceSpec,
+    ValueError, ValueProblem, View, read_scene,
+};
+use relief_render::tone::Tone;
+use relief_shaders::METHODS;
+
+use super::maps::HeightArguments;
+use super::stages::StageArguments;
+use crate::failure::Failure;
+use crate::{advice, units, values};
+
+/// A scene, by its file and by flags.
+#[derive(Args)]
+pub struct SceneArguments {
+    /// Scene file (TOML): its keys are named like the flags, which override it; paths in it are relative to
+    /// it
+    scene: Option<PathBuf>,
+    /// Width and height of the picture in pixels [default: 800x600]
+    #[arg(long, value_name = "WxH", value_parser = values::size, allow_hyphen_values = true)]
+    size: Option<[u32; 2]>,
+    /// Samples of a pixel, 1 to 1024: more make edges and far texels smoother [default: 4]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    samples: Option<u32>,
+    /// Stops by which the light is brightened, each doubling it [default: 0]
+    #[arg(long, value_name = "STOPS", allow_hyphen_values = true)]
+    exposure: Option<f32>,
+    /// Tone curve: none cuts off what is too bright, agx makes it pale [default: none]
+    #[arg(long, value_name = "none|agx")]
+    tone: Option<Tone>,
+    /// Linear red, green and blue of pixels that show no surface [default: 0.05,0.05,0.05]
+    #[arg(long, value_name = "R,G,B", value_parser = values::point, allow_hyphen_values = true, hide_short_help = true)]
+    background: Option<[f64; 3]>,
+
+    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
+    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
+    height: Option<PathBuf>,
+    /// Colour map, in sRGB [default: the material alone]
+    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
+    color: Option<PathBuf>,
+    /// Tangent-space normal map [default: normals from the height map]
+    #[arg(long, value_name = "FILE", help_heading = "Maps and mesh")]
+    normal: Option<PathBuf>,
+    /// Where the normal map's green points: +y (up in the picture) or -y [default: +y]
+    #[arg(
+        long,
+        value_name = "SIGN",
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true
+    )]
+    green: Option<GreenSign>,
+    /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus
+    /// [default: plane]
+    #[arg(long, value_name = "MESH", help_heading = "Maps and mesh")]
+    mesh: Option<Builtin>,
+    /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
+    /// where the height map's file states metres, else 0.05]
+    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    scale: Option<f64>,
+    /// Displacement of height 0 in metres [default: -scale, carved into the surface]
+    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true, help_heading = "Maps and mesh", hide_short_help = true)]
+    bias: Option<f64>,
+    /// Tiles along u and v [default: 1,1]
+    #[arg(long, value_name = "U,V", value_parser = values::pair, allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    tile: Option<[f64; 2]>,
+    /// Metres of a tile along u and v [default: as the height map's file states, else its texels are square]
+    #[arg(long, value_name = "U,V", value_parser = units::two_lengths, allow_hyphen_values = true, help_heading = "Maps and mesh", hide_short_help = true)]
+    tile_size: Option<[f64; 2]>,
+    /// Part of the material, as in diffuse=0.5,0.3,0.2 or specular=0,0,0 (linear, 0 to 1), or shininess=50 (1
+    /// to 1024); may be repeated [default: diffuse 0.4, 0.8 under a colour map; specular 0.1; shininess 32]
+    #[arg(long, value_name = "PART=VALUE", value_parser = values::material, help_heading = "Maps and mesh", hide_short_help = true)]
+    material: Vec<MaterialSpec>,
+    /// Draw back faces, too, turned over
+    #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
+    two_sided: bool,
+    #[command(flatten)]
+    reading: HeightArguments,
+
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["search", "refine"], help_heading = "Method", help = method_help())]
+    method: Option<String>,
+    #[command(flatten)]
+    stages: StageArguments,
+    /// Setting of the search or the refinement, as in search.steps=64; may be repeated
+    #[arg(long, value_name = "STAGE.NAME=VALUE", value_parser = values::setting, help_heading = "Method", hide_short_help = true)]
+    set: Vec<(String, f64)>,
+
+    /// From where the camera looks that sees all of the scene: corner, top, front or right [default: corner]
+    #[arg(long, value_name = "VIEW", conflicts_with_all = ["eye", "target"], help_heading = "Camera and light")]
+    view: Option<View>,
+    /// Position of the eye in metres [default: fitted to scene and picture; with --target, 0.6,0.9,1.1]
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    eye: Option<[f64; 3]>,
+    /// Point looked at [default: fitted; with --eye, 0,0,0]
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    target: Option<[f64; 3]>,
+    /// How space becomes a picture: perspective, or orthographic as on a map [default: perspective]
+    #[arg(long, value_name = "NAME", help_heading = "Camera and light")]
+    projection: Option<ProjectionChoice>,
+    /// Vertical field of view of a perspective in degrees [default: 40]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, help_heading = "Camera and light")]
+    fov: Option<f64>,
+    /// Metres from the lower to the upper edge of an orthographic picture [default: fitted; with --eye or
+    /// --target it has to be given]
+    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true, help_heading = "Camera and light", hide_short_help = true)]
+    view_height: Option<f64>,
+    /// Direction toward a directional light [default: -0.6,0.6,-0.1]
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    light: Option<[f64; 3]>,
+    /// Position of a point light, and its intensity in linear red, green and blue (1 lights a white surface
+    /// fully from 1 m); may be repeated, and beside --light
+    #[arg(long, value_name = "X,Y,Z[,R,G,B]", value_parser = values::point_light, allow_hyphen_values = true, help_heading = "Camera and light", hide_short_help = true)]
+    point_light: Vec<LightSpec>,
+    /// Light from everywhere, linear red, green and blue [default: 0.12,0.12,0.12]
+    #[arg(long, value_name = "R,G,B", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light", hide_short_help = true)]
+    ambient: Option<[f64; 3]>,
+
+    /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software
+    /// adapter [default: auto]
+    #[arg(long, value_name = "auto|cpu|gpu", help_heading = "Machine")]
+    backend: Option<BackendChoice>,
+    /// exact has the same bits everywhere; fast uses the GPU's texture sampler [default: exact]
+    #[arg(long, value_name = "exact|fast", help_heading = "Machine", hide_short_help = true)]
+    sampling: Option<Sampling>,
+    /// Refuse to take more memory than this, as in 512MiB [default: 4GiB]
+    #[arg(
+        long,
+        value_name = "SIZE",
+        allow_hyphen_values = true,
+        help_heading = "Machine",
+        hide_short_help = true
+    )]
+    max_memory: Option<ByteSize>,
+}
+
+fn method_help() -> String {
+    let names: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
+    format!("Method: {} [default: exact]", names.join(", "))
+}
+
+impl SceneArguments {
+    /// The description: the flags over the scene file.
+    pub fn spec(&self) -> Result<SceneSpec, Failure> {
+        match &self.scene {
+            Some(path) => Ok(read_scene(path).map_err(of_scene)?.overridden_by(self.flags())),
+            None => Ok(self.flags()),
+        }
+    }
+
+    /// The scene file.
+    pub fn file(&self) -> Option<&Path> {
+        self.scene.as_deref()
+    }
+
+    /// Whether backend or sampling are named on the command line.
+    pub fn names_machine(&self) -> bool {
+        self.sampling.is_some() || self.backend.is_some()
+    }
+
+    /// The flags as a description that overrides the scene file's.
+    fn flags(&self) -> SceneSpec {
+        let given = |flag: bool| flag.then_some(true);
+        let surface = SurfaceSpec {
+            height: self.height.clone(),
+            channel: self.reading.file.channel.clone(),
+            depth: given(self.reading.depth),
+            range: self.reading.range,
+            raw: self.reading.file.raw,
+            fill: given(self.reading.file.fill),
+            wrap: self.reading.wrap,
+            scale: self.scale,
+            bias: self.bias,
+            color: self.color.clone(),
+            normal: self.normal.clone(),
+            green: self.green,
+            mesh: self.mesh,
+            tile: self.tile.map(|tile| tile.map(|count| count as f32)),
+            tile_size: self.tile_size,
+            method: self.method.clone(),
+            stages: self.stages.0.clone(),
+            set: BTreeMap::from_iter(self.set.iter().cloned()),
+            material: self.material.iter().cloned().reduce(|so_far, part| MaterialSpec {
+                diffuse: part.diffuse.or(so_far.diffuse),
+                specular: part.specular.or(so_far.specular),
+                shininess: part.shininess.or(so_far.shininess),
+            }),
+            two_sided: given(self.two_sided),
+            ..SurfaceSpec::default()
+        };
+        let directional =
+            self.light.map(|direction| LightSpec { direction: Some(direction), ..LightSpec::default() });
+        let lights = || directional.into_iter().chain(self.point_light.iter().cloned()).collect();
+        let colour = |colour: [f64; 3]| colour.map(|part| part as f32);
+        SceneSpec {
+            view: self.view,
+            eye: self.eye,
+            target: self.target,
+            projection: self.projection,
+            fov: self.fov,
+            view_height: self.view_height,
+            size: self.size,
+            samples: self.samples,
+            exposure: self.exposure,
+            tone: self.tone,
+            light: self.light.filter(|_| self.point_light.is_empty()),
+            lights: (!self.point_light.is_empty()).then(lights),
+            ambient: self.ambient.map(colour),
+            background: self.background.map(colour),
+            backend: self.backend,
+            sampling: self.sampling,
+            max_memory: self.max_memory,
+            ..SceneSpec::of_surface(surface)
+        }
+    }
+}
+
+/// A value that cannot be used came from the flags, since a scene file's values are checked when it is read.
+pub fn of_scene(error: SceneError) -> Failure {
+    match error {
+        SceneError::Value(ValueError { key, problem: ValueProblem::Needs(other), .. }) => {
+            Failure::Usage(format!("--{key}: needs --{other} as well"))
+        }
+        // A flag holds for every surface: which of them it fails by first says nothing.
+        SceneError::Value(ValueError { key, problem, .. }) => Failure::Usage(format!("--{key}: {problem}")),
+        SceneError::NoHeightMap(_) => Failure::Usage(advice::with(&error, advice::of_scene(&error))),
+        other => Failure::Work(advice::with(&other, advice::of_scene(&other))),
+    }
+}

@@ -1,0 +1,19 @@
+//! Ctrl-C, and being asked to end: the work in hand is dropped in order.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::failure::Failure;
+
+/// Set while there is something to clean up.
+static CANCEL: AtomicBool = AtomicBool::new(false);
+
+/// From here on Ctrl-C ends the work in order.
+pub fn catch() -> Result<&'static AtomicBool, Failure> {
+    ctrlc::set_handler(|| CANCEL.store(true, Ordering::Relaxed)).map_err(Failure::work)?;
+    Ok(&CANCEL)
+}
+
+/// What is said of work that was ended.
+pub fn cancelled() -> Failure {
+    Failure::Work("cancelled: no file was written".to_owned())
+}

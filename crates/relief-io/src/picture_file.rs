@@ -1,0 +1,130 @@
+//! Pictures to files, a row after the other, so that no memory need hold them.
+
+use std::io;
+use std::path::Path;
+
+use image::ExtendedColorType;
+use image::codecs::jpeg::JpegEncoder;
+use png::{BitDepth, ColorType};
+
+use crate::texture::{LineSink, unorm_code, write_exr_lines_of};
+use crate::write::write_png;
+use crate::write_whole::write_file;
+use crate::{Metadata, WriteError, WriteProblem};
+
+/// Of 100: higher ones hardly look better and take twice the room.
+const JPEG_QUALITY: u8 = 92;
+
+/// The longest side of a JPEG.
+const JPEG_SIDE: u32 = 65_535;
+
+/// What a picture's file holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PictureFormat {
+    /// PNG with 8 bits a sample, marked as sRGB.
+    Png8,
+    /// PNG with 16 bits a sample, marked as sRGB.
+    Png16,
+    /// EXR: linear 32-bit floats in the channels R, G and B, with the primaries of sRGB.
+    Exr,
+    /// JPEG of a high quality, in sRGB, as programs take it to be.
+    Jpeg,
+}
+
+impl PictureFormat {
+    /// Whether colours are linear light of any amount; else they are sRGB from 0 to 1.
+    pub const fn is_linear(self) -> bool {
+        matches!(self, PictureFormat::Exr)
+    }
+}
+
+/// Takes the next row of a picture: red, green and blue of each pixel.
+pub type PictureSink<'a> = dyn FnMut(&[[f32; 3]]) -> io::Result<()> + 'a;
+
+/// Writes a picture whose rows `rows` hands over, from the top: linear or in sRGB as the format
+/// [says](PictureFormat::is_linear). What is outside of 0 to 1 is cut off where the format cannot hold it.
+///
+/// # Errors
+///
+/// When the size is 0 or more than the format can hold, when `rows` fails or hands over rows of another
+/// length or another number of them, or when the file cannot be written. Nothing is left behind then.
+pub fn write_picture(
+    path: &Path,
+    [width, height]: [u32; 2],
+    format: PictureFormat,
+    rows: impl FnOnce(&mut PictureSink) -> io::Result<()>,
+) -> Result<(), WriteError> {
+    let size = [width, height];
+    write_file(path, |out| match format {
+        PictureFormat::Png8 | PictureFormat::Png16 => {
+            let depth = if format == PictureFormat::Png8 { BitDepth::Eight } else { BitDepth::Sixteen };
+            relief_core::HeightMap::check_size(width, height)
+                .map_err(|error| WriteProblem::NotStorable(error.to_string()))?;
+            write_png(out, size, ColorType::Rgb, depth, true, &Metadata::default(), |png| {
+                let mut bytes = Vec::with_capacity(6 * width as usize);
+                counted(size, rows, &mut |row| {
+                    bytes.clear();
+                    for sample in row.as_flattened() {
+                        match depth {
+                            BitDepth::Eight => bytes.push(unorm_code(*sample, 255) as u8),
+                            _ => bytes.extend((unorm_code(*sample, 65535) as u16).to_be_bytes()),
+                        }
+                    }
+                    png.write_all(&bytes)
+                })
+            })
+        }
+        PictureFormat::Exr => {
+            let channels = ["R", "G", "B"];
+            write_exr_lines_of(out, size, &channels, &Metadata::default(), true, |sink: &mut LineSink| {
+                let mut planes = [0; 3].map(|_| Vec::with_capacity(width as usize));
+                counted(size, rows, &mut |row| {
+                    for (channel, plane) in planes.iter_mut().enumerate() {
+                        plane.clear();
+                        plane.extend(row.iter().map(|pixel| pixel[channel]));
+                    }
+                    sink(&planes.each_ref().map(Vec::as_slice))
+                })
+            })
+        }
+        PictureFormat::Jpeg => {
+            if !size.iter().all(|side| (1..=JPEG_SIDE).contains(side)) {
+                let what = format!("a JPEG has 1 to {JPEG_SIDE} pixels a side, not {width}x{height}");
+                return Err(WriteProblem::NotStorable(what));
+            }
+            // The encoder wants all of it.
+            let mut bytes = Vec::new();
+            let whole = 3 * width as usize * height as usize;
+            bytes
+                .try_reserve_exact(whole)
+                .map_err(|_| WriteProblem::Io(io::ErrorKind::OutOfMemory.into()))?;
+            counted(size, rows, &mut |row| {
+                bytes.extend(row.as_flattened().iter().map(|sample| unorm_code(*sample, 255) as u8));
+                Ok(())
+            })?;
+            let mut encoder = JpegEncoder::new_with_quality(out, JPEG_QUALITY);
+            encoder.encode(&bytes, width, height, ExtendedColorType::Rgb8).map_err(|error| match error {
+                image::ImageError::IoError(error) => WriteProblem::Io(error),
+                other => WriteProblem::NotStorable(other.to_string()),
+            })
+        }
+    })
+}
+
+/// Passes rows on, and finds out whether they are those of a picture of that size.
+fn counted(
+    [width, height]: [u32; 2],
+    rows: impl FnOnce(&mut PictureSink) -> io::Result<()>,
+    sink: &mut PictureSink,
+) -> io::Result<()> {
+    let wrong = |what: String| Err(io::Error::new(io::ErrorKind::InvalidInput, what));
+    let mut count = 0;
+    rows(&mut |row| {
+        count += 1;
+        if row.len() != width as usize || count > height {
+            return wrong(format!("row {count} has {} pixels in a picture of {width}x{height}", row.len()));
+        }
+        sink(row)
+    })?;
+    if count == height { Ok(()) } else { wrong(format!("{count} rows of a picture of {width}x{height}")) }
+}

@@ -1,0 +1,263 @@
+//! Every key of a scene file: what it holds and what it means. Scene files with comments, and schemas for
+//! editors, are made of it.
+
+use std::fmt::Write;
+
+use relief_core::Wrap;
+
+use super::{BackendChoice, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, View};
+use crate::mesh::Builtin;
+use crate::tone::Tone;
+use relief_shaders::{METHODS, STAGES};
+
+/// What a key holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Form {
+    /// A text: a file's name, say.
+    Text,
+    /// One of these names.
+    Name(Vec<&'static str>),
+    /// True or false.
+    Flag,
+    /// A number.
+    Number,
+    /// A whole number.
+    Whole,
+    /// So many numbers.
+    Numbers(usize),
+    /// So many whole numbers.
+    Wholes(usize),
+    /// A number of bytes, or a text such as `"512MiB"`.
+    Memory,
+    /// A table of numbers for each stage.
+    Settings,
+    /// A table of `diffuse`, `specular` and `shininess`.
+    Material,
+    /// A list of tables of `direction` or `position`, `color` and `intensity`.
+    Lights,
+}
+
+/// A key.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Key {
+    /// Its name.
+    pub name: &'static str,
+    /// Whether each surface may have its own; others belong to the scene.
+    pub of_surface: bool,
+    /// What it holds.
+    pub form: Form,
+    /// What it is when nothing is said, as it would be written; empty where nothing can be written for it.
+    pub default: &'static str,
+    /// One line on what it means.
+    pub about: &'static str,
+}
+
+fn scene(name: &'static str, form: Form, default: &'static str, about: &'static str) -> Key {
+    Key { name, of_surface: false, form, default, about }
+}
+
+fn surface(name: &'static str, form: Form, default: &'static str, about: &'static str) -> Key {
+    Key { name, of_surface: true, form, default, about }
+}
+
+/// All keys, in the order in which a scene file has them best.
+pub fn keys() -> Vec<Key> {
+    let methods = METHODS.iter().map(|method| method.name).collect();
+    let mut keys = vec![
+        surface("height", Form::Text, "", "height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw"),
+        surface("channel", Form::Text, "", "channel of that file; else the only one, or the grey"),
+        surface("depth", Form::Flag, "false", "whether white is deep"),
+        surface("range", Form::Numbers(2), "", "values of the file that become heights 0 and 1"),
+        surface("raw", Form::Text, "", "size and byte order of a headerless file, as in \"403x344,le\""),
+        surface(
+            "fill",
+            Form::Flag,
+            "",
+            "whether texels without a value are filled; of elevation models they are",
+        ),
+        surface(
+            "wrap",
+            Form::Name(Wrap::ALL.map(Wrap::name).to_vec()),
+            "",
+            "how maps go on beyond their edges",
+        ),
+        surface(
+            "scale",
+            Form::Number,
+            "",
+            "metres between heights 0 and 1; else as the file states, or 0.05",
+        ),
+        surface("bias", Form::Number, "", "displacement of height 0 in metres; else minus the scale"),
+        surface("color", Form::Text, "", "colour map, in sRGB"),
+        surface("normal", Form::Text, "", "tangent-space normal map"),
+        surface("green", Form::Name(vec!["+y", "-y"]), "\"+y\"", "where the normal map's green points"),
+        surface("mesh", Form::Name(Builtin::ALL.map(Builtin::name).to_vec()), "\"plane\"", "base mesh"),
+        surface("tile", Form::Numbers(2), "[1, 1]", "tiles along u and v"),
+        surface(
+            "tile-size",
+            Form::Numbers(2),
+            "",
+            "metres of a tile; else as the file states, or square texels",
+        ),
+        surface("position", Form::Numbers(3), "[0, 0, 0]", "where the mesh's origin lies, in metres"),
+        surface("rotation", Form::Numbers(3), "[0, 0, 0]", "degrees about x, then y, then z"),
+        surface("method", Form::Name(methods), "\"exact\"", "how hits are found; or search and refine"),
+        surface("set", Form::Settings, "", "settings of what is run, as in set.search.steps = 64"),
+        surface("material", Form::Material, "", "diffuse and specular colour (linear), shininess"),
+        surface("two-sided", Form::Flag, "false", "whether back faces are drawn, too"),
+    ];
+    keys.extend(STAGES.iter().map(|stage| {
+        let names = stage.entries.iter().map(|entry| entry.name).collect();
+        surface(stage.key, Form::Name(names), "", "variant of a stage, in place of the method's")
+    }));
+    let views = View::ALL.map(View::name).to_vec();
+    let projections = ProjectionChoice::ALL.map(ProjectionChoice::name).to_vec();
+    let backends = BackendChoice::ALL.map(BackendChoice::name).to_vec();
+    let samplings = Sampling::ALL.map(Sampling::name).to_vec();
+    let tones = Tone::ALL.map(Tone::name).to_vec();
+    keys.extend([
+        scene("view", Form::Name(views), "\"corner\"", "from where the camera looks that sees all"),
+        scene("eye", Form::Numbers(3), "", "position of the eye in metres, in place of a view"),
+        scene("target", Form::Numbers(3), "", "point looked at"),
+        scene("projection", Form::Name(projections), "\"perspective\"", "how space becomes a picture"),
+        scene("fov", Form::Number, "40", "vertical field of view of a perspective in degrees"),
+        scene("view-height", Form::Number, "", "metres from edge to edge of an orthographic picture"),
+        scene("size", Form::Wholes(2), "[800, 600]", "pixels of the picture"),
+        scene("samples", Form::Whole, "4", "samples of a pixel, 1 to 1024"),
+        scene("exposure", Form::Number, "0", "stops by which light is brightened"),
+        scene("tone", Form::Name(tones), "\"none\"", "tone curve"),
+        scene("light", Form::Numbers(3), "[-0.6, 0.6, -0.1]", "direction toward the only light"),
+        scene("lights", Form::Lights, "", "all lights, in place of it"),
+        scene("ambient", Form::Numbers(3), "[0.12, 0.12, 0.12]", "light from everywhere, linear"),
+        scene("background", Form::Numbers(3), "[0.05, 0.05, 0.05]", "linear colour beside the surfaces"),
+        scene("backend", Form::Name(backends), "\"auto\"", "what computes the picture"),
+        scene("sampling", Form::Name(samplings), "\"exact\"", "how textures are read"),
+        scene("max-memory", Form::Memory, "\"4GiB\"", "the most memory for maps and picture"),
+    ]);
+    keys
+}
+
+impl SceneSpec {
+    /// A scene file that says the same, with every key: those that say nothing as comments, with their
+    /// defaults. Surfaces of their own come last.
+    pub fn to_toml(&self) -> String {
+        let mut text = String::from(
+            "# A scene of relief. Keys behind a # say nothing: what stands there is the default.\n",
+        );
+        let _ = writeln!(text, "\n# The surface, or what all surfaces have in common.");
+        let (of_surface, of_scene): (Vec<Key>, Vec<Key>) = keys().into_iter().partition(|key| key.of_surface);
+        // What is a table ends with its key's line, so that all of these stay in the table of the file
+        // itself.
+        for key in &of_surface {
+            line(&mut text, key, surface_value(&self.surface, key.name));
+        }
+        let _ = writeln!(text, "\n# Camera, light and picture.");
+        for key in &of_scene {
+            line(&mut text, key, scene_value(self, key.name));
+        }
+        for surface in &self.surfaces {
+            let _ = writeln!(text, "\n[[surfaces]]");
+            let size = surface.size.map(|size| format!("{size:?}"));
+            let values = of_surface.iter().map(|key| (key.name, surface_value(surface, key.name)));
+            for (name, value) in values.chain([("size", size)]) {
+                if let Some(value) = value {
+                    let _ = writeln!(text, "{name} = {value}");
+                }
+            }
+        }
+        text
+    }
+}
+
+fn line(text: &mut String, key: &Key, value: Option<String>) {
+    let Key { name, default, about, form, .. } = key;
+    let choices = match form {
+        Form::Name(names) => format!(": {}", names.join(", ")),
+        _ => String::new(),
+    };
+    let _ = match value {
+        Some(value) => writeln!(text, "{name} = {value}  # {about}{choices}"),
+        None if default.is_empty() => writeln!(text, "# {name} = ...  # {about}{choices}"),
+        None => writeln!(text, "# {name} = {default}  # {about}{choices}"),
+    };
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}
+
+fn list<T: std::fmt::Debug>(numbers: &[T]) -> String {
+    format!("{numbers:?}")
+}
+
+fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
+    let path = |path: &Option<std::path::PathBuf>| Some(quoted(&path.as_ref()?.to_string_lossy()));
+    match key {
+        "height" => path(&spec.height),
+        "color" => path(&spec.color),
+        "normal" => path(&spec.normal),
+        "channel" => spec.channel.as_deref().map(quoted),
+        "depth" => spec.depth.map(|flag| flag.to_string()),
+        "fill" => spec.fill.map(|flag| flag.to_string()),
+        "two-sided" => spec.two_sided.map(|flag| flag.to_string()),
+        "range" => spec.range.map(|range| list(&range)),
+        "raw" => spec.raw.map(|raw| quoted(&raw.to_string())),
+        "wrap" => spec.wrap.map(|wrap| quoted(wrap.name())),
+        "scale" => spec.scale.map(|scale| format!("{scale:?}")),
+        "bias" => spec.bias.map(|bias| format!("{bias:?}")),
+        "green" => spec.green.map(|green| quoted(green.name())),
+        "mesh" => spec.mesh.map(|mesh| quoted(mesh.name())),
+        "tile" => spec.tile.map(|tile| list(&tile)),
+        "tile-size" => spec.tile_size.map(|size| list(&size)),
+        "position" => spec.position.map(|position| list(&position)),
+        "rotation" => spec.rotation.map(|rotation| list(&rotation)),
+        "method" => spec.method.as_deref().map(quoted),
+        "set" if !spec.set.is_empty() => {
+            let settings = spec.set.iter().map(|(name, value)| format!("{name} = {value:?}"));
+            Some(format!("{{ {} }}", settings.collect::<Vec<_>>().join(", ")))
+        }
+        "material" => spec.material.as_ref().map(|material| {
+            let parts = [
+                material.diffuse.map(|color| format!("diffuse = {}", list(&color))),
+                material.specular.map(|color| format!("specular = {}", list(&color))),
+                material.shininess.map(|shininess| format!("shininess = {shininess}")),
+            ];
+            format!("{{ {} }}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
+        }),
+        stage => spec.stages.get(stage).map(|name| quoted(name)),
+    }
+}
+
+fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
+    match key {
+        "view" => spec.view.map(|view| quoted(view.name())),
+        "eye" => spec.eye.map(|eye| list(&eye)),
+        "target" => spec.target.map(|target| list(&target)),
+        "projection" => spec.projection.map(|projection| quoted(projection.name())),
+        "fov" => spec.fov.map(|fov| format!("{fov:?}")),
+        "view-height" => spec.view_height.map(|height| format!("{height:?}")),
+        "size" => spec.size.map(|size| list(&size)),
+        "samples" => spec.samples.map(|samples| samples.to_string()),
+        "exposure" => spec.exposure.map(|exposure| format!("{exposure:?}")),
+        "tone" => spec.tone.map(|tone| quoted(tone.name())),
+        "light" => spec.light.map(|light| list(&light)),
+        "lights" => spec.lights.as_ref().map(|lights| {
+            let each = lights.iter().map(|light| {
+                let parts = [
+                    light.direction.map(|direction| format!("direction = {}", list(&direction))),
+                    light.position.map(|position| format!("position = {}", list(&position))),
+                    light.color.map(|color| format!("color = {}", list(&color))),
+                    light.intensity.map(|intensity| format!("intensity = {intensity:?}")),
+                ];
+                format!("{{ {} }}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
+            });
+            format!("[{}]", each.collect::<Vec<_>>().join(", "))
+        }),
+        "ambient" => spec.ambient.map(|ambient| list(&ambient)),
+        "background" => spec.background.map(|background| list(&background)),
+        "backend" => spec.backend.map(|backend| quoted(backend.name())),
+        "sampling" => spec.sampling.map(|sampling| quoted(sampling.name())),
+        "max-memory" => spec.max_memory.map(|limit| limit.0.to_string()),
+        _ => None,
+    }
+}

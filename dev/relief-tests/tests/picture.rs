@@ -1,0 +1,279 @@
+//! Pictures that are kept: samples, cameras that see all, and bands of rows.
+
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use glam::DVec3;
+use relief_maps::Maps;
+use relief_render::camera::Projection;
+use relief_render::gpu::{AdapterChoice, Gpu};
+use relief_render::job::Rendering;
+use relief_render::mesh::Builtin;
+use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, View, read_scene};
+use relief_render::{RenderError, Renderer, render};
+use relief_shaders::cpu::PixelOut;
+
+/// The backends of this machine.
+fn backends() -> Vec<BackendChoice> {
+    match Gpu::new(AdapterChoice::Any) {
+        Ok(_) => vec![BackendChoice::Cpu, BackendChoice::Gpu],
+        Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
+            panic!("{error}")
+        }
+        Err(error) => {
+            println!("the GPU is skipped: {error}");
+            vec![BackendChoice::Cpu]
+        }
+    }
+}
+
+/// A shipped scene, changed.
+fn scene(file: &str, over: SceneSpec) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(file);
+    read_scene(&path).expect("a shipped scene").overridden_by(over).load().expect("a shipped map")
+}
+
+fn picture(scene: &Scene) -> Rendering {
+    render(scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering
+}
+
+/// The root of the mean square by which the covered parts of silhouettes' pixels are off.
+fn silhouette_error(found: &Rendering, reference: &Rendering) -> f64 {
+    let pairs = found.pixels.iter().zip(&reference.pixels);
+    let edges = pairs.filter(|(_, expected)| expected.color.w > 0.0 && expected.color.w < 1.0);
+    let squares: Vec<f64> =
+        edges.map(|(found, expected)| f64::from(found.color.w - expected.color.w).powi(2)).collect();
+    assert!(squares.len() > 100, "hardly any silhouette");
+    (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+}
+
+#[test]
+fn silhouettes_converge_faster_than_by_chance() {
+    let of = |samples| {
+        let size = Some([72, 54]);
+        let backend = Some(BackendChoice::Cpu);
+        let over = SceneSpec { samples: Some(samples), size, backend, ..SceneSpec::default() };
+        picture(&scene("cobbles.toml", over))
+    };
+    let reference = of(1024);
+    let errors = [1, 4, 16, 64].map(|samples| silhouette_error(&of(samples), &reference));
+    println!("{errors:?}");
+    for pair in errors[1..].windows(2) {
+        assert!(pair[0] >= 2.5 * pair[1], "{errors:?}");
+    }
+    assert!(errors[0] > 2.5 * errors[1], "{errors:?}");
+}
+
+#[test]
+fn samples_change_colours_alone() {
+    for backend in backends() {
+        let of = |samples| {
+            let size = Some([80, 60]);
+            let over =
+                SceneSpec { samples: Some(samples), size, backend: Some(backend), ..SceneSpec::default() };
+            picture(&scene("still-life.toml", over))
+        };
+        let [one, many] = [1, 9].map(of);
+        let mut mixed = 0;
+        for (a, b) in one.pixels.iter().zip(&many.pixels) {
+            assert_eq!(PixelOut { color: b.color, ..*a }, *b, "{backend}");
+            assert!(a.color.w == 0.0 || a.color.w == 1.0);
+            mixed += usize::from(b.color.w > 0.01 && b.color.w < 0.99);
+            // Inside of a surface and of the background nothing changes much.
+            assert!((-1e-5..=1.0 + 1e-5).contains(&b.color.w));
+        }
+        assert!(mixed > 100, "{backend}: {mixed}");
+    }
+}
+
+#[test]
+fn both_backends_resolve_the_same_colours() {
+    let backends = backends();
+    let [_, _] = backends[..] else { return };
+    let pictures = [BackendChoice::Cpu, BackendChoice::Gpu].map(|backend| {
+        let surface = SurfaceSpec { method: Some("cone".to_owned()), ..SurfaceSpec::default() };
+        let over = SceneSpec {
+            samples: Some(4),
+            size: Some([120, 90]),
+            backend: Some(backend),
+            ..SceneSpec::of_surface(surface)
+        };
+        picture(&scene("bricks.toml", over))
+    });
+    let pairs = pictures[0].pixels.iter().zip(&pictures[1].pixels);
+    let off = pairs.filter(|(a, b)| {
+        let [a, b] = [a.color, b.color];
+        [a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w].iter().any(|apart| apart.abs() > 1e-3)
+    });
+    // A sample on the edge of two triangles may belong to either.
+    let off = off.count();
+    assert!(off < 40, "{off}");
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    let over = SceneSpec {
+        samples: Some(5),
+        size: Some([90, 70]),
+        backend: Some(BackendChoice::Cpu),
+        ..SceneSpec::default()
+    };
+    let scene = scene("cobbles.toml", over);
+    let with = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| picture(&scene))
+    };
+    let expected = with(1);
+    assert!([2, 3, 7].into_iter().all(|threads| with(threads) == expected));
+}
+
+#[test]
+fn bands_are_the_rows_of_the_whole_picture() {
+    for backend in backends() {
+        // More than a band of 2^18 pixels, the last one of few rows.
+        let over = SceneSpec {
+            samples: Some(2),
+            size: Some([701, 400]),
+            backend: Some(backend),
+            ..SceneSpec::of_surface(SurfaceSpec { method: Some("bump".to_owned()), ..SurfaceSpec::default() })
+        };
+        let scene = scene("still-life.toml", over);
+        let whole = picture(&scene);
+        let mut renderer = Renderer::new(scene.backend(), scene.sampling()).expect("a renderer");
+        let (mut maps, never) = (Maps::in_memory(), AtomicBool::new(false));
+        for numbers in [true, false] {
+            let (mut all, mut bands) = (Vec::new(), 0);
+            let made = renderer.render_bands(&scene, &mut maps, numbers, &|_, _| {}, &never, &mut |band| {
+                assert_eq!(band.len() % 701, 0);
+                all.extend_from_slice(band);
+                bands += 1;
+                ControlFlow::Continue(())
+            });
+            made.expect("a picture");
+            assert!(bands > 1);
+            if numbers {
+                assert!(all == whole.pixels, "{backend}");
+            } else {
+                let colours = |pixels: &[PixelOut]| -> Vec<_> { pixels.iter().map(|p| p.color).collect() };
+                assert!(colours(&all) == colours(&whole.pixels), "{backend}");
+            }
+        }
+        // Whoever has enough gets no more.
+        let mut bands = 0;
+        let stopped = renderer.render_bands(&scene, &mut maps, false, &|_, _| {}, &never, &mut |_| {
+            bands += 1;
+            ControlFlow::Break(())
+        });
+        assert!(matches!(stopped, Err(RenderError::Stopped)) && bands == 1, "{bands}");
+        let cancelled = AtomicBool::new(true);
+        let stopped = renderer.render_bands(&scene, &mut maps, false, &|_, _| {}, &cancelled, &mut |_| {
+            panic!("it was cancelled before")
+        });
+        assert!(matches!(stopped, Err(RenderError::Stopped)));
+    }
+}
+
+#[test]
+fn a_fitted_camera_sees_all_as_large_as_it_can() {
+    let height = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/spikes.png");
+    let meshes = [Builtin::Plane, Builtin::Cube, Builtin::Sphere, Builtin::Torus, Builtin::Cylinder];
+    for mesh in meshes {
+        for size in [[120, 80], [60, 110], [100, 100]] {
+            for view in View::ALL {
+                for projection in ["perspective", "orthographic"] {
+                    let surface = SurfaceSpec {
+                        height: Some(height.clone()),
+                        mesh: Some(mesh),
+                        position: Some([3.0, -2.0, 7.0]),
+                        rotation: Some([10.0, 20.0, 30.0]),
+                        size: Some(2.5),
+                        scale: Some(0.3),
+                        two_sided: Some(true),
+                        ..SurfaceSpec::default()
+                    };
+                    let over = SceneSpec {
+                        view: Some(view),
+                        projection: projection.parse().ok(),
+                        size: Some(size),
+                        samples: Some(1),
+                        backend: Some(BackendChoice::Cpu),
+                        ..SceneSpec::of_surface(surface)
+                    };
+                    let scene = over.load().expect("a scene");
+                    let what = format!("{mesh} {size:?} {view} {projection}");
+                    let [across, along] = reach(&scene);
+                    let most = across.max(along);
+                    assert!((0.9..=0.95).contains(&most), "{what}: {across} {along}");
+                    let seen = picture(&scene).pixels.iter().filter(|pixel| pixel.hit == 1).count();
+                    assert!(seen > 200, "{what}: {seen} pixels");
+                }
+            }
+        }
+    }
+}
+
+/// How far the relief of a scene reaches from the middle of the picture, in parts of its half width and
+/// height.
+fn reach(scene: &Scene) -> [f64; 2] {
+    let camera = scene.camera();
+    let [width, height] = scene.size().map(f64::from);
+    let mut most = [0.0f64; 2];
+    for surface in scene.surfaces() {
+        let map = surface.height_map();
+        for vertex in surface.mesh().vertices() {
+            for height_m in [map.bias_m(), map.bias_m() + map.scale_m()] {
+                let point: DVec3 =
+                    vertex.position.as_dvec3() + vertex.normal.as_dvec3() * height_m - camera.eye();
+                let depth = point.dot(camera.forward());
+                assert!(depth > 0.0, "behind the eye");
+                let half = match camera.projection() {
+                    Projection::Perspective { .. } => camera.half_height() * depth,
+                    Projection::Orthographic { .. } => camera.half_height(),
+                };
+                let place =
+                    [point.dot(camera.right()) / (half * width / height), point.dot(camera.up()) / half];
+                most = [0, 1].map(|axis| most[axis].max(place[axis].abs()));
+            }
+        }
+    }
+    most
+}
+
+#[test]
+fn an_orthographic_picture_is_a_perspective_from_far_away() {
+    let height = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/cobbles.png");
+    for backend in backends() {
+        let direction = DVec3::new(0.5, 0.7, 0.4).normalize();
+        let of = |projection: &str, distance: f64, fov, view_height| {
+            let surface = SurfaceSpec {
+                height: Some(height.clone()),
+                tile: Some([2.0, 2.0]),
+                ..SurfaceSpec::default()
+            };
+            let over = SceneSpec {
+                eye: Some((direction * distance).to_array()),
+                projection: projection.parse().ok(),
+                fov,
+                view_height,
+                size: Some([90, 90]),
+                samples: Some(1),
+                backend: Some(backend),
+                ..SceneSpec::of_surface(surface)
+            };
+            picture(&over.load().expect("a scene"))
+        };
+        let fov = 2.0 * (0.5f64 * 1.2 / 300.0).atan().to_degrees();
+        let far = of("perspective", 300.0, Some(fov), None);
+        let parallel = of("orthographic", 3.0, None, Some(1.2));
+        let both = far.pixels.iter().zip(&parallel.pixels).filter(|(a, b)| a.hit == 1 && b.hit == 1);
+        let texels = both.map(|(a, b)| 256.0 * (a.uv.x - b.uv.x).hypot(a.uv.y - b.uv.y));
+        let mut texels: Vec<f32> = texels.collect();
+        texels.sort_unstable_by(f32::total_cmp);
+        let (median, most) = (texels[texels.len() / 2], texels[texels.len() * 98 / 100]);
+        assert!(texels.len() > 2000 && median < 0.6 && most < 4.0, "{backend}: {median} {most}");
+        // Depths are metres along the axis, whatever the projection.
+        let (a, b) = (far.pixels[45 * 90 + 45], parallel.pixels[45 * 90 + 45]);
+        assert!((a.depth - 297.0 - b.depth).abs() < 0.01, "{} {}", a.depth, b.depth);
+    }
+}
