@@ -83,8 +83,8 @@ fn flags_say_what_scene_files_say() {
          { position = [0, 1, 0], color = [0.5, 0.25, 1] }]\nmesh = 'torus'\n",
     );
     folder.relief("render scene.toml -o a.png").fine();
-    let flags = "--samples 2 --exposure 0.5 --tone agx --view front --fov 25 --background 0.1,0.2,0.3 --ambient \
-         0.2,0.1,0.1 --material diffuse=0.5,0.4,0.3 --material shininess=9 --light 1,2,3 --point-light \
+    let flags = "--samples 2 --exposure 0.5 --tone agx --view front --fov 25 --background 0.1,0.2,0.3 \
+         --ambient 0.2,0.1,0.1 --material diffuse=0.5,0.4,0.3 --material shininess=9 --light 1,2,3 --point-light \
          0,1,0,0.5,0.25,1 --mesh torus";
     folder.relief(&format!("{SMALL} -o b.png {flags}")).fine();
     let read = |name: &str| fs::read(folder.path(name)).expect("it was written");
@@ -137,8 +137,8 @@ fn what_cannot_be_pictured_is_refused() {
 fn a_picture_that_is_given_up_leaves_nothing() {
     let folder = room();
     fs::write(folder.path("x.png"), "before").expect("writable");
-    let line = "render --height map.png --backend cpu --size 1500x1500 --samples 64 --method relief -o x.png --aov \
-         x.exr";
+    let line = "render --height map.png --backend cpu --size 1500x1500 --samples 64 --method relief -o x.png \
+         --aov x.exr";
     for (signal, code) in [("-INT", Some(1)), ("-TERM", Some(1)), ("-KILL", None)] {
         let mut command = folder.command();
         command.args(line.split_ascii_whitespace());

@@ -62,7 +62,7 @@ pub struct Guess {
 /// is known, all three named as depths are, and five of six named as heights. Of so few, `n` right ones of
 /// `m` make `(n + 1) / (m + 2)`.
 const WORDS: [(&[&str], Guess); 2] = [
-    (&["depth", "depthmap", "parallaxdepth"], Guess { convention: Convention::Depth, confidence: 0.8 }),
+    (&["depth", "depthmap"], Guess { convention: Convention::Depth, confidence: 0.8 }),
     (
         &[
             "height",

@@ -115,13 +115,16 @@ fn after_help() -> String {
     let mut text = String::from(
         "Examples:\n  relief bake bricks.png --kind cone --set cone.bits=8 --format ktx2 -o maps\n  \
          relief bake dem.tif --fill --wrap clamp --kind normal,horizon -o maps\n\n\
-         Files are named HEIGHT.KIND.FORMAT, with the texture's name, channels or mip level between where a kind has \
-         several, or slices where an EXR file cannot hold all. Each holds its metadata: kind, settings, hash of the source, wrap, tile and scale in metres, channels \
-         with ranges and rounding, names of all files of the bake. HEIGHT.relief-manifest lists the files of all bakes of \
-         a map with their hashes: what is there as listed is not baked again, and files that a new bake of a kind no longer \
-         has are removed unless they were changed. Files of other programs are not replaced without --force.\n\n\
-         All files get their names at the end; Ctrl-C leaves everything as it was (exit code 1). While it bakes, a hidden \
-         folder in DIR takes 4 bytes a value; what a killed run leaves is finished or removed by the next.\n\n\
+         Files are named HEIGHT.KIND.FORMAT, with the texture's name, channels or mip level between where \
+         a kind has several, or slices where an EXR file cannot hold all. Each holds its metadata: kind, \
+         settings, hash of the source, wrap, tile and scale in metres, channels with ranges and rounding, \
+         names of all files of the bake. HEIGHT.relief-manifest lists the files of all bakes of a map \
+         with their hashes: what is there as listed is not baked again, and files that a new bake of a \
+         kind no longer has are removed unless they were changed. Files of other programs are not \
+         replaced without --force.\n\n\
+         All files get their names at the end; Ctrl-C leaves everything as it was (exit code 1). While it \
+         bakes, a hidden folder in DIR takes 4 bytes a value; what a killed run leaves is finished or \
+         removed by the next.\n\n\
          Kinds:\n",
     );
     for kind in KINDS {

@@ -37,7 +37,13 @@ pub struct HeightArguments {
     pub depth: bool,
     /// Values of the file that become heights 0 and 1 [default: of integers 0 and their type's maximum, of
     /// floats and elevation models their least and greatest]
-    #[arg(long, value_name = "A,B", value_parser = values::range, allow_hyphen_values = true, hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "A,B",
+        value_parser = values::range,
+        allow_hyphen_values = true,
+        hide_short_help = true,
+    )]
     pub range: Option<[f64; 2]>,
     /// How the maps go on beyond their edges: repeat, clamp or mirror
     /// [default: of elevation models clamp, else repeat]
@@ -71,7 +77,10 @@ impl HeightArguments {
 pub fn nearly_grey(name: &str, map: &HeightMap) -> Option<String> {
     let count = map.nearly_grey_texels();
     (count > 0).then(|| {
-        format!("{name}: nearly grey; the mean of red, green and blue is taken for the height ({count} texels differ)")
+        format!(
+            "{name}: nearly grey; the mean of red, green and blue is taken for the height ({count} texels \
+             differ)"
+        )
     })
 }
 
@@ -80,8 +89,8 @@ pub fn inside_out(path: &Path) -> Option<String> {
     let guess = guess_by_name(path).filter(|guess| guess.convention == Convention::Depth)?;
     let percent = 100.0 * guess.confidence;
     Some(format!(
-        "{}: is named like a depth map ({percent:.0} % of such maps are), and read as heights: if the relief is inside \
-         out, give --depth",
+        "{}: is named like a depth map ({percent:.0} % of such maps are), and read as heights: if the relief \
+         is inside out, give --depth",
         path.display()
     ))
 }

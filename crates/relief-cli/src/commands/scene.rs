@@ -83,13 +83,18 @@ fn schema() -> Value {
         }),
     );
     json!({
-        "$schema": "https://json-schema.org/draft/2020-12/schema", "title": "A scene of relief", "type": "object",
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "A scene of relief", "type": "object",
         "properties": properties, "additionalProperties": false,
     })
 }
 
 fn of_key(key: &Key) -> Value {
-    let numbers = |kind: &str, count: usize| json!({ "type": "array", "items": { "type": kind }, "minItems": count, "maxItems": count });
+    let numbers = |kind: &str, count: usize| {
+        json!({
+            "type": "array", "items": { "type": kind }, "minItems": count, "maxItems": count,
+        })
+    };
     let colour = || numbers("number", 3);
     let mut schema = match &key.form {
         Form::Text => json!({ "type": "string" }),

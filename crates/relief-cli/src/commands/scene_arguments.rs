@@ -38,7 +38,13 @@ pub struct SceneArguments {
     #[arg(long, value_name = "none|agx")]
     tone: Option<Tone>,
     /// Linear red, green and blue of pixels that show no surface [default: 0.05,0.05,0.05]
-    #[arg(long, value_name = "R,G,B", value_parser = values::point, allow_hyphen_values = true, hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "R,G,B",
+        value_parser = values::point,
+        allow_hyphen_values = true,
+        hide_short_help = true,
+    )]
     background: Option<[f64; 3]>,
 
     /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
@@ -65,20 +71,52 @@ pub struct SceneArguments {
     mesh: Option<Builtin>,
     /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
     /// where the height map's file states metres, else 0.05]
-    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    #[arg(
+        long,
+        value_name = "M",
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+    )]
     scale: Option<f64>,
     /// Displacement of height 0 in metres [default: -scale, carved into the surface]
-    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true, help_heading = "Maps and mesh", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "M",
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true,
+    )]
     bias: Option<f64>,
     /// Tiles along u and v [default: 1,1]
-    #[arg(long, value_name = "U,V", value_parser = values::pair, allow_hyphen_values = true, help_heading = "Maps and mesh")]
+    #[arg(
+        long,
+        value_name = "U,V",
+        value_parser = values::pair,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+    )]
     tile: Option<[f64; 2]>,
     /// Metres of a tile along u and v [default: as the height map's file states, else its texels are square]
-    #[arg(long, value_name = "U,V", value_parser = units::two_lengths, allow_hyphen_values = true, help_heading = "Maps and mesh", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "U,V",
+        value_parser = units::two_lengths,
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true,
+    )]
     tile_size: Option<[f64; 2]>,
     /// Part of the material, as in diffuse=0.5,0.3,0.2 or specular=0,0,0 (linear, 0 to 1), or shininess=50 (1
     /// to 1024); may be repeated [default: diffuse 0.4, 0.8 under a colour map; specular 0.1; shininess 32]
-    #[arg(long, value_name = "PART=VALUE", value_parser = values::material, help_heading = "Maps and mesh", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "PART=VALUE",
+        value_parser = values::material,
+        help_heading = "Maps and mesh",
+        hide_short_help = true,
+    )]
     material: Vec<MaterialSpec>,
     /// Draw back faces, too, turned over
     #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
@@ -86,22 +124,51 @@ pub struct SceneArguments {
     #[command(flatten)]
     reading: HeightArguments,
 
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["search", "refine"], help_heading = "Method", help = method_help())]
+    #[arg(
+        long,
+        value_name = "NAME",
+        conflicts_with_all = ["search", "refine"],
+        help_heading = "Method",
+        help = method_help(),
+    )]
     method: Option<String>,
     #[command(flatten)]
     stages: StageArguments,
     /// Setting of the search or the refinement, as in search.steps=64; may be repeated
-    #[arg(long, value_name = "STAGE.NAME=VALUE", value_parser = values::setting, help_heading = "Method", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "STAGE.NAME=VALUE",
+        value_parser = values::setting,
+        help_heading = "Method",
+        hide_short_help = true,
+    )]
     set: Vec<(String, f64)>,
 
     /// From where the camera looks that sees all of the scene: corner, top, front or right [default: corner]
-    #[arg(long, value_name = "VIEW", conflicts_with_all = ["eye", "target"], help_heading = "Camera and light")]
+    #[arg(
+        long,
+        value_name = "VIEW",
+        conflicts_with_all = ["eye", "target"],
+        help_heading = "Camera and light",
+    )]
     view: Option<View>,
     /// Position of the eye in metres [default: fitted to scene and picture; with --target, 0.6,0.9,1.1]
-    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        value_parser = values::point,
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+    )]
     eye: Option<[f64; 3]>,
     /// Point looked at [default: fitted; with --eye, 0,0,0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        value_parser = values::point,
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+    )]
     target: Option<[f64; 3]>,
     /// How space becomes a picture: perspective, or orthographic as on a map [default: perspective]
     #[arg(long, value_name = "NAME", help_heading = "Camera and light")]
@@ -111,17 +178,44 @@ pub struct SceneArguments {
     fov: Option<f64>,
     /// Metres from the lower to the upper edge of an orthographic picture [default: fitted; with --eye or
     /// --target it has to be given]
-    #[arg(long, value_name = "M", value_parser = units::length, allow_hyphen_values = true, help_heading = "Camera and light", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "M",
+        value_parser = units::length,
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+        hide_short_help = true,
+    )]
     view_height: Option<f64>,
     /// Direction toward a directional light [default: -0.6,0.6,-0.1]
-    #[arg(long, value_name = "X,Y,Z", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light")]
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        value_parser = values::point,
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+    )]
     light: Option<[f64; 3]>,
     /// Position of a point light, and its intensity in linear red, green and blue (1 lights a white surface
     /// fully from 1 m); may be repeated, and beside --light
-    #[arg(long, value_name = "X,Y,Z[,R,G,B]", value_parser = values::point_light, allow_hyphen_values = true, help_heading = "Camera and light", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "X,Y,Z[,R,G,B]",
+        value_parser = values::point_light,
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+        hide_short_help = true,
+    )]
     point_light: Vec<LightSpec>,
     /// Light from everywhere, linear red, green and blue [default: 0.12,0.12,0.12]
-    #[arg(long, value_name = "R,G,B", value_parser = values::point, allow_hyphen_values = true, help_heading = "Camera and light", hide_short_help = true)]
+    #[arg(
+        long,
+        value_name = "R,G,B",
+        value_parser = values::point,
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+        hide_short_help = true,
+    )]
     ambient: Option<[f64; 3]>,
 
     /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software

@@ -43,8 +43,8 @@ pub enum GpuError {
     },
     /// The settings of so many bands and samples do not fit the adapter's buffers.
     #[error(
-        "{samples} samples of {width}x{height} pixels are more than the GPU takes; use fewer samples, a smaller \
-         picture or the CPU"
+        "{samples} samples of {width}x{height} pixels are more than the GPU takes; use fewer samples, a \
+         smaller picture or the CPU"
     )]
     TooManyPasses {
         /// Samples of a pixel.

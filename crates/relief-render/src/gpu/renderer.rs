@@ -113,7 +113,7 @@ impl GpuRenderer {
             pixels.extend_from_slice(band);
             ControlFlow::Continue(())
         };
-        let _ = self.bands(job, sampling, true, progress, &mut sink).await?;
+        let _ = self.render_bands_async(job, sampling, true, progress, &mut sink).await?;
         Ok(Rendering { width, height, pixels })
     }
 
@@ -132,10 +132,15 @@ impl GpuRenderer {
         progress: &dyn Fn(f32),
         sink: &mut dyn FnMut(&[PixelOut]) -> ControlFlow<()>,
     ) -> Result<ControlFlow<()>, GpuError> {
-        block_on(self.bands(job, sampling, numbers, progress, sink))
+        block_on(self.render_bands_async(job, sampling, numbers, progress, sink))
     }
 
-    async fn bands(
+    /// [`Self::render_bands`] without waiting.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::render`].
+    pub async fn render_bands_async(
         &mut self,
         job: &Job,
         sampling: Sampling,

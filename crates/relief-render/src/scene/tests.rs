@@ -597,3 +597,19 @@ fn every_key_is_listed_with_a_default_that_can_be_written() {
         read(&format!("{name} = {default}\n")).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }
+
+#[test]
+fn the_defaults_that_are_listed_are_those_that_hold() {
+    let map = shipped("data/noise.png");
+    let load = |text: String| {
+        let text = format!("height = {:?}\n{text}", map.to_string_lossy());
+        read(&text).and_then(|spec| spec.load()).unwrap_or_else(|error| panic!("{error} in:\n{text}"))
+    };
+    let expected = format!("{:?}", load(String::new()));
+    let listed = keys();
+    for Key { name, default, .. } in listed.iter().filter(|key| !key.default.is_empty()) {
+        assert_eq!(format!("{:?}", load(format!("{name} = {default}\n"))), expected, "{name} = {default}");
+    }
+    // Most values are not the default.
+    assert_ne!(format!("{:?}", load("samples = 5\n".to_owned())), expected);
+}

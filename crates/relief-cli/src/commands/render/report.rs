@@ -70,7 +70,8 @@ pub fn tell(
             })
         };
         let about = json!({
-            "output": name(&arguments.output), "aov": arguments.aov.as_deref().map(name), "width": width, "height": height, "samples": scene.samples(),
+            "output": name(&arguments.output), "aov": arguments.aov.as_deref().map(name),
+            "width": width, "height": height, "samples": scene.samples(),
             "backend": backend, "device": device, "reason": reason, "seconds": seconds,
             "surfaces": scene.surfaces().iter().map(surface).collect::<Vec<_>>(),
             "covered": covered, "exhausted": exhausted,
@@ -90,7 +91,8 @@ pub fn tell(
     };
     writeln!(
         out,
-        "{}: {width}x{height}, {run}, {samples} on the {backend} ({device}) in {seconds:.2} s, {mean:.1} {counted} a pixel",
+        "{}: {width}x{height}, {run}, {samples} on the {backend} ({device}) in {seconds:.2} s, {mean:.1} \
+         {counted} a pixel",
         arguments.output.display()
     )?;
     for (described, surface) in spec.each_surface().iter().zip(scene.surfaces()) {
@@ -105,8 +107,8 @@ pub fn tell(
         } else {
             writeln!(
                 out,
-                "scale {scale_m} m: by the metres that the height map's file states it is deeper than any ground, \
-                 perhaps for a wrong unit; --scale {exact_m} is true to them"
+                "scale {scale_m} m: by the metres that the height map's file states it is deeper than any \
+                 ground, perhaps for a wrong unit; --scale {exact_m} is true to them"
             )?;
         }
     }
