@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use relief_io::ReadError;
 
-use crate::advice;
+use crate::{advice, streams};
 
 /// Why a command did not do its work.
 #[derive(Debug)]
@@ -51,10 +51,11 @@ impl Failure {
     /// Says it once, on the standard error, and gives the exit code.
     pub fn report(self, json: bool) -> ExitCode {
         let (message, code) = match &self {
-            Failure::Usage(message) => (message.trim_end(), 2),
-            Failure::Work(message) => (message.trim_end(), 1),
+            Failure::Usage(message) => (message, 2),
+            Failure::Work(message) => (message, 1),
             Failure::ReaderGone => return ExitCode::SUCCESS,
         };
+        let message = streams::named(message.trim_end());
         if json {
             eprintln!("{}", serde_json::json!({ "error": message, "exit": code }));
         } else {

@@ -1,5 +1,6 @@
 //! Ctrl-C, and being asked to end: the work in hand is dropped in order.
 
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::failure::Failure;
@@ -7,9 +8,15 @@ use crate::failure::Failure;
 /// Set while there is something to clean up.
 static CANCEL: AtomicBool = AtomicBool::new(false);
 
+/// Whether the handler is in place; a program has one.
+static CAUGHT: OnceLock<Result<(), String>> = OnceLock::new();
+
 /// From here on Ctrl-C ends the work in order.
 pub fn catch() -> Result<&'static AtomicBool, Failure> {
-    ctrlc::set_handler(|| CANCEL.store(true, Ordering::Relaxed)).map_err(Failure::work)?;
+    let caught = CAUGHT.get_or_init(|| {
+        ctrlc::set_handler(|| CANCEL.store(true, Ordering::Relaxed)).map_err(|error| error.to_string())
+    });
+    caught.as_ref().map_err(Failure::work)?;
     Ok(&CANCEL)
 }
 

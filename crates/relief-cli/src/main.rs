@@ -6,6 +6,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand};
 
 use failure::Failure;
 use say::Loudness;
+use streams::{Files, Streams};
 
 mod advice;
 mod commands;
@@ -13,6 +14,7 @@ mod failure;
 mod interrupt;
 mod progress;
 mod say;
+mod streams;
 mod units;
 mod values;
 mod waiting;
@@ -93,7 +95,7 @@ fn quieten_drivers() {
 fn main() -> ExitCode {
     #[cfg(target_os = "linux")]
     quieten_drivers();
-    let arguments = match Arguments::try_parse() {
+    let mut arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) if error.use_stderr() && std::env::args_os().any(|argument| argument == "--json") => {
             return Failure::unparsed(&error).report(true);
@@ -101,13 +103,34 @@ fn main() -> ExitCode {
         Err(error) => error.exit(),
     };
     let json = arguments.command.json();
-    match arguments.common.apply().and_then(|()| arguments.command.run()) {
+    match arguments.run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(json),
     }
 }
 
+impl Arguments {
+    fn run(&mut self) -> Result<(), Failure> {
+        self.common.apply()?;
+        let streams = Streams::open(self.command.files())?;
+        self.command.run()?;
+        streams.finish()
+    }
+}
+
 impl Command {
+    /// The files that may be standard streams.
+    fn files(&mut self) -> Files<'_> {
+        match self {
+            Command::Render(arguments) => arguments.files(),
+            Command::Scene(arguments) => arguments.files(),
+            Command::Inspect(arguments) => arguments.files(),
+            Command::Bake(arguments) => arguments.files(),
+            Command::Height(arguments) => arguments.files(),
+            Command::Methods(_) | Command::Completions(_) | Command::Man(_) => Files::default(),
+        }
+    }
+
     /// Whether the answer is for machines.
     fn json(&self) -> bool {
         match self {

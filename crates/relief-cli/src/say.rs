@@ -2,6 +2,8 @@
 
 use std::sync::OnceLock;
 
+use crate::streams;
+
 /// How much is said.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Loudness {
@@ -29,7 +31,7 @@ pub fn loudness() -> Loudness {
 /// Says what a user may not expect, unless he wants to hear nothing.
 pub fn note(text: impl std::fmt::Display) {
     if loudness() != Loudness::Quiet {
-        eprintln!("note: {text}");
+        eprintln!("note: {}", streams::named(&text.to_string()));
     }
 }
 

@@ -82,7 +82,7 @@ fn inspect_says_what_is_known_of_it() {
         "system": "projected", "epsg": 32617, "turned_over": { "columns": false, "rows": true },
         "size_unknown": null,
     });
-    assert_eq!((&about["georeference"], &about["texel_size_m"]), (&ground, &json!([30.0, 30.0])));
+    assert_eq!((&about["georeference"], &about["texel_m"]), (&ground, &json!([30.0, 30.0])));
     let elevation = &about["values"]["elevation"];
     let numbers = ["metres_per_unit", "scale", "offset"].map(|name| elevation[name].as_f64());
     assert_eq!((&elevation["unit"], numbers), (&json!("ft"), [Some(0.3048), Some(0.5), Some(10.0)]));

@@ -120,7 +120,7 @@ fn green_is_told_by_the_normals_themselves() {
                 [picture.width(), picture.height()].map(|side| 1.0 / f64::from(side))
             };
             let line =
-                format!("height from-normals {normals} -o a.exr --json --wrap clamp --texel-m {u},{v}");
+                format!("height from-normals {normals} -o a.exr --json --wrap clamp --texel-size {u},{v}");
             let said = json_of(&folder.relief(&line).fine());
             assert_eq!(
                 (&said["green"]["way"], &said["green"]["said_by"]),
@@ -171,7 +171,7 @@ fn other_commands_know_what_the_heights_mean() {
         assert!((scale_m - 0.125).abs() < 1e-4, "{scale_m}");
         let seen = json_of(&folder.relief(&format!("inspect {output} --json")).fine());
         assert_eq!((&seen["scale_m"], &seen["bias_m"]), (&said["scale_m"], &said["bias_m"]));
-        assert_eq!(seen["texel_size_m"], json!([2.0 / 256.0, 3.0 / 256.0]));
+        assert_eq!(seen["texel_m"], json!([2.0 / 256.0, 3.0 / 256.0]));
         let baked = json_of(&folder.relief(&format!("bake {output} --kind pyramid -o . --json")).fine());
         assert_eq!(baked["tile_m"], json!([2.0, 3.0]));
         assert!((baked["scale_m"].as_f64().expect("a number") - scale_m).abs() < 1e-9);

@@ -37,6 +37,7 @@ use super::maps::{HeightArguments, inside_out, nearly_grey};
 use crate::failure::Failure;
 use crate::interrupt::{self, cancelled};
 use crate::progress::Progress;
+use crate::streams::{Files, answer};
 use crate::{say, units, values};
 
 /// Displacement in metres between heights 0 and 1 unless the file or the user says otherwise; that of
@@ -50,7 +51,8 @@ const BAKING_PART: f32 = 0.9;
 #[derive(Args)]
 #[command(after_help = short_help(), after_long_help = after_help())]
 pub struct Arguments {
-    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw
+    /// Height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or headerless 16-bit raw; - for the standard
+    /// input, whose files are named stdin
     height: PathBuf,
     /// Kinds of maps to bake, as in cone,normal; listed below
     #[arg(long, value_name = "KIND[,KIND...]", value_delimiter = ',', required = true)]
@@ -144,7 +146,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kinds = choose(arguments, relief_bake::kind)?;
     let (job, map) = Job::new(arguments, kinds)?;
     // Until here nothing exists that an interrupted program would leave behind.
-    job.run(map, interrupt::catch()?, &mut io::stdout().lock())
+    let cancel = interrupt::catch()?;
+    answer(|out| job.run(map, cancel, out))
 }
 
 /// The parameter that adds mip levels.
@@ -185,6 +188,11 @@ fn choose<'k>(
 }
 
 impl Arguments {
+    /// The file that may be the standard input.
+    pub fn files(&mut self) -> Files<'_> {
+        Files { read: vec![&mut self.height], ..Files::default() }
+    }
+
     /// The format of a kind's files.
     fn format_of(&self, kind: &Kind) -> FileFormat {
         let usual = match self.texels {

@@ -12,9 +12,10 @@ use relief_core::{ByteSize, Wrap};
 use relief_io::{DEFAULT_MAX_BYTES, HeightNote};
 use serde_json::{Value, json};
 
-use self::output::{Content, Output};
+use self::output::{Content, Format, Output};
 use crate::failure::Failure;
 use crate::interrupt::cancelled;
+use crate::streams::Files;
 use crate::{units, values};
 
 /// What `relief height` is given.
@@ -34,7 +35,7 @@ enum Origin {
 }
 
 const AFTER_HELP: &str = "Examples:\n  relief height from-normals rock_normal.png -o rock.exr\n  \
-    relief height from-normals wall_dx.png --green down --wrap clamp --texel-m 0.002 -o wall.png\n  \
+    relief height from-normals wall_dx.png --green down --wrap clamp --texel-size 0.002 -o wall.png\n  \
     relief height from-photos lights.toml -o coin.exr --normals coin_normal.png --albedo coin_color.png\n\n\
     `relief height from-photos --help` shows a file of lights.";
 
@@ -53,12 +54,12 @@ struct Common {
     /// texels, the map 1 m wide]
     #[arg(
         long,
-        value_name = "X[,Y]",
+        value_name = "U[,V]",
         value_parser = units::one_or_two_lengths,
         allow_hyphen_values = true,
         help_heading = "Integration"
     )]
-    texel_m: Option<[f64; 2]>,
+    texel_size: Option<[f64; 2]>,
     /// How strongly waves of about two texels are kept down, 0 to 1: central differences hardly see them, so
     /// that noise grows there
     #[arg(long, value_name = "PART", allow_hyphen_values = true, help_heading = "Integration")]
@@ -72,6 +73,9 @@ struct Common {
         help_heading = "Integration"
     )]
     steepest: f64,
+    /// Format of a height map that goes to the standard output, as in -o - --format exr
+    #[arg(long, value_enum, value_name = "png|exr", hide_short_help = true)]
+    format: Option<Format>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -90,8 +94,8 @@ impl Common {
         let bad = |flag: &str, value: f64, must: &str| {
             Err(Failure::Usage(format!("--{flag}: {value} cannot be used: it must be {must}")))
         };
-        if let Some(&side) = self.texel_m.iter().flatten().find(|side| !(1e-12..=1e9).contains(*side)) {
-            return bad("texel-m", side, "from 1e-12 to 1e9 metres");
+        if let Some(&side) = self.texel_size.iter().flatten().find(|side| !(1e-12..=1e9).contains(*side)) {
+            return bad("texel-size", side, "from 1e-12 to 1e9 metres");
         }
         if let Some(damping) = self.damping.filter(|damping| !(0.0..=1.0).contains(damping)) {
             return bad("damping", damping, "from 0 to 1");
@@ -120,6 +124,14 @@ impl Common {
 }
 
 impl Arguments {
+    /// The files that may be standard streams.
+    pub fn files(&mut self) -> Files<'_> {
+        match &mut self.origin {
+            Origin::FromNormals(arguments) => arguments.files(),
+            Origin::FromPhotos(arguments) => arguments.files(),
+        }
+    }
+
     /// Whether the answer is for machines.
     pub fn json(&self) -> bool {
         match &self.origin {

@@ -14,12 +14,13 @@ use serde_json::{Value, json};
 use super::maps::FileArguments;
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::streams::{Files, answer};
 use crate::values;
 
 /// What `relief inspect` is given.
 #[derive(Args)]
 pub struct Arguments {
-    /// Height map
+    /// Height map; - for the standard input
     file: PathBuf,
     /// Its normal map: tells height from depth and +y from -y by how the two fit
     #[arg(long, value_name = "FILE")]
@@ -32,6 +33,13 @@ pub struct Arguments {
     max_memory: Option<ByteSize>,
     #[command(flatten)]
     reading: FileArguments,
+}
+
+impl Arguments {
+    /// The files that may be the standard input.
+    pub fn files(&mut self) -> Files<'_> {
+        Files { read: [&mut self.file].into_iter().chain(&mut self.normal).collect(), ..Files::default() }
+    }
 }
 
 /// Reads and prints.
@@ -48,13 +56,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let info = inspect(&arguments.file, &options).map_err(Failure::of_map)?;
         (info, arguments.normal.as_deref().map(|path| detection(arguments, &options, path)).transpose()?)
     };
-    let mut out = io::stdout().lock();
-    if arguments.json {
-        writeln!(out, "{:#}", as_json(arguments, &info, detection.as_ref()))?;
-        return Ok(());
-    }
-    print(&mut out, arguments, &info, detection.as_ref())?;
-    Ok(())
+    answer(|out| {
+        if arguments.json {
+            writeln!(out, "{:#}", as_json(arguments, &info, detection.as_ref()))?;
+            return Ok(());
+        }
+        Ok(print(out, arguments, &info, detection.as_ref())?)
+    })
 }
 
 /// What the height map, read as it stands, and its normal map say of each other.
@@ -268,8 +276,8 @@ fn as_json(arguments: &Arguments, info: &SourceInfo, detection: Option<&Detectio
         })
     });
     json!({
-        "file": arguments.file.display().to_string(), "format": info.format.name(), "width": info.width, "height": info.height,
-        "channels": channels, "nodata": info.nodata_value, "texel_size_m": info.texel_size_m,
+        "input": arguments.file.display().to_string(), "format": info.format.name(), "width": info.width, "height": info.height,
+        "channels": channels, "nodata": info.nodata_value, "texel_m": info.texel_size_m,
         "georeference": georeference, "scale_m": info.note.map(|note| note.scale_m), "bias_m": info.note.map(|note| note.bias_m), "values": values,
         "detection": detection, "guess": guess,
     })

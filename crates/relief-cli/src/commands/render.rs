@@ -11,10 +11,11 @@ use clap::Args;
 use relief_render::{RenderError, Renderer};
 
 use self::baked_maps::CacheArguments;
-use self::output::{Bits, Outputs};
+use self::output::{Bits, Outputs, StreamFormat};
 use super::scene_arguments::{SceneArguments, of_scene};
 use crate::failure::Failure;
 use crate::progress::{Progress, TaskProgress};
+use crate::streams::{Files, Written, answer};
 use crate::{advice, interrupt, say};
 
 /// What `relief render` is given. Flags override the scene file.
@@ -26,9 +27,12 @@ use crate::{advice, interrupt, say};
     `relief methods` lists methods, searches and refinements with their settings; `relief render --help` lists \
     every flag.")]
 pub struct Arguments {
-    /// Picture to write: PNG and JPEG in sRGB, EXR as linear light
+    /// Picture to write: PNG and JPEG in sRGB, EXR as linear light; - for the standard output
     #[arg(short, long, value_name = "FILE.png|jpg|exr")]
     output: PathBuf,
+    /// Format of a picture that goes to the standard output, as in -o - --format png
+    #[arg(long, value_enum, value_name = "png|jpg|exr", hide_short_help = true)]
+    format: Option<StreamFormat>,
     /// Bits of a sample in a PNG: 8 or 16 [default: 8]
     #[arg(long, value_name = "BITS")]
     bits: Option<Bits>,
@@ -78,10 +82,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             say::note(note);
         }
     }
-    report::tell(arguments, &spec, &scene, &counts, &made)
+    answer(|out| report::tell(arguments, &spec, &scene, &counts, &made, out))
 }
 
 impl Arguments {
+    /// The files that may be standard streams.
+    pub fn files(&mut self) -> Files<'_> {
+        let format = self.format.map(StreamFormat::ending);
+        let picture = Written { flag: "--output", path: &mut self.output, format };
+        Files { read: self.scene.files(), written: vec![picture] }
+    }
+
     /// A sampling that the backend does not have is the command line's fault when the command line named one
     /// of them.
     fn of_render(&self, error: RenderError) -> Failure {

@@ -1,6 +1,6 @@
 //! `relief scene`: a scene file of the flags of `relief render`, with every key; and a schema for editors.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf, absolute};
 
 use clap::Args;
@@ -11,6 +11,7 @@ use serde_json::{Map, Value, json};
 use super::scene_arguments::SceneArguments;
 use super::staged::format_of;
 use crate::failure::Failure;
+use crate::streams::{Files, answer};
 
 /// What `relief scene` is given.
 #[derive(Args)]
@@ -28,15 +29,21 @@ pub struct Arguments {
     schema: bool,
 }
 
+impl Arguments {
+    /// The file that may be the standard input: a scene file names its maps, which a stream is not.
+    pub fn files(&mut self) -> Files<'_> {
+        Files { read: self.scene.file_mut().into_iter().collect(), ..Files::default() }
+    }
+}
+
 /// Writes the scene file, or the schema.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
     if arguments.schema {
-        return Ok(writeln!(out, "{:#}", schema())?);
+        return answer(|out| Ok(writeln!(out, "{:#}", schema())?));
     }
     let mut spec = arguments.scene.spec()?;
-    let Some(path) = &arguments.output else {
-        return Ok(out.write_all(spec.to_toml().as_bytes())?);
+    let Some(path) = arguments.output.as_ref().filter(|path| path.as_os_str() != "-") else {
+        return answer(|out| Ok(out.write_all(spec.to_toml().as_bytes())?));
     };
     let maps = spec.each_surface();
     let inputs = maps.iter().flat_map(|surface| [&surface.height, &surface.color, &surface.normal]);
@@ -50,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     // What is written can be read again.
     parse_scene(&text, path).map_err(Failure::work)?;
     write_atomically(path, |file| file.write_all(text.as_bytes())).map_err(Failure::work)?;
-    Ok(writeln!(out, "{}", path.display())?)
+    answer(|out| Ok(writeln!(out, "{}", path.display())?))
 }
 
 fn make_absolute(spec: &mut SceneSpec) -> Result<(), Failure> {

@@ -9,7 +9,7 @@ use relief_io::GreenSign;
 use relief_render::mesh::Builtin;
 use relief_render::scene::{
     BackendChoice, LightSpec, MaterialSpec, ProjectionChoice, Sampling, SceneError, SceneSpec, SurfaceSpec,
-    ValueError, ValueProblem, View, read_scene,
+    ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_render::tone::Tone;
 use relief_shaders::METHODS;
@@ -17,13 +17,14 @@ use relief_shaders::METHODS;
 use super::maps::HeightArguments;
 use super::stages::StageArguments;
 use crate::failure::Failure;
+use crate::streams::{INPUT, is_input};
 use crate::{advice, units, values};
 
 /// A scene, by its file and by flags.
 #[derive(Args)]
 pub struct SceneArguments {
     /// Scene file (TOML): its keys are named like the flags, which override it; paths in it are relative to
-    /// it
+    /// it, or where it is - for the standard input, to the current folder
     scene: Option<PathBuf>,
     /// Width and height of the picture in pixels [default: 800x600]
     #[arg(long, value_name = "WxH", value_parser = values::size, allow_hyphen_values = true)]
@@ -245,14 +246,28 @@ impl SceneArguments {
     /// The description: the flags over the scene file.
     pub fn spec(&self) -> Result<SceneSpec, Failure> {
         match &self.scene {
-            Some(path) => Ok(read_scene(path).map_err(of_scene)?.overridden_by(self.flags())),
+            Some(path) => {
+                let scene = if is_input(path) { scene_of_input(path) } else { read_scene(path) };
+                Ok(scene.map_err(of_scene)?.overridden_by(self.flags()))
+            }
             None => Ok(self.flags()),
         }
+    }
+
+    /// The files that may be the standard input.
+    pub fn files(&mut self) -> Vec<&mut PathBuf> {
+        let Self { scene, height, color, normal, .. } = self;
+        [scene, height, color, normal].into_iter().flatten().collect()
     }
 
     /// The scene file.
     pub fn file(&self) -> Option<&Path> {
         self.scene.as_deref()
+    }
+
+    /// As [`file`](Self::file), to be replaced.
+    pub fn file_mut(&mut self) -> Option<&mut PathBuf> {
+        self.scene.as_mut()
     }
 
     /// Whether backend or sampling are named on the command line.
@@ -315,6 +330,13 @@ impl SceneArguments {
             ..SceneSpec::of_surface(surface)
         }
     }
+}
+
+/// The scene file that came by the standard input: its paths start at the current folder.
+fn scene_of_input(copy: &Path) -> Result<SceneSpec, SceneError> {
+    let text = std::fs::read_to_string(copy);
+    let text = text.map_err(|source| SceneError::Io { path: INPUT.into(), source })?;
+    parse_scene(&text, Path::new(INPUT))
 }
 
 /// A value that cannot be used came from the flags, since a scene file's values are checked when it is read.

@@ -76,8 +76,8 @@ impl Job<'_> {
             })
             .collect();
         json!({
-            "height": self.arguments.height, "folder": self.arguments.output, "source": self.source_hash,
-            "width": self.size[0], "height_texels": self.size[1], "wrap": self.wrap.name(),
+            "input": self.arguments.height, "output": self.arguments.output, "source": self.source_hash,
+            "width": self.size[0], "height": self.size[1], "wrap": self.wrap.name(),
             "tile_m": self.metric.tile_m, "scale_m": self.metric.scale_m, "baked": baked, "kept": kept,
         })
     }

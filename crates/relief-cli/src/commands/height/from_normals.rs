@@ -13,12 +13,13 @@ use relief_bake::kind::normal::Axes;
 use relief_io::{Metadata, NormalVectors, read_metadata, read_normal_vectors};
 use serde_json::{Value, json};
 
-use super::output::Output;
+use super::output::{Format, Output};
 use super::{Common, Relief, WRITTEN, of_integration};
 use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
+use crate::streams::{Files, Written, answer};
 
 /// Bytes a texel that reading and integrating take at their peak.
 const BYTES_PER_TEXEL: u64 = 32;
@@ -98,7 +99,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     arguments.judge(&slopes)?;
     let how = Integration {
         axes,
-        texel_m: from_bake.texel_m(common.texel_m, [width, height]),
+        texel_m: from_bake.texel_m(common.texel_size, [width, height]),
         wrap: common.wrap.or(from_bake.wrap).unwrap_or_default(),
         damping: common.damping.unwrap_or(if from_bake.is_exact { 0.0 } else { DEFAULT_DAMPING }),
         steepest: common.steepest,
@@ -138,22 +139,30 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    let mut out = io::stdout().lock();
-    if common.json {
-        let mut about = relief.as_json(&output, seconds);
-        about["input"] = path.display().to_string().into();
-        about["green"] = green.as_json();
-        about["normals"] = faults_as_json(&faults);
-        writeln!(out, "{about:#}")?;
-        return Ok(());
-    }
-    relief.print(&mut out, &output, seconds)?;
-    writeln!(out, "  green       {}", green.text())?;
-    print_faults(&mut out, &faults)?;
-    Ok(())
+    answer(|out| {
+        if common.json {
+            let mut about = relief.as_json(&output, seconds);
+            about["input"] = path.display().to_string().into();
+            about["green"] = green.as_json();
+            about["normals"] = faults_as_json(&faults);
+            writeln!(out, "{about:#}")?;
+            return Ok(());
+        }
+        relief.print(out, &output, seconds)?;
+        writeln!(out, "  green       {}", green.text())?;
+        print_faults(out, &faults)?;
+        Ok(())
+    })
 }
 
 impl Arguments {
+    /// The files that may be standard streams.
+    pub fn files(&mut self) -> Files<'_> {
+        let format = self.common.format.map(Format::ending);
+        let heights = Written { flag: "--output", path: &mut self.output, format };
+        Files { read: vec![&mut self.normals], written: vec![heights] }
+    }
+
     fn axes(&self, from_bake: &FromBake) -> Result<Known, Failure> {
         match (self.green, from_bake.axes) {
             (Green::Up | Green::Down, Some(Axes::World)) => {

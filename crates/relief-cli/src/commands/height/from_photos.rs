@@ -1,6 +1,6 @@
 //! `relief height from-photos`: photographs under known lights to a height map (photometric stereo).
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -20,6 +20,7 @@ use crate::commands::staged::Staged;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::Progress;
+use crate::streams::{Files, Written, answer};
 
 /// Bytes a texel that a photograph keeps: its brightness.
 const BYTES_PER_PHOTO: u64 = 4;
@@ -80,7 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let how = Integration {
         axes: Axes::Tangent,
-        texel_m: common.texel_m.unwrap_or([1.0 / f64::from(size[0]); 2]),
+        texel_m: common.texel_size.unwrap_or([1.0 / f64::from(size[0]); 2]),
         wrap: common.wrap.unwrap_or(relief_core::Wrap::Clamp),
         damping: common.damping.unwrap_or(DEFAULT_DAMPING),
         steepest: common.steepest,
@@ -128,38 +129,40 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     outputs.height.write(&mut staged, &relief.content, cancel)?;
     staged.finish()?;
     let seconds = started.elapsed().as_secs_f64();
-    let mut out = io::stdout().lock();
-    if common.json {
-        let mut about = relief.as_json(&outputs.height, seconds);
-        let name = |output: &Option<Output>| output.as_ref().map(|output| output.path.display().to_string());
-        about["photographs"] = lights.photos.len().into();
-        about["normals"] = name(&outputs.normals).into();
-        about["albedo"] = name(&outputs.albedo).into();
-        about["filled_in"] = unknown.into();
-        about["brightness_misfit"] = photo_misfit.into();
-        writeln!(out, "{about:#}")?;
-        return Ok(());
-    }
-    relief.print(&mut out, &outputs.height, seconds)?;
-    writeln!(out, "  brightness  {photo_misfit:.4} off from what matt normals give (root mean square)")?;
-    if unknown > 0 {
-        writeln!(
-            out,
-            "  normals     {unknown} seen under fewer than three lights, filled in from their surroundings"
-        )?;
-    }
-    for output in [&outputs.normals, &outputs.albedo].into_iter().flatten() {
-        writeln!(out, "  wrote       {}", output.path.display())?;
-    }
-    if let (Some(brightest), Some(Output { format: Format::Png, .. })) = (brightest, &outputs.albedo)
-        && brightest > 1.0
-    {
-        writeln!(
-            out,
-            "  albedo      up to {brightest:.2}, cut off at 1 in the PNG: scale the intensities by that, or write an EXR"
-        )?;
-    }
-    Ok(())
+    answer(|out| {
+        if common.json {
+            let mut about = relief.as_json(&outputs.height, seconds);
+            let name =
+                |output: &Option<Output>| output.as_ref().map(|output| output.path.display().to_string());
+            about["photographs"] = lights.photos.len().into();
+            about["normals"] = name(&outputs.normals).into();
+            about["albedo"] = name(&outputs.albedo).into();
+            about["filled_in"] = unknown.into();
+            about["brightness_misfit"] = photo_misfit.into();
+            writeln!(out, "{about:#}")?;
+            return Ok(());
+        }
+        relief.print(out, &outputs.height, seconds)?;
+        writeln!(out, "  brightness  {photo_misfit:.4} off from what matt normals give (root mean square)")?;
+        if unknown > 0 {
+            writeln!(
+                out,
+                "  normals     {unknown} seen under fewer than three lights, filled in from their surroundings"
+            )?;
+        }
+        for output in [&outputs.normals, &outputs.albedo].into_iter().flatten() {
+            writeln!(out, "  wrote       {}", output.path.display())?;
+        }
+        if let (Some(brightest), Some(Output { format: Format::Png, .. })) = (brightest, &outputs.albedo)
+            && brightest > 1.0
+        {
+            writeln!(
+                out,
+                "  albedo      up to {brightest:.2}, cut off at 1 in the PNG: scale the intensities by that, or write an EXR"
+            )?;
+        }
+        Ok(())
+    })
 }
 
 struct Outputs {
@@ -169,6 +172,13 @@ struct Outputs {
 }
 
 impl Arguments {
+    /// The files that may be standard streams.
+    pub fn files(&mut self) -> Files<'_> {
+        let format = self.common.format.map(Format::ending);
+        let heights = Written { flag: "--output", path: &mut self.output, format };
+        Files { read: Vec::new(), written: vec![heights] }
+    }
+
     /// The outputs, of which none is another or an input.
     fn outputs(&self, lights: &Lights) -> Result<Outputs, Failure> {
         let photos = lights.photos.iter().map(|photo| photo.file.as_path());

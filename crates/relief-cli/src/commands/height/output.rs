@@ -4,6 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use clap::ValueEnum;
 use relief_io::{Metadata, PngTexture, write_exr_rows, write_png_rows};
 
 use crate::commands::staged::{Staged, format_of};
@@ -11,10 +12,20 @@ use crate::failure::Failure;
 use crate::interrupt::cancelled;
 
 /// A file format, by the ending of the output's name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     Png,
     Exr,
+}
+
+impl Format {
+    /// The ending of such files' names.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Exr => "exr",
+        }
+    }
 }
 
 const FORMATS: [(&str, Format); 2] = [("png", Format::Png), ("exr", Format::Exr)];

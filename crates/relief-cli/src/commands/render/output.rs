@@ -7,6 +7,7 @@ use std::path::Path;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use clap::ValueEnum;
 use relief_io::{
     LineSink, Metadata, PictureFormat, PictureSink, WriteProblem, write_exr_lines, write_picture,
 };
@@ -36,6 +37,26 @@ impl FromStr for Bits {
             "8" => Ok(Bits::Eight),
             "16" => Ok(Bits::Sixteen),
             _ => Err("a PNG has 8 or 16 bits"),
+        }
+    }
+}
+
+/// A picture's format where no name says it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum StreamFormat {
+    Png,
+    #[value(alias = "jpeg")]
+    Jpg,
+    Exr,
+}
+
+impl StreamFormat {
+    /// The ending of such files' names.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Jpg => "jpg",
+            Self::Exr => "exr",
         }
     }
 }

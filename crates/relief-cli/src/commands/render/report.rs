@@ -1,7 +1,7 @@
 //! What is said of a rendering.
 
 use std::collections::BTreeSet;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::Path;
 
 use relief_render::Made;
@@ -49,6 +49,7 @@ pub fn tell(
     scene: &Scene,
     counts: &Counts,
     made: &Made,
+    out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let Made { backend, device, reason, elapsed, .. } = made;
     let reason = reason.as_ref().map(|reason| advice::with(reason, advice::of_reason(reason)));
@@ -57,7 +58,6 @@ pub fn tell(
     let counted = what_reads_are(scene, backend);
     let seconds = elapsed.as_secs_f64();
     let [width, height] = scene.size();
-    let mut out = io::stdout().lock();
     if arguments.json {
         // Names that are no Unicode have no exact form in JSON.
         let name = |path: &Path| path.display().to_string();
