@@ -141,3 +141,16 @@ fn the_short_help_is_shorter() {
     let text = folder.relief("--help").fine().stdout;
     assert!(text.contains("Exit codes"), "{text}");
 }
+
+#[test]
+fn the_table_of_pairs_in_the_docs_is_the_commands() {
+    let folder = Folder::new();
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/pairs.md");
+    let docs = fs::read_to_string(docs).expect("the table in the docs");
+    let printed = folder.relief("methods --pairs").fine().stdout;
+    assert!(docs.ends_with(&printed), "write it anew: {printed}");
+    let pairs = folder.relief("methods --pairs --json").fine().stdout;
+    let pairs: Vec<Value> = serde_json::from_str(&pairs).expect("JSON");
+    let refused = pairs.iter().filter(|pair| pair["guarantee"].is_null()).count();
+    assert_eq!(refused, printed.matches("| no ").count());
+}

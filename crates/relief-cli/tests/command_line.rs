@@ -183,11 +183,17 @@ fn every_listed_name_renders() {
         assert_eq!((&surface["search"], &surface["refine"]), (&method["search"], &method["refine"]));
         assert!(about["covered"].as_u64() > Some(50), "{about}");
     }
-    for search in names("search") {
-        for refine in names("refinement") {
-            let about = render(&format!("--search {search} --refine {refine}"));
+    let pairs = json(&folder.relief("methods --pairs --json").fine());
+    for pair in pairs.as_array().expect("a list") {
+        let [search, refine] = ["search", "refine"].map(|key| pair[key].as_str().expect("a name"));
+        let flags = format!("--search {search} --refine {refine}");
+        let Some(reason) = pair["refused"].as_str() else {
+            let about = render(&flags);
             assert!(about["covered"].as_u64() > Some(50), "{about}");
-        }
+            continue;
+        };
+        let refused = folder.relief(&format!("render --height map.png {SMALL} {flags}"));
+        assert!(refused.code == Some(2) && refused.stderr.contains(reason), "{refused:?}");
     }
     let table = folder.relief("methods").fine().stdout;
     for name in ["methods", "search", "refinement", "surface", "shading"].into_iter().flat_map(names) {

@@ -35,6 +35,19 @@ impl FoundState {
         FoundState::Unbracketed,
     ];
 
+    /// What is known then, in a few words.
+    pub const fn description(self) -> &'static str {
+        match self {
+            FoundState::Miss => "a miss",
+            FoundState::Above => "a point above the surface",
+            FoundState::Below => "a point below it",
+            FoundState::Bracket => "a bracket",
+            FoundState::Exhausted => "the point where the steps ran out",
+            FoundState::StartedBelow => "a start below the surface",
+            FoundState::Unbracketed => "a path of which nothing is known",
+        }
+    }
+
     /// Its name in the shaders' constants, after `FOUND_`.
     pub const fn name(self) -> &'static str {
         match self {

@@ -3,6 +3,8 @@
 //! Each surface, search, refinement and shading has one [`Entry`] beside its source. The command's help, the
 //! tables in the documentation, the tests' matrix and the benchmarks all read the lists of these.
 
+use crate::FoundState;
+
 /// One stage's variant: what it is called, where it comes from, what it needs and what it promises. Its
 /// number in the shaders is its place in its list.
 #[derive(Clone, Copy, Debug)]
@@ -17,8 +19,13 @@ pub struct Entry {
     pub maps: &'static [MapInput],
     /// Its parameters, at most [`MAX_PARAMS`], in the order of the shader's parameter vector.
     pub params: &'static [Param],
+    /// Of a search, how it ends where it has found something; of a refinement, what it makes better. Empty
+    /// for all else.
+    pub states: &'static [FoundState],
     /// What it promises for each kind of ray.
     pub guarantee: Guarantees,
+    /// Where it promises less.
+    pub weakened: &'static [Weakened],
     /// Why the guarantee holds: the claim, the rays, the rounding slack in `f32`.
     pub argument: &'static str,
 }
@@ -81,6 +88,17 @@ impl MapInput {
     pub const fn with(self, settings: &'static [(&'static str, MapSetting)]) -> Self {
         Self { settings, ..self }
     }
+}
+
+/// What is promised where a parameter has a value that takes something away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weakened {
+    /// The parameter's name.
+    pub param: &'static str,
+    /// The value.
+    pub value: f32,
+    /// What is promised then.
+    pub to: Guarantees,
 }
 
 /// Paper and section.
@@ -192,6 +210,14 @@ impl Entry {
     /// The parameter of that name and its place in the parameter vector.
     pub fn param(&self, name: &str) -> Option<(usize, &'static Param)> {
         self.params.iter().enumerate().find(|(_, param)| param.name == name)
+    }
+
+    /// What it promises with these parameters, in the order of its own.
+    pub fn promises(&self, params: &[f32; MAX_PARAMS]) -> Guarantees {
+        let is_met = |weakened: &&Weakened| {
+            self.param(weakened.param).is_some_and(|(place, _)| params[place] == weakened.value)
+        };
+        self.weakened.iter().find(is_met).map_or(self.guarantee, |weakened| weakened.to)
     }
 
     /// The default of every parameter, as the vector that the shader takes.

@@ -407,8 +407,6 @@ pub const STAGES: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
-pub const WRAP_MIRROR: rt::Scalar<u32> = rt::Scalar(2u32);
-#[allow(non_upper_case_globals)]
 pub const WRAP_REPEAT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Resources<'g> {
@@ -464,9 +462,32 @@ impl<'g> Resources<'g> {
         h11_: rt::Vec4<f32>,
         part: rt::Vec2<f32>,
     ) -> rt::Vec4<f32> {
-        let top = (h00_ + ((h10_ - h00_) * part.x()));
+        let top_1 = (h00_ + ((h10_ - h00_) * part.x()));
         let bottom = (h01_ + ((h11_ - h01_) * part.x()));
-        return (top + ((bottom - top) * part.y()));
+        return (top_1 + ((bottom - top_1) * part.y()));
+    }
+    pub(crate) fn path_height(
+        &self,
+        path: Path,
+        t: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_height(path, rt::into(t)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_height(
+        &self,
+        path: Path,
+        t: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (path.h.x() + (t * (path.h.y() + (t * path.h.z()))));
+    }
+    pub(crate) fn height_size(&self) -> rt::Vec2<f32> {
+        rt::into(self.v_height_size())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_size(&self) -> rt::Vec2<f32> {
+        let _e2 = self.surface_settings.height_size;
+        return _e2.cast_elem_as_f32();
     }
     pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
@@ -474,57 +495,6 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
         return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
-    }
-    pub(crate) fn cell_after(
-        &self,
-        grid: Grid,
-        cell: impl rt::Into<rt::Vec2<f32>>,
-        leave: impl rt::Into<rt::Vec2<f32>>,
-        forward: impl rt::Into<rt::Vec2<bool>>,
-        t: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_after(grid, rt::into(cell), rt::into(leave), rt::into(forward), rt::into(t)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_cell_after(
-        &self,
-        grid: Grid,
-        cell: rt::Vec2<f32>,
-        leave: rt::Vec2<f32>,
-        forward: rt::Vec2<bool>,
-        t: rt::Scalar<f32>,
-    ) -> rt::Vec2<f32> {
-        let _e9 = self.v_cell_of((grid.origin + (grid.step * t)));
-        let ahead = _e9.max((cell + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t, t)))));
-        let behind = _e9.min((cell - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t, t)))));
-        return behind.select(ahead, forward);
-    }
-    pub(crate) fn gap_to(
-        &self,
-        path: Path,
-        grid_1: Grid,
-        cell_1: impl rt::Into<rt::Vec2<f32>>,
-        h: impl rt::Into<rt::Vec4<f32>>,
-        t_1: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_gap_to(path, grid_1, rt::into(cell_1), rt::into(h), rt::into(t_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_gap_to(
-        &self,
-        path: Path,
-        grid_1: Grid,
-        cell_1: rt::Vec2<f32>,
-        h: rt::Vec4<f32>,
-        t_1: rt::Scalar<f32>,
-    ) -> rt::Vec3<f32> {
-        let bx = (h.y() - h.x());
-        let by = (h.z() - h.x());
-        let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_4 = ((grid_1.origin - cell_1) + (grid_1.step * t_1));
-        let z = (path.h.x() + (t_1 * (path.h.y() + (t_1 * path.h.z()))));
-        let dz = (path.h.y() + ((rt::Scalar(2f32) * t_1) * path.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_4.x())) + (by * at_4.y())) + ((twist * at_4.x()) * at_4.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_4.x() * grid_1.step.y()) + (at_4.y() * grid_1.step.x()))))), (path.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn wrap_index(
         &self,
@@ -562,42 +532,172 @@ impl<'g> Resources<'g> {
         let folded = (((i % period) + period) % period);
         return ((period - rt::Scalar(1i32)) - folded).select(folded, folded.elementwise_lt(n));
     }
-    pub(crate) fn height_cell(&self, cell_2: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_height_cell(rt::into(cell_2)))
+    pub(crate) fn height_cell(&self, cell: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_height_cell(rt::into(cell)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_cell(&self, cell_2: rt::Vec2<i32>) -> rt::Vec4<f32> {
+    fn v_height_cell(&self, cell: rt::Vec2<i32>) -> rt::Vec4<f32> {
         let _e3 = self.surface_settings.height_size;
-        let n_2 = _e3.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(cell_2.x(), n_2.x());
-        let _e12 = self.v_wrap_index((cell_2.x() + rt::Scalar(1i32)), n_2.x());
-        let _e15 = self.v_wrap_index(cell_2.y(), n_2.y());
-        let _e20 = self.v_wrap_index((cell_2.y() + rt::Scalar(1i32)), n_2.y());
+        let n_3 = _e3.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(cell.x(), n_3.x());
+        let _e12 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), n_3.x());
+        let _e15 = self.v_wrap_index(cell.y(), n_3.y());
+        let _e20 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), n_3.y());
         let _e24 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e29 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e39 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         return <rt::Vec4<f32>>::from_scalars(_e24.x(), _e29.x(), _e34.x(), _e39.x());
     }
-    pub(crate) fn cell_gap(
+    pub(crate) fn height_at(&self, uv: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_height_at(rt::into(uv)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_at(&self, uv: rt::Vec2<f32>) -> rt::Scalar<f32> {
+        let _e1 = self.v_height_size();
+        let point_2 = ((uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e7 = self.v_cell_of(point_2);
+        let f = (point_2 - _e7);
+        let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
+        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f.x()));
+        let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f.x()));
+        return (top_2 + ((bottom_1 - top_2) * f.y()));
+    }
+    pub(crate) fn path_uv(
         &self,
         path_1: Path,
+        t_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_path_uv(path_1, rt::into(t_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_uv(
+        &self,
+        path_1: Path,
+        t_1: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        return (path_1.uv + (path_1.duv * t_1));
+    }
+    pub(crate) fn path_gap(
+        &self,
+        path_2: Path,
+        t_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_gap(path_2, rt::into(t_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_gap(
+        &self,
+        path_2: Path,
+        t_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e2 = self.v_path_height(path_2, t_2);
+        let _e3 = self.v_path_uv(path_2, t_2);
+        let _e4 = self.v_height_at(_e3);
+        return (_e2 - _e4);
+    }
+    pub(crate) fn bracket_between(
+        &self,
+        path_3: Path,
+        near: impl rt::Into<rt::Scalar<f32>>,
+        far: impl rt::Into<rt::Scalar<f32>>,
+        reads: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Found {
+        rt::into(self.v_bracket_between(path_3, rt::into(near), rt::into(far), rt::into(reads)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_bracket_between(
+        &self,
+        path_3: Path,
+        near: rt::Scalar<f32>,
+        far: rt::Scalar<f32>,
+        reads: rt::Scalar<u32>,
+    ) -> Found {
+        let mut local_1: rt::Scalar<bool>;
+
+        let _e4 = self.v_path_gap(path_3, near);
+        if rt::Scalar::into_branch_condition(near.elementwise_eq(rt::Scalar(0f32))) {
+            local_1 = _e4.elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_1 = rt::Scalar(false);
+        }
+        let _e12 = local_1;
+        if rt::Scalar::into_branch_condition(_e12) {
+            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (reads + rt::Scalar(1u32)));
+        }
+        let _e20 = self.v_path_gap(path_3, far);
+        return <Found>::new(FOUND_BRACKET, near, far, _e4, _e20, (reads + rt::Scalar(2u32)));
+    }
+    pub(crate) fn cell_after(
+        &self,
+        grid: Grid,
+        cell_1: impl rt::Into<rt::Vec2<f32>>,
+        leave: impl rt::Into<rt::Vec2<f32>>,
+        forward: impl rt::Into<rt::Vec2<bool>>,
+        t_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave), rt::into(forward), rt::into(t_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_cell_after(
+        &self,
+        grid: Grid,
+        cell_1: rt::Vec2<f32>,
+        leave: rt::Vec2<f32>,
+        forward: rt::Vec2<bool>,
+        t_3: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_3)));
+        let ahead = _e9.max((cell_1 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_3, t_3)))));
+        let behind = _e9.min((cell_1 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_3, t_3)))));
+        return behind.select(ahead, forward);
+    }
+    pub(crate) fn gap_to(
+        &self,
+        path_4: Path,
+        grid_1: Grid,
+        cell_2: impl rt::Into<rt::Vec2<f32>>,
+        h: impl rt::Into<rt::Vec4<f32>>,
+        t_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_gap_to(path_4, grid_1, rt::into(cell_2), rt::into(h), rt::into(t_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_gap_to(
+        &self,
+        path_4: Path,
+        grid_1: Grid,
+        cell_2: rt::Vec2<f32>,
+        h: rt::Vec4<f32>,
+        t_4: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let bx = (h.y() - h.x());
+        let by = (h.z() - h.x());
+        let twist = ((h.x() - h.y()) + (h.w() - h.z()));
+        let at_5 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
+        let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_5.x())) + (by * at_5.y())) + ((twist * at_5.x()) * at_5.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_5.x() * grid_1.step.y()) + (at_5.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+    }
+    pub(crate) fn cell_gap(
+        &self,
+        path_5: Path,
         grid_2: Grid,
         cell_3: impl rt::Into<rt::Vec2<f32>>,
-        t_2: impl rt::Into<rt::Scalar<f32>>,
+        t_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path_1, grid_2, rt::into(cell_3), rt::into(t_2)))
+        rt::into(self.v_cell_gap(path_5, grid_2, rt::into(cell_3), rt::into(t_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_gap(
         &self,
-        path_1: Path,
+        path_5: Path,
         grid_2: Grid,
         cell_3: rt::Vec2<f32>,
-        t_2: rt::Scalar<f32>,
+        t_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e5 = self.v_height_cell(cell_3.cast_elem_as_i32());
-        let _e6 = self.v_gap_to(path_1, grid_2, cell_3, _e5, t_2);
+        let _e6 = self.v_gap_to(path_5, grid_2, cell_3, _e5, t_5);
         return _e6;
     }
     pub(crate) fn cell_leave(
@@ -658,34 +758,34 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn texels_around(
         &self,
-        uv: impl rt::Into<rt::Vec2<f32>>,
+        uv_1: impl rt::Into<rt::Vec2<f32>>,
         size: impl rt::Into<rt::Vec2<u32>>,
     ) -> Around {
-        rt::into(self.v_texels_around(rt::into(uv), rt::into(size)))
+        rt::into(self.v_texels_around(rt::into(uv_1), rt::into(size)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texels_around(
         &self,
-        uv: rt::Vec2<f32>,
+        uv_1: rt::Vec2<f32>,
         size: rt::Vec2<u32>,
     ) -> Around {
-        let n_3 = size.cast_elem_as_i32();
-        let point_2 = ((uv * size.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_2);
-        let i_2 = _e9.cast_elem_as_i32();
-        let _e13 = self.v_wrap_index(i_2.x(), n_3.x());
-        let _e18 = self.v_wrap_index((i_2.x() + rt::Scalar(1i32)), n_3.x());
-        let _e22 = self.v_wrap_index(i_2.y(), n_3.y());
-        let _e27 = self.v_wrap_index((i_2.y() + rt::Scalar(1i32)), n_3.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e13, _e18), <rt::Vec2<i32>>::from_scalars(_e22, _e27), (point_2 - _e9));
+        let n_4 = size.cast_elem_as_i32();
+        let point_3 = ((uv_1 * size.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e9 = self.v_cell_of(point_3);
+        let i_1 = _e9.cast_elem_as_i32();
+        let _e13 = self.v_wrap_index(i_1.x(), n_4.x());
+        let _e18 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_4.x());
+        let _e22 = self.v_wrap_index(i_1.y(), n_4.y());
+        let _e27 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_4.y());
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e13, _e18), <rt::Vec2<i32>>::from_scalars(_e22, _e27), (point_3 - _e9));
     }
-    pub(crate) fn color_at(&self, uv_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_1)))
+    pub(crate) fn color_at(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
+        rt::into(self.v_color_at(rt::into(uv_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_at(&self, uv_1: rt::Vec2<f32>) -> rt::Vec4<f32> {
+    fn v_color_at(&self, uv_2: rt::Vec2<f32>) -> rt::Vec4<f32> {
         let _e3 = self.surface_settings.color_size;
-        let _e4 = self.v_texels_around(uv_1, _e3);
+        let _e4 = self.v_texels_around(uv_2, _e3);
         let _e12 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e20 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -693,17 +793,28 @@ impl<'g> Resources<'g> {
         let _e38 = self.v_bilinear(_e12, _e20, _e28, _e36, _e4.part);
         return _e38;
     }
-    pub(crate) fn color_or_white(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_color_or_white(rt::into(uv_2)))
+    pub(crate) fn color_or_white(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_color_or_white(rt::into(uv_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_or_white(&self, uv_2: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_color_or_white(&self, uv_3: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_color);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
-            let _e6 = self.v_color_at(uv_2);
+            let _e6 = self.v_color_at(uv_3);
             return _e6.xyz();
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+    }
+    pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_slope_of(rt::into(value)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slope_of(&self, value: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let squared = ((rt::Scalar(0.125f32) * value) * value);
+        if rt::Scalar::into_branch_condition(squared.elementwise_gt(rt::Scalar(0f32))) {
+            return (((rt::Scalar(1f32) - value) * (rt::Scalar(1f32) + value)) / squared);
+        }
+        return rt::Scalar(-1f32);
     }
     pub(crate) fn decoded(
         &self,
@@ -725,22 +836,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_texel(
         &self,
-        path_2: Path,
+        path_6: Path,
         place: impl rt::Into<rt::Vec2<i32>>,
         layer: impl rt::Into<rt::Scalar<i32>>,
         level: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_2, rt::into(place), rt::into(layer), rt::into(level)))
+        rt::into(self.v_search_texel(path_6, rt::into(place), rt::into(layer), rt::into(level)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel(
         &self,
-        path_2: Path,
+        path_6: Path,
         place: rt::Vec2<i32>,
         layer: rt::Scalar<i32>,
         level: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_2.ray).elementwise_eq(RAY_SHADOW)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_6.ray).elementwise_eq(RAY_SHADOW)) {
             let texel_2 = rt::texture::Read::read_texel((&self.shadow_search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
             let _e12 = self.surface_settings.maps[1usize];
             let _e13 = self.v_decoded(texel_2, _e12);
@@ -753,30 +864,193 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn cone_slope(
         &self,
-        path_3: Path,
+        path_7: Path,
         texel_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_cone_slope(path_3, rt::into(texel_1)))
+        rt::into(self.v_cone_slope(path_7, rt::into(texel_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cone_slope(
         &self,
-        path_3: Path,
+        path_7: Path,
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.surface_settings.height_size;
-        let n_4 = _e4.cast_elem_as_i32();
+        let n_5 = _e4.cast_elem_as_i32();
         let place_1 = texel_1.cast_elem_as_i32();
-        let _e9 = self.v_wrap_index(place_1.x(), n_4.x());
-        let _e12 = self.v_wrap_index(place_1.y(), n_4.y());
+        let _e9 = self.v_wrap_index(place_1.x(), n_5.x());
+        let _e12 = self.v_wrap_index(place_1.y(), n_5.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e9, _e12);
-        let _e17 = self.v_search_texel(path_3, wrapped, rt::Scalar(0i32), rt::Scalar(path_3.level).cast_elem_as_i32());
-        let value = _e17.x();
-        let squared = ((rt::Scalar(0.125f32) * value) * value);
-        if rt::Scalar::into_branch_condition(squared.elementwise_gt(rt::Scalar(0f32))) {
-            return (((rt::Scalar(1f32) - value) * (rt::Scalar(1f32) + value)) / squared);
+        let _e17 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
+        let _e19 = self.v_slope_of(_e17.x());
+        return _e19;
+    }
+    pub(crate) fn corner_height(
+        &self,
+        heights: impl rt::Into<rt::Vec4<f32>>,
+        corner: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_corner_height(rt::into(heights), rt::into(corner)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_corner_height(
+        &self,
+        heights: rt::Vec4<f32>,
+        corner: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let above_2 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        let below_1 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_2.select(below_1, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+    }
+    pub(crate) fn slice_distance(
+        &self,
+        path_8: Path,
+        uv_4: impl rt::Into<rt::Vec2<f32>>,
+        slice: impl rt::Into<rt::Scalar<i32>>,
+    ) -> f32 {
+        rt::into(self.v_slice_distance(path_8, rt::into(uv_4), rt::into(slice)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_slice_distance(
+        &self,
+        path_8: Path,
+        uv_4: rt::Vec2<f32>,
+        slice: rt::Scalar<i32>,
+    ) -> rt::Scalar<f32> {
+        let _e3 = self.v_height_size();
+        let _e5 = self.v_texels_around(uv_4, _e3.cast_elem_as_u32());
+        let level_3 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), slice, level_3);
+        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), slice, level_3);
+        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), slice, level_3);
+        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), slice, level_3);
+        let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
+        return _e33.x();
+    }
+    pub(crate) fn distance_at(
+        &self,
+        path_9: Path,
+        uv_5: impl rt::Into<rt::Vec2<f32>>,
+        height: impl rt::Into<rt::Scalar<f32>>,
+        slices: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_distance_at(path_9, rt::into(uv_5), rt::into(height), rt::into(slices)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_distance_at(
+        &self,
+        path_9: Path,
+        uv_5: rt::Vec2<f32>,
+        height: rt::Scalar<f32>,
+        slices: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let place_2 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_2 = place_2.floor();
+        let _e13 = self.v_slice_distance(path_9, uv_5, below_2.cast_elem_as_i32());
+        let _e20 = self.v_slice_distance(path_9, uv_5, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        return (_e13 + ((_e20 - _e13) * (place_2 - below_2)));
+    }
+    pub(crate) fn entered_once(
+        &self,
+        path_10: Path,
+        grid_5: Grid,
+        above: impl rt::Into<rt::Scalar<f32>>,
+        below: impl rt::Into<rt::Scalar<f32>>,
+        above_gap: impl rt::Into<rt::Scalar<f32>>,
+        below_gap: impl rt::Into<rt::Scalar<f32>>,
+        read: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Found {
+        rt::into(self.v_entered_once(path_10, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(read)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_entered_once(
+        &self,
+        path_10: Path,
+        grid_5: Grid,
+        above: rt::Scalar<f32>,
+        below: rt::Scalar<f32>,
+        above_gap: rt::Scalar<f32>,
+        below_gap: rt::Scalar<f32>,
+        read: rt::Scalar<u32>,
+    ) -> Found {
+        let mut near_1: rt::Scalar<f32>;
+        let mut far_1: rt::Scalar<f32>;
+        let mut near_gap: rt::Scalar<f32>;
+        let mut far_gap: rt::Scalar<f32>;
+        let mut reads_1: rt::Scalar<u32>;
+        let mut local_2: rt::Scalar<bool>;
+
+        near_1 = above;
+        far_1 = below;
+        near_gap = above_gap;
+        far_gap = below_gap;
+        reads_1 = read;
+        let wide = (grid_5.step.x().abs() + grid_5.step.y().abs());
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = far_1;
+                let _e20 = near_1;
+                if rt::Scalar::into_branch_condition((wide * (_e19 - _e20)).elementwise_gt(rt::Scalar(3f32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e25 = near_1;
+                    let _e26 = far_1;
+                    let middle = (rt::Scalar(0.5f32) * (_e25 + _e26));
+                    let _e30 = near_1;
+                    if rt::Scalar::into_branch_condition(middle.elementwise_gt(_e30)) {
+                        let _e34 = far_1;
+                        local_2 = middle.elementwise_lt(_e34);
+                    } else {
+                        local_2 = rt::Scalar(false);
+                    }
+                    let _e37 = local_2;
+                    if rt::Scalar::into_branch_condition((!_e37)) {
+                        break 'naga_break;
+                    }
+                    let _e39 = self.v_path_gap(path_10, middle);
+                    let _e40 = reads_1;
+                    reads_1 = (_e40 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e39.elementwise_le(rt::Scalar(0f32))) {
+                        far_1 = middle;
+                        far_gap = _e39;
+                    } else {
+                        near_1 = middle;
+                        near_gap = _e39;
+                    }
+                }
+            }
         }
-        return rt::Scalar(-1f32);
+        let _e46 = near_1;
+        let _e47 = far_1;
+        let _e48 = near_gap;
+        let _e49 = far_gap;
+        let _e50 = reads_1;
+        return <Found>::new(FOUND_BRACKET, _e46, _e47, _e48, _e49, _e50);
+    }
+    pub(crate) fn filtered_cone(
+        &self,
+        path_11: Path,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_filtered_cone(path_11, rt::into(uv_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_filtered_cone(
+        &self,
+        path_11: Path,
+        uv_6: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e2 = self.v_height_size();
+        let _e4 = self.v_texels_around(uv_6, _e2.cast_elem_as_u32());
+        let level_4 = rt::Scalar(path_11.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar(0i32), level_4);
+        let _e20 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar(0i32), level_4);
+        let _e27 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar(0i32), level_4);
+        let _e34 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), rt::Scalar(0i32), level_4);
+        let _e36 = self.v_bilinear(_e13, _e20, _e27, _e34, _e4.part);
+        return _e36.x();
     }
     pub(crate) fn quadratic(
         &self,
@@ -838,45 +1112,6 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
-    pub(crate) fn folded_cell(
-        &self,
-        i_1: impl rt::Into<rt::Scalar<i32>>,
-        n_1: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec2<i32> {
-        rt::into(self.v_folded_cell(rt::into(i_1), rt::into(n_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_folded_cell(
-        &self,
-        i_1: rt::Scalar<i32>,
-        n_1: rt::Scalar<i32>,
-    ) -> rt::Vec2<i32> {
-        let mut local_1: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(i_1.elementwise_ge(rt::Scalar(0i32))) {
-            local_1 = i_1.elementwise_lt(n_1);
-        } else {
-            local_1 = rt::Scalar(false);
-        }
-        let _e8 = local_1;
-        if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(i_1, rt::Scalar(0i32));
-        }
-        let _e13 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((i_1 % n_1) + n_1) % n_1), rt::Scalar(0i32));
-        }
-        let _e23 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e23.elementwise_eq(WRAP_MIRROR)) {
-            let period_1 = (rt::Scalar(2i32) * n_1);
-            let folded_1 = (((i_1 % period_1) + period_1) % period_1);
-            if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_1)) {
-                return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
-            }
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32).select(((period_1 - rt::Scalar(2i32)) - folded_1), folded_1.elementwise_lt((period_1 - rt::Scalar(1i32)))), rt::Scalar(1i32));
-        }
-        return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(0i32));
-    }
     pub(crate) fn least_at(
         &self,
         c_2: impl rt::Into<rt::Vec3<f32>>,
@@ -898,225 +1133,215 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
-        t_3: impl rt::Into<rt::Scalar<f32>>,
+        t_6: impl rt::Into<rt::Scalar<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
         first: impl rt::Into<rt::Scalar<bool>>,
-        reads: impl rt::Into<rt::Scalar<u32>>,
+        reads_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_3), rt::into(span_2), rt::into(first), rt::into(reads)))
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_6), rt::into(span_2), rt::into(first), rt::into(reads_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_3: rt::Vec3<f32>,
-        t_3: rt::Scalar<f32>,
+        t_6: rt::Scalar<f32>,
         span_2: rt::Scalar<f32>,
         first: rt::Scalar<bool>,
-        reads: rt::Scalar<u32>,
+        reads_2: rt::Scalar<u32>,
     ) -> Found {
-        let mut local_2: rt::Scalar<bool>;
+        let mut local_3: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_2 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_3 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_2 = rt::Scalar(false);
+                local_3 = rt::Scalar(false);
             }
-            let _e14 = local_2;
+            let _e14 = local_3;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), reads);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), reads_2);
             }
-            return <Found>::new(FOUND_BRACKET, t_3, t_3, c_3.x(), c_3.x(), reads);
+            return <Found>::new(FOUND_BRACKET, t_6, t_6, c_3.x(), c_3.x(), reads_2);
         }
         let _e25 = self.v_least_at(c_3, span_2);
         let _e26 = self.v_quadratic(c_3, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_3, (t_3 + _e25), c_3.x(), _e26, reads);
+            return <Found>::new(FOUND_BRACKET, t_6, (t_6 + _e25), c_3.x(), _e26, reads_2);
         }
         let _e36 = self.v_quadratic(c_3, span_2);
-        return <Found>::new(FOUND_ABOVE, t_3, (t_3 + span_2), c_3.x(), _e36, reads);
+        return <Found>::new(FOUND_ABOVE, t_6, (t_6 + span_2), c_3.x(), _e36, reads_2);
+    }
+    pub(crate) fn image_of(
+        &self,
+        cell_6: impl rt::Into<rt::Scalar<i32>>,
+        n_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_image_of(rt::into(cell_6), rt::into(n_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_image_of(
+        &self,
+        cell_6: rt::Scalar<i32>,
+        n_1: rt::Scalar<i32>,
+    ) -> rt::Vec2<i32> {
+        let mut local_4: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(cell_6.elementwise_ge(rt::Scalar(0i32))) {
+            local_4 = cell_6.elementwise_lt(n_1);
+        } else {
+            local_4 = rt::Scalar(false);
+        }
+        let _e8 = local_4;
+        if rt::Scalar::into_branch_condition(_e8) {
+            return <rt::Vec2<i32>>::from_scalars(cell_6, rt::Scalar(0i32));
+        }
+        let _e13 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
+            return <rt::Vec2<i32>>::from_scalars(cell_6.clamp(rt::Scalar(0i32), (n_1 - rt::Scalar(1i32))), rt::Scalar(2i32));
+        }
+        let _e24 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
+            return <rt::Vec2<i32>>::from_scalars((((cell_6 % n_1) + n_1) % n_1), rt::Scalar(0i32));
+        }
+        let period_1 = (rt::Scalar(2i32) * n_1);
+        let folded_1 = (((cell_6 % period_1) + period_1) % period_1);
+        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_1)) {
+            return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
+        }
+        if rt::Scalar::into_branch_condition(folded_1.elementwise_eq((period_1 - rt::Scalar(1i32)))) {
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(2i32));
+        }
+        return <rt::Vec2<i32>>::from_scalars(((period_1 - rt::Scalar(2i32)) - folded_1), rt::Scalar(1i32));
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_4: Path,
-        cell_6: impl rt::Into<rt::Vec2<i32>>,
+        path_12: Path,
+        cell_7: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_4, rt::into(cell_6), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_12, rt::into(cell_7), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_4: Path,
-        cell_6: rt::Vec2<i32>,
+        path_12: Path,
+        cell_7: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_3: rt::Scalar<bool>;
+        let mut local_5: rt::Scalar<bool>;
 
         let _e7 = self.surface_settings.height_size.x();
-        let _e9 = self.v_folded_cell(cell_6.x(), _e7.cast_elem_as_i32());
+        let _e9 = self.v_image_of(cell_7.x(), _e7.cast_elem_as_i32());
         let _e14 = self.surface_settings.height_size.y();
-        let _e16 = self.v_folded_cell(cell_6.y(), _e14.cast_elem_as_i32());
-        if rt::Scalar::into_branch_condition((!_e9.x().elementwise_lt(rt::Scalar(0i32)))) {
-            local_3 = _e16.x().elementwise_lt(rt::Scalar(0i32));
+        let _e16 = self.v_image_of(cell_7.y(), _e14.cast_elem_as_i32());
+        if rt::Scalar::into_branch_condition((!_e9.y().elementwise_eq(rt::Scalar(2i32)))) {
+            local_5 = _e16.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_3 = rt::Scalar(true);
+            local_5 = rt::Scalar(true);
         }
-        let _e27 = local_3;
+        let _e27 = local_5;
         if rt::Scalar::into_branch_condition(_e27) {
             return rt::Scalar(-1f32);
         }
-        let _e35 = self.v_search_texel(path_4, <rt::Vec2<i32>>::from_scalars(_e9.x(), _e16.x()), rt::Scalar(0i32), rt::Scalar(path_4.level).cast_elem_as_i32());
+        let _e35 = self.v_search_texel(path_12, <rt::Vec2<i32>>::from_scalars(_e9.x(), _e16.x()), rt::Scalar(0i32), rt::Scalar(path_12.level).cast_elem_as_i32());
         let right = forward_1.x().elementwise_eq(_e9.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e16.y().elementwise_eq(rt::Scalar(0i32)));
         return _e35.w().select(_e35.z(), right).select(_e35.y().select(_e35.x(), right), down);
     }
-    pub(crate) fn height_size(&self) -> rt::Vec2<f32> {
-        rt::into(self.v_height_size())
+    pub(crate) fn grid_of(&self, path_13: Path) -> Grid {
+        rt::into(self.v_grid_of(path_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_size(&self) -> rt::Vec2<f32> {
-        let _e2 = self.surface_settings.height_size;
-        return _e2.cast_elem_as_f32();
-    }
-    pub(crate) fn grid_of(&self, path_5: Path) -> Grid {
-        rt::into(self.v_grid_of(path_5))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_5: Path) -> Grid {
+    fn v_grid_of(&self, path_13: Path) -> Grid {
         let _e1 = self.v_height_size();
-        return <Grid>::new(((path_5.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_5.duv * _e1));
+        return <Grid>::new(((path_13.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_13.duv * _e1));
     }
     pub(crate) fn has_interval(&self, found: Found) -> bool {
         rt::into(self.v_has_interval(found))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
-        let mut local_4: rt::Scalar<bool>;
-        let mut local_5: rt::Scalar<bool>;
         let mut local_6: rt::Scalar<bool>;
+        let mut local_7: rt::Scalar<bool>;
+        let mut local_8: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-                local_5 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_7 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_5 = rt::Scalar(true);
+                local_7 = rt::Scalar(true);
             }
-            let _e16 = local_5;
+            let _e16 = local_7;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_6 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+                local_8 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_6 = rt::Scalar(true);
+                local_8 = rt::Scalar(true);
             }
-            let _e24 = local_6;
-            local_4 = _e24;
+            let _e24 = local_8;
+            local_6 = _e24;
         } else {
-            local_4 = rt::Scalar(false);
+            local_6 = rt::Scalar(false);
         }
-        let _e26 = local_4;
+        let _e26 = local_6;
         return _e26;
     }
-    pub(crate) fn height_and_slope(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_3)))
+    pub(crate) fn height_and_slope(&self, uv_7: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_height_and_slope(rt::into(uv_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_and_slope(&self, uv_3: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_height_and_slope(&self, uv_7: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e1 = self.v_height_size();
-        let point_3 = ((uv_3 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e7 = self.v_cell_of(point_3);
-        let f = (point_3 - _e7);
-        let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_1 = (_e10.x() + ((_e10.y() - _e10.x()) * f.x()));
-        let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f.x()));
-        let left_1 = (_e10.x() + ((_e10.z() - _e10.x()) * f.y()));
-        let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_1 + ((bottom_1 - top_1) * f.y())), ((right_1 - left_1) * _e1.x()), ((bottom_1 - top_1) * _e1.y()));
-    }
-    pub(crate) fn height_at(&self, uv_4: impl rt::Into<rt::Vec2<f32>>) -> f32 {
-        rt::into(self.v_height_at(rt::into(uv_4)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_at(&self, uv_4: rt::Vec2<f32>) -> rt::Scalar<f32> {
-        let _e1 = self.v_height_size();
-        let point_4 = ((uv_4 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_4 = ((uv_7 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e7 = self.v_cell_of(point_4);
         let f_1 = (point_4 - _e7);
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
+        let top_3 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
         let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
-        return (top_2 + ((bottom_2 - top_2) * f_1.y()));
+        let left_1 = (_e10.x() + ((_e10.z() - _e10.x()) * f_1.y()));
+        let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_3 + ((bottom_2 - top_3) * f_1.y())), ((right_1 - left_1) * _e1.x()), ((bottom_2 - top_3) * _e1.y()));
     }
-    pub(crate) fn path_height(
-        &self,
-        path_6: Path,
-        t_4: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_path_height(path_6, rt::into(t_4)))
+    pub(crate) fn miss(&self, reads_3: impl rt::Into<rt::Scalar<u32>>) -> Hit {
+        rt::into(self.v_miss(rt::into(reads_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_path_height(
-        &self,
-        path_6: Path,
-        t_4: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        return (path_6.h.x() + (t_4 * (path_6.h.y() + (t_4 * path_6.h.z()))));
-    }
-    pub(crate) fn miss(&self, reads_1: impl rt::Into<rt::Scalar<u32>>) -> Hit {
-        rt::into(self.v_miss(rt::into(reads_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_miss(&self, reads_1: rt::Scalar<u32>) -> Hit {
-        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads_1);
-    }
-    pub(crate) fn path_uv(
-        &self,
-        path_7: Path,
-        t_5: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec2<f32> {
-        rt::into(self.v_path_uv(path_7, rt::into(t_5)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_path_uv(
-        &self,
-        path_7: Path,
-        t_5: rt::Scalar<f32>,
-    ) -> rt::Vec2<f32> {
-        return (path_7.uv + (path_7.duv * t_5));
+    fn v_miss(&self, reads_3: rt::Scalar<u32>) -> Hit {
+        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads_3);
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_8: Path,
-        t_6: impl rt::Into<rt::Scalar<f32>>,
+        path_14: Path,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
-        reads_2: impl rt::Into<rt::Scalar<u32>>,
+        reads_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_8, rt::into(t_6), rt::into(exhausted), rt::into(reads_2)))
+        rt::into(self.v_hit_on_path(path_14, rt::into(t_7), rt::into(exhausted), rt::into(reads_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_8: Path,
-        t_6: rt::Scalar<f32>,
+        path_14: Path,
+        t_7: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
-        reads_2: rt::Scalar<u32>,
+        reads_4: rt::Scalar<u32>,
     ) -> Hit {
-        let mut local_7: rt::Scalar<bool>;
+        let mut local_9: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_6.elementwise_gt(rt::Scalar(path_8.exit))) {
-            let _e9 = self.v_path_height(path_8, rt::Scalar(path_8.exit));
-            local_7 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_7.elementwise_gt(rt::Scalar(path_14.exit))) {
+            let _e9 = self.v_path_height(path_14, rt::Scalar(path_14.exit));
+            local_9 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_7 = rt::Scalar(false);
+            local_9 = rt::Scalar(false);
         }
-        let _e13 = local_7;
+        let _e13 = local_9;
         if rt::Scalar::into_branch_condition(_e13) {
-            let _e14 = self.v_miss(reads_2);
+            let _e14 = self.v_miss(reads_4);
             return _e14;
         }
-        let inside = t_6.clamp(rt::Scalar(0f32), rt::Scalar(path_8.exit));
-        let _e19 = self.v_path_uv(path_8, inside);
-        let _e20 = self.v_path_height(path_8, inside);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_2);
+        let inside = t_7.clamp(rt::Scalar(0f32), rt::Scalar(path_14.exit));
+        let _e19 = self.v_path_uv(path_14, inside);
+        let _e20 = self.v_path_height(path_14, inside);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_4);
     }
     pub(crate) fn inside_unit(
         &self,
@@ -1133,15 +1358,15 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_8: rt::Scalar<bool>;
+        let mut local_10: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_8 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_10 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_8 = rt::Scalar(true);
+                local_10 = rt::Scalar(true);
             }
-            let _e13 = local_8;
+            let _e13 = local_10;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
@@ -1151,13 +1376,57 @@ impl<'g> Resources<'g> {
         let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
         return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
     }
-    pub(crate) fn normal_at(&self, uv_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_5)))
+    pub(crate) fn leaves_extent(
+        &self,
+        origin: impl rt::Into<rt::Scalar<f32>>,
+        step: impl rt::Into<rt::Scalar<f32>>,
+        extent: impl rt::Into<rt::Vec2<i32>>,
+    ) -> f32 {
+        rt::into(self.v_leaves_extent(rt::into(origin), rt::into(step), rt::into(extent)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_at(&self, uv_5: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_leaves_extent(
+        &self,
+        origin: rt::Scalar<f32>,
+        step: rt::Scalar<f32>,
+        extent: rt::Vec2<i32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(step.elementwise_gt(rt::Scalar(0f32))) {
+            return ((extent.y().cast_elem_as_f32() - origin) / step);
+        }
+        if rt::Scalar::into_branch_condition(step.elementwise_lt(rt::Scalar(0f32))) {
+            return ((extent.x().cast_elem_as_f32() - origin) / step);
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub(crate) fn leaves_window(
+        &self,
+        grid_6: Grid,
+        cell_8: impl rt::Into<rt::Vec2<f32>>,
+        radius: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_leaves_window(grid_6, rt::into(cell_8), rt::into(radius)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_leaves_window(
+        &self,
+        grid_6: Grid,
+        cell_8: rt::Vec2<f32>,
+        radius: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
+        let _e5 = self.v_cell_leave(grid_6, (cell_8 - wide_1));
+        let _e7 = self.v_cell_leave(grid_6, (cell_8 + wide_1));
+        let leave_5 = _e5.select(_e7, grid_6.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+        return leave_5.x().min(leave_5.y());
+    }
+    pub(crate) fn normal_at(&self, uv_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_at(&self, uv_8: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.surface_settings.normal_size;
-        let _e4 = self.v_texels_around(uv_5, _e3);
+        let _e4 = self.v_texels_around(uv_8, _e3);
         let _e13 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -1168,17 +1437,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn normal_from_map(
         &self,
         at: Entered,
-        uv_6: impl rt::Into<rt::Vec2<f32>>,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_map(at, rt::into(uv_6)))
+        rt::into(self.v_normal_from_map(at, rt::into(uv_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_map(
         &self,
         at: Entered,
-        uv_6: rt::Vec2<f32>,
+        uv_9: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_normal_at(uv_6);
+        let _e2 = self.v_normal_at(uv_9);
         let along_u = at.tangent.normalize();
         let along_v = at.bitangent.normalize();
         return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at.normal * _e2.z())).normalize();
@@ -1186,25 +1455,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn normal_from_height(
         &self,
         at_1: Entered,
-        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_1, rt::into(uv_7)))
+        rt::into(self.v_normal_from_height(at_1, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_1: Entered,
-        uv_7: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size();
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e2.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e2.y()));
-        let _e14 = self.v_height_at((uv_7 + du));
-        let _e16 = self.v_height_at((uv_7 - du));
+        let _e14 = self.v_height_at((uv_10 + du));
+        let _e16 = self.v_height_at((uv_10 - du));
         let _e23 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u = ((_e14 - _e16) * ((rt::Scalar(0.5f32) * _e2.x()) * _e23));
-        let _e27 = self.v_height_at((uv_7 + dv));
-        let _e29 = self.v_height_at((uv_7 - dv));
+        let _e27 = self.v_height_at((uv_10 + dv));
+        let _e29 = self.v_height_at((uv_10 - dv));
         let _e36 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = ((_e27 - _e29) * ((rt::Scalar(0.5f32) * _e2.y()) * _e36));
         let along_u_1 = (at_1.tangent + (at_1.normal * slope_u));
@@ -1215,74 +1484,104 @@ impl<'g> Resources<'g> {
     pub(crate) fn mesostructure_normal(
         &self,
         at_2: Entered,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_mesostructure_normal(at_2, rt::into(uv_8)))
+        rt::into(self.v_mesostructure_normal(at_2, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normal(
         &self,
         at_2: Entered,
-        uv_8: rt::Vec2<f32>,
+        uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e7 = self.v_normal_from_map(at_2, uv_8);
+            let _e7 = self.v_normal_from_map(at_2, uv_11);
             return _e7;
         }
-        let _e8 = self.v_normal_from_height(at_2, uv_8);
+        let _e8 = self.v_normal_from_height(at_2, uv_11);
         return _e8;
+    }
+    pub(crate) fn nearest_corner(&self, at_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_nearest_corner(&self, at_3: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_3.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    }
+    pub(crate) fn node_extent(
+        &self,
+        cell_9: impl rt::Into<rt::Scalar<i32>>,
+        image: impl rt::Into<rt::Vec2<i32>>,
+        n_2: impl rt::Into<rt::Scalar<i32>>,
+        level_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_node_extent(rt::into(cell_9), rt::into(image), rt::into(n_2), rt::into(level_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_node_extent(
+        &self,
+        cell_9: rt::Scalar<i32>,
+        image: rt::Vec2<i32>,
+        n_2: rt::Scalar<i32>,
+        level_1: rt::Scalar<u32>,
+    ) -> rt::Vec2<i32> {
+        let mut local_11: rt::Scalar<bool>;
+
+        let first_2 = ((image.x() >> level_1) << level_1);
+        let side_1 = (rt::Scalar(1i32) << level_1);
+        if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
+            let low = (cell_9 - (image.x() - first_2));
+            return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_2 - first_2))));
+        }
+        if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
+            let high = ((cell_9 + (image.x() - first_2)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_2 - rt::Scalar(1i32)) - first_2))), high);
+        }
+        if rt::Scalar::into_branch_condition(level_1.elementwise_gt(rt::Scalar(0u32))) {
+            let _e39 = rt::Scalar(self.surface_settings.wrap);
+            local_11 = _e39.elementwise_eq(WRAP_CLAMP);
+        } else {
+            local_11 = rt::Scalar(false);
+        }
+        let _e43 = local_11;
+        if rt::Scalar::into_branch_condition(_e43) {
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_2, cell_9.elementwise_ge(n_2)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_9.elementwise_ge(n_2)));
+        }
+        return <rt::Vec2<i32>>::from_scalars(cell_9, (cell_9 + rt::Scalar(1i32)));
     }
     pub(crate) fn normal_z(
         &self,
-        path_9: Path,
+        path_15: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_9, rt::into(slope)))
+        rt::into(self.v_normal_z(path_15, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_9: Path,
+        path_15: Path,
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m = path_9.metric;
+        let m = path_15.metric;
         let area = ((m.x() * m.z()) - (m.y() * m.y()));
         let squared_1 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
     }
-    pub(crate) fn path_gap(
-        &self,
-        path_10: Path,
-        t_7: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_path_gap(path_10, rt::into(t_7)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_path_gap(
-        &self,
-        path_10: Path,
-        t_7: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let _e2 = self.v_path_height(path_10, t_7);
-        let _e3 = self.v_path_uv(path_10, t_7);
-        let _e4 = self.v_height_at(_e3);
-        return (_e2 - _e4);
-    }
     pub(crate) fn path_slope(
         &self,
-        path_11: Path,
+        path_16: Path,
         t_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_11, rt::into(t_8)))
+        rt::into(self.v_path_slope(path_16, rt::into(t_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_11: Path,
+        path_16: Path,
         t_8: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_11.h.y() + ((rt::Scalar(2f32) * t_8) * path_11.h.z()));
+        return (path_16.h.y() + ((rt::Scalar(2f32) * t_8) * path_16.h.z()));
     }
     pub(crate) fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel)))
@@ -1327,22 +1626,22 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_pixel_direction(point_1);
         return <PixelIn>::new(_e5, _e6, side, a_1, b_1, c_4);
     }
-    pub(crate) fn starting_point(&self, path_12: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_12, found_1))
+    pub(crate) fn starting_point(&self, path_17: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_17, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_12: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_9: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_17: Path, found_1: Found) -> rt::Scalar<f32> {
+        let mut local_12: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_12.base);
+            return rt::Scalar(path_17.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_9 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_12 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_9 = rt::Scalar(true);
+            local_12 = rt::Scalar(true);
         }
-        let _e16 = local_9;
+        let _e16 = local_12;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -1350,16 +1649,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_13: Path,
+        path_18: Path,
         found_2: Found,
         params: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_13, found_2, rt::into(params)))
+        rt::into(self.v_refine_none(path_18, found_2, rt::into(params)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_13: Path,
+        path_18: Path,
         found_2: Found,
         params: rt::Vec4<f32>,
     ) -> Hit {
@@ -1368,48 +1667,48 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_13, found_2);
-        let _e16 = self.v_hit_on_path(path_13, _e14, exhausted_1, rt::Scalar(found_2.reads));
+        let _e14 = self.v_starting_point(path_18, found_2);
+        let _e16 = self.v_hit_on_path(path_18, _e14, exhausted_1, rt::Scalar(found_2.reads));
         return _e16;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_14: Path,
+        path_19: Path,
         found_3: Found,
         params_1: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_14, found_3, rt::into(params_1)))
+        rt::into(self.v_refine_binary(path_19, found_3, rt::into(params_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_14: Path,
+        path_19: Path,
         found_3: Found,
         params_1: rt::Vec4<f32>,
     ) -> Hit {
-        let mut near: rt::Scalar<f32>;
-        let mut far: rt::Scalar<f32>;
-        let mut reads_3: rt::Scalar<u32>;
-        let mut local_10: rt::Scalar<bool>;
+        let mut near_2: rt::Scalar<f32>;
+        let mut far_2: rt::Scalar<f32>;
+        let mut reads_5: rt::Scalar<u32>;
+        let mut local_13: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_3);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_14, found_3, params_1);
+            let _e5 = self.v_refine_none(path_19, found_3, params_1);
             return _e5;
         }
-        near = rt::Scalar(found_3.near);
-        far = rt::Scalar(found_3.far);
-        reads_3 = rt::Scalar(found_3.reads);
+        near_2 = rt::Scalar(found_3.near);
+        far_2 = rt::Scalar(found_3.far);
+        reads_5 = rt::Scalar(found_3.reads);
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
-            let _e18 = far;
-            let _e19 = self.v_path_height(path_14, _e18);
-            local_10 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e18 = far_2;
+            let _e19 = self.v_path_height(path_19, _e18);
+            local_13 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_10 = rt::Scalar(true);
+            local_13 = rt::Scalar(true);
         }
-        let _e23 = local_10;
+        let _e23 = local_13;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -1419,17 +1718,17 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = near;
-                    let _e31 = far;
-                    let middle = (rt::Scalar(0.5f32) * (_e30 + _e31));
-                    let _e35 = reads_3;
-                    reads_3 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = self.v_path_gap(path_14, middle);
+                    let _e30 = near_2;
+                    let _e31 = far_2;
+                    let middle_1 = (rt::Scalar(0.5f32) * (_e30 + _e31));
+                    let _e35 = reads_5;
+                    reads_5 = (_e35 + rt::Scalar(1u32));
+                    let _e38 = self.v_path_gap(path_19, middle_1);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
-                        far = middle;
+                        far_2 = middle_1;
                         crossed = rt::Scalar(true);
                     } else {
-                        near = middle;
+                        near_2 = middle_1;
                     }
                     let _e42 = k;
                     k = (_e42 + rt::Scalar(1f32));
@@ -1438,28 +1737,28 @@ impl<'g> Resources<'g> {
         }
         let _e45 = crossed;
         if rt::Scalar::into_branch_condition((!_e45)) {
-            let _e47 = reads_3;
+            let _e47 = reads_5;
             let _e48 = self.v_miss(_e47);
             return _e48;
         }
-        let _e49 = near;
-        let _e50 = far;
-        let _e55 = reads_3;
-        let _e56 = self.v_hit_on_path(path_14, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
+        let _e49 = near_2;
+        let _e50 = far_2;
+        let _e55 = reads_5;
+        let _e56 = self.v_hit_on_path(path_19, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_15: Path,
+        path_20: Path,
         found_4: Found,
         params_2: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_15, found_4, rt::into(params_2)))
+        rt::into(self.v_refine_offset(path_20, found_4, rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_15: Path,
+        path_20: Path,
         found_4: Found,
         params_2: rt::Vec4<f32>,
     ) -> Hit {
@@ -1469,31 +1768,31 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_4.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_15, found_4);
-        let _e9 = self.v_path_uv(path_15, _e8);
+        let _e8 = self.v_starting_point(path_20, found_4);
+        let _e9 = self.v_path_uv(path_20, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_slope(path_15, _e8);
+        let _e11 = self.v_path_slope(path_20, _e8);
         t_9 = _e8;
         if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
-            let _e15 = self.v_path_height(path_15, _e8);
+            let _e15 = self.v_path_height(path_20, _e8);
             t_9 = (_e8 + ((_e10 - _e15) / _e11));
         }
         let _e19 = t_9;
-        let _e29 = self.v_hit_on_path(path_15, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
+        let _e29 = self.v_hit_on_path(path_20, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
         return _e29;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_16: Path,
+        path_21: Path,
         found_5: Found,
         params_3: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_16, found_5, rt::into(params_3)))
+        rt::into(self.v_refine_offset_limited(path_21, found_5, rt::into(params_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_16: Path,
+        path_21: Path,
         found_5: Found,
         params_3: rt::Vec4<f32>,
     ) -> Hit {
@@ -1503,12 +1802,12 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_5.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_16, found_5);
-        let _e9 = self.v_path_uv(path_16, _e8);
+        let _e8 = self.v_starting_point(path_21, found_5);
+        let _e9 = self.v_path_uv(path_21, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_height(path_16, _e8);
-        let rise_m = ((_e10 - _e11) * path_16.metric.w());
-        let _e26 = self.v_hit_on_path(path_16, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        let _e11 = self.v_path_height(path_21, _e8);
+        let rise_m = ((_e10 - _e11) * path_21.metric.w());
+        let _e26 = self.v_hit_on_path(path_21, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
         hit = _e26;
         let _e29 = rt::Scalar(hit.found);
         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
@@ -1519,154 +1818,154 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_patch(
         &self,
-        path_17: Path,
+        path_22: Path,
         found_6: Found,
         params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_17, found_6, rt::into(params_4)))
+        rt::into(self.v_refine_patch(path_22, found_6, rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_17: Path,
+        path_22: Path,
         found_6: Found,
         params_4: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_10: rt::Scalar<f32>;
-        let mut cell_7: rt::Vec2<f32>;
-        let mut reads_4: rt::Scalar<u32>;
-        let mut local_11: rt::Scalar<bool>;
+        let mut cell_10: rt::Vec2<f32>;
+        let mut reads_6: rt::Scalar<u32>;
+        let mut local_14: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_6.reads));
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_17, rt::Scalar(found_6.near), rt::Scalar(1u32), rt::Scalar(found_6.reads));
+            let _e14 = self.v_hit_on_path(path_22, rt::Scalar(found_6.near), rt::Scalar(1u32), rt::Scalar(found_6.reads));
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_17, rt::Scalar(found_6.near), rt::Scalar(0u32), rt::Scalar(found_6.reads));
+            let _e21 = self.v_hit_on_path(path_22, rt::Scalar(found_6.near), rt::Scalar(0u32), rt::Scalar(found_6.reads));
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_17);
+        let _e22 = self.v_grid_of(path_22);
         t_10 = rt::Scalar(found_6.near);
         let _e27 = t_10;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_7 = _e30;
-        reads_4 = rt::Scalar(found_6.reads);
-        let _e34 = reads_4;
+        cell_10 = _e30;
+        reads_6 = rt::Scalar(found_6.reads);
+        let _e34 = reads_6;
         let limit = (_e34 + params_4.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = reads_4;
+                let _e38 = reads_6;
                 if rt::Scalar::into_branch_condition(_e38.elementwise_lt(limit)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = cell_7;
+                    let _e40 = cell_10;
                     let _e41 = self.v_cell_leave(_e22, _e40);
                     let end = _e41.x().min(_e41.y()).min(rt::Scalar(found_6.far));
                     let _e47 = t_10;
                     let span_4 = (end - _e47).max(rt::Scalar(0f32));
-                    let _e51 = cell_7;
+                    let _e51 = cell_10;
                     let _e52 = t_10;
-                    let _e53 = self.v_cell_gap(path_17, _e22, _e51, _e52);
-                    let _e54 = reads_4;
-                    reads_4 = (_e54 + rt::Scalar(1u32));
+                    let _e53 = self.v_cell_gap(path_22, _e22, _e51, _e52);
+                    let _e54 = reads_6;
+                    reads_6 = (_e54 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e60 = t_10;
-                        let _e62 = reads_4;
-                        let _e63 = self.v_hit_on_path(path_17, _e60, rt::Scalar(0u32), _e62);
+                        let _e62 = reads_6;
+                        let _e63 = self.v_hit_on_path(path_22, _e60, rt::Scalar(0u32), _e62);
                         return _e63;
                     }
                     let _e64 = self.v_first_root(_e53, span_4);
                     if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e67 = t_10;
-                        let _e70 = reads_4;
-                        let _e71 = self.v_hit_on_path(path_17, (_e67 + _e64), rt::Scalar(0u32), _e70);
+                        let _e70 = reads_6;
+                        let _e71 = self.v_hit_on_path(path_22, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
                     if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_6.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_11 = rt::Scalar(found_6.status).elementwise_eq(FOUND_BELOW);
+                            local_14 = rt::Scalar(found_6.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_11 = rt::Scalar(true);
+                            local_14 = rt::Scalar(true);
                         }
-                        let _e84 = local_11;
+                        let _e84 = local_14;
                         if rt::Scalar::into_branch_condition(_e84) {
-                            let _e87 = reads_4;
-                            let _e88 = self.v_hit_on_path(path_17, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
+                            let _e87 = reads_6;
+                            let _e88 = self.v_hit_on_path(path_22, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
                             return _e88;
                         }
-                        let _e89 = reads_4;
+                        let _e89 = reads_6;
                         let _e90 = self.v_miss(_e89);
                         return _e90;
                     }
-                    let _e91 = cell_7;
+                    let _e91 = cell_10;
                     let _e92 = self.v_cell_next(_e22, _e91, _e41);
-                    cell_7 = _e92;
+                    cell_10 = _e92;
                     let _e93 = t_10;
                     t_10 = _e93.max(end);
                 }
             }
         }
         let _e95 = t_10;
-        let _e97 = reads_4;
-        let _e98 = self.v_hit_on_path(path_17, _e95, rt::Scalar(1u32), _e97);
+        let _e97 = reads_6;
+        let _e98 = self.v_hit_on_path(path_22, _e95, rt::Scalar(1u32), _e97);
         return _e98;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_18: Path,
+        path_23: Path,
         found_7: Found,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_18, found_7, rt::into(params_5)))
+        rt::into(self.v_refine_secant(path_23, found_7, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_18: Path,
+        path_23: Path,
         found_7: Found,
         params_5: rt::Vec4<f32>,
     ) -> Hit {
-        let mut near_1: rt::Scalar<f32>;
-        let mut far_1: rt::Scalar<f32>;
-        let mut near_gap: rt::Scalar<f32>;
-        let mut far_gap: rt::Scalar<f32>;
-        let mut reads_5: rt::Scalar<u32>;
+        let mut near_3: rt::Scalar<f32>;
+        let mut far_3: rt::Scalar<f32>;
+        let mut near_gap_1: rt::Scalar<f32>;
+        let mut far_gap_1: rt::Scalar<f32>;
+        let mut reads_7: rt::Scalar<u32>;
         let mut t_11: rt::Scalar<f32>;
         let mut k_1: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_18, found_7, params_5);
+            let _e5 = self.v_refine_none(path_23, found_7, params_5);
             return _e5;
         }
-        near_1 = rt::Scalar(found_7.near);
-        far_1 = rt::Scalar(found_7.far);
-        near_gap = rt::Scalar(found_7.near_gap);
-        far_gap = rt::Scalar(found_7.far_gap);
-        reads_5 = rt::Scalar(found_7.reads);
+        near_3 = rt::Scalar(found_7.near);
+        far_3 = rt::Scalar(found_7.far);
+        near_gap_1 = rt::Scalar(found_7.near_gap);
+        far_gap_1 = rt::Scalar(found_7.far_gap);
+        reads_7 = rt::Scalar(found_7.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_ne(FOUND_BRACKET)) {
-            let _e19 = near_1;
-            let _e20 = self.v_path_gap(path_18, _e19);
-            near_gap = _e20;
-            let _e21 = far_1;
-            let _e22 = self.v_path_gap(path_18, _e21);
-            far_gap = _e22;
-            let _e23 = reads_5;
-            reads_5 = (_e23 + rt::Scalar(2u32));
-            let _e26 = far_gap;
+            let _e19 = near_3;
+            let _e20 = self.v_path_gap(path_23, _e19);
+            near_gap_1 = _e20;
+            let _e21 = far_3;
+            let _e22 = self.v_path_gap(path_23, _e21);
+            far_gap_1 = _e22;
+            let _e23 = reads_7;
+            reads_7 = (_e23 + rt::Scalar(2u32));
+            let _e26 = far_gap_1;
             if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_5;
+                let _e29 = reads_7;
                 let _e30 = self.v_miss(_e29);
                 return _e30;
             }
         }
-        let _e31 = far_1;
+        let _e31 = far_3;
         t_11 = _e31;
         'naga_break: loop {
             'naga_continue: {
@@ -1676,31 +1975,31 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = near_gap;
-                    let _e39 = far_gap;
+                    let _e38 = near_gap_1;
+                    let _e39 = far_gap_1;
                     let drop = (_e38 - _e39);
                     if rt::Scalar::into_branch_condition((!drop.elementwise_gt(rt::Scalar(0f32)))) {
                         break 'naga_break;
                     }
-                    let _e44 = near_1;
-                    let _e45 = far_1;
-                    let _e46 = near_1;
-                    let _e48 = near_gap;
+                    let _e44 = near_3;
+                    let _e45 = far_3;
+                    let _e46 = near_3;
+                    let _e48 = near_gap_1;
                     t_11 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
                     let _e52 = k_1;
                     if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_5.x())) {
                         let _e55 = t_11;
-                        let _e56 = self.v_path_gap(path_18, _e55);
-                        let _e57 = reads_5;
-                        reads_5 = (_e57 + rt::Scalar(1u32));
+                        let _e56 = self.v_path_gap(path_23, _e55);
+                        let _e57 = reads_7;
+                        reads_7 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
                             let _e62 = t_11;
-                            far_1 = _e62;
-                            far_gap = _e56;
+                            far_3 = _e62;
+                            far_gap_1 = _e56;
                         } else {
                             let _e63 = t_11;
-                            near_1 = _e63;
-                            near_gap = _e56;
+                            near_3 = _e63;
+                            near_gap_1 = _e56;
                         }
                     }
                     let _e64 = k_1;
@@ -1709,22 +2008,22 @@ impl<'g> Resources<'g> {
             }
         }
         let _e67 = t_11;
-        let _e69 = reads_5;
-        let _e70 = self.v_hit_on_path(path_18, _e67, rt::Scalar(0u32), _e69);
+        let _e69 = reads_7;
+        let _e70 = self.v_hit_on_path(path_23, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
     pub(crate) fn refine_slope(
         &self,
-        path_19: Path,
+        path_24: Path,
         found_8: Found,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_19, found_8, rt::into(params_6)))
+        rt::into(self.v_refine_slope(path_24, found_8, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_19: Path,
+        path_24: Path,
         found_8: Found,
         params_6: rt::Vec4<f32>,
     ) -> Hit {
@@ -1734,52 +2033,52 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_8.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_19, found_8);
-        let _e9 = self.v_path_uv(path_19, _e8);
+        let _e8 = self.v_starting_point(path_24, found_8);
+        let _e9 = self.v_path_uv(path_24, _e8);
         let _e10 = self.v_height_and_slope(_e9);
-        let _e12 = self.v_path_height(path_19, _e8);
+        let _e12 = self.v_path_height(path_24, _e8);
         let rise = (_e10.x() - _e12);
         t_12 = _e8;
         if rt::Scalar::into_branch_condition(params_6.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e18 = self.v_path_slope(path_19, _e8);
-            let closing = (_e18 - ((_e10.y() * path_19.duv.x()) + (_e10.z() * path_19.duv.y())));
+            let _e18 = self.v_path_slope(path_24, _e8);
+            let closing = (_e18 - ((_e10.y() * path_24.duv.x()) + (_e10.z() * path_24.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_12 = (_e8 + (rise / closing));
             }
         } else {
-            let _e39 = self.v_normal_z(path_19, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_12 = (_e8 - ((rise * path_19.metric.w()) * _e39));
+            let _e39 = self.v_normal_z(path_24, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
+            t_12 = (_e8 - ((rise * path_24.metric.w()) * _e39));
         }
         let _e42 = t_12;
-        let _e52 = self.v_hit_on_path(path_19, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
+        let _e52 = self.v_hit_on_path(path_24, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
         return _e52;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_20: Path,
+        path_25: Path,
         found_9: Found,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_20, found_9, rt::into(params_7)))
+        rt::into(self.v_refine_slope_iterative(path_25, found_9, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_20: Path,
+        path_25: Path,
         found_9: Found,
         params_7: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_13: rt::Scalar<f32>;
-        let mut reads_6: rt::Scalar<u32>;
+        let mut reads_8: rt::Scalar<u32>;
         let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_9.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_20, found_9);
+        let _e8 = self.v_starting_point(path_25, found_9);
         t_13 = _e8;
-        reads_6 = rt::Scalar(found_9.reads);
+        reads_8 = rt::Scalar(found_9.reads);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_2;
@@ -1789,50 +2088,50 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e17 = t_13;
-                    let _e18 = self.v_path_uv(path_20, _e17);
+                    let _e18 = self.v_path_uv(path_25, _e17);
                     let _e19 = self.v_height_and_slope(_e18);
-                    let _e20 = reads_6;
-                    reads_6 = (_e20 + rt::Scalar(1u32));
+                    let _e20 = reads_8;
+                    reads_8 = (_e20 + rt::Scalar(1u32));
                     let _e24 = t_13;
-                    let _e25 = self.v_path_height(path_20, _e24);
+                    let _e25 = self.v_path_height(path_25, _e24);
                     let rise_1 = (_e19.x() - _e25);
                     if rt::Scalar::into_branch_condition(params_7.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e30 = t_13;
-                        let _e31 = self.v_path_slope(path_20, _e30);
-                        let closing_1 = (_e31 - ((_e19.y() * path_20.duv.x()) + (_e19.z() * path_20.duv.y())));
+                        let _e31 = self.v_path_slope(path_25, _e30);
+                        let closing_1 = (_e31 - ((_e19.y() * path_25.duv.x()) + (_e19.z() * path_25.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e44 = t_13;
                             t_13 = (_e44 + (rise_1 / closing_1));
                         }
                     } else {
                         let _e47 = t_13;
-                        let _e54 = self.v_normal_z(path_20, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_13 = (_e47 - ((rise_1 * path_20.metric.w()) * _e54));
+                        let _e54 = self.v_normal_z(path_25, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
+                        t_13 = (_e47 - ((rise_1 * path_25.metric.w()) * _e54));
                     }
                     let _e57 = t_13;
-                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_20.exit));
+                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_25.exit));
                     let _e61 = k_2;
                     k_2 = (_e61 + rt::Scalar(1f32));
                 }
             }
         }
         let _e64 = t_13;
-        let _e71 = reads_6;
-        let _e72 = self.v_hit_on_path(path_20, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
+        let _e71 = reads_8;
+        let _e72 = self.v_hit_on_path(path_25, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
         return _e72;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_21: Path,
+        path_26: Path,
         found_10: Found,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_21, found_10, rt::into(params_8)))
+        rt::into(self.v_refine_true_secant(path_26, found_10, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_21: Path,
+        path_26: Path,
         found_10: Found,
         params_8: rt::Vec4<f32>,
     ) -> Hit {
@@ -1840,31 +2139,31 @@ impl<'g> Resources<'g> {
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
-        let mut reads_7: rt::Scalar<u32>;
+        let mut reads_9: rt::Scalar<u32>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_10);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_21, found_10, params_8);
+            let _e5 = self.v_refine_none(path_26, found_10, params_8);
             return _e5;
         }
         before = rt::Scalar(found_10.near);
         last = rt::Scalar(found_10.far);
         before_gap = rt::Scalar(found_10.near_gap);
         last_gap = rt::Scalar(found_10.far_gap);
-        reads_7 = rt::Scalar(found_10.reads);
+        reads_9 = rt::Scalar(found_10.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_21, _e19);
+            let _e20 = self.v_path_gap(path_26, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_21, _e21);
+            let _e22 = self.v_path_gap(path_26, _e21);
             last_gap = _e22;
-            let _e23 = reads_7;
-            reads_7 = (_e23 + rt::Scalar(2u32));
+            let _e23 = reads_9;
+            reads_9 = (_e23 + rt::Scalar(2u32));
             let _e26 = last_gap;
             if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_7;
+                let _e29 = reads_9;
                 let _e30 = self.v_miss(_e29);
                 return _e30;
             }
@@ -1887,18 +2186,18 @@ impl<'g> Resources<'g> {
                     let _e42 = last;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_18 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_24 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
                     let _e52 = last;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last = t_18;
+                    last = t_24;
                     let _e54 = k_3;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
-                        let _e57 = self.v_path_gap(path_21, t_18);
+                        let _e57 = self.v_path_gap(path_26, t_24);
                         last_gap = _e57;
-                        let _e58 = reads_7;
-                        reads_7 = (_e58 + rt::Scalar(1u32));
+                        let _e58 = reads_9;
+                        reads_9 = (_e58 + rt::Scalar(1u32));
                     }
                     let _e61 = k_3;
                     k_3 = (_e61 + rt::Scalar(1f32));
@@ -1906,60 +2205,60 @@ impl<'g> Resources<'g> {
             }
         }
         let _e64 = last;
-        let _e66 = reads_7;
-        let _e67 = self.v_hit_on_path(path_21, _e64, rt::Scalar(0u32), _e66);
+        let _e66 = reads_9;
+        let _e67 = self.v_hit_on_path(path_26, _e64, rt::Scalar(0u32), _e66);
         return _e67;
     }
-    pub(crate) fn refine_stage(&self, path_22: Path, found_11: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_22, found_11))
+    pub(crate) fn refine_stage(&self, path_27: Path, found_11: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_27, found_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_22: Path, found_11: Found) -> Hit {
+    fn v_refine_stage(&self, path_27: Path, found_11: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[2usize].params;
-                let _e12 = self.v_refine_none(path_22, found_11, _e11);
+                let _e12 = self.v_refine_none(path_27, found_11, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[2usize].params;
-                let _e18 = self.v_refine_offset(path_22, found_11, _e17);
+                let _e18 = self.v_refine_offset(path_27, found_11, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[2usize].params;
-                let _e24 = self.v_refine_offset_limited(path_22, found_11, _e23);
+                let _e24 = self.v_refine_offset_limited(path_27, found_11, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[2usize].params;
-                let _e30 = self.v_refine_slope(path_22, found_11, _e29);
+                let _e30 = self.v_refine_slope(path_27, found_11, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[2usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_22, found_11, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_27, found_11, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[2usize].params;
-                let _e42 = self.v_refine_binary(path_22, found_11, _e41);
+                let _e42 = self.v_refine_binary(path_27, found_11, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[2usize].params;
-                let _e48 = self.v_refine_secant(path_22, found_11, _e47);
+                let _e48 = self.v_refine_secant(path_27, found_11, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[2usize].params;
-                let _e54 = self.v_refine_true_secant(path_22, found_11, _e53);
+                let _e54 = self.v_refine_true_secant(path_27, found_11, _e53);
                 return _e54;
             }
             _ => {
                 let _e59 = self.surface_settings.choices[2usize].params;
-                let _e60 = self.v_refine_patch(path_22, found_11, _e59);
+                let _e60 = self.v_refine_patch(path_27, found_11, _e59);
                 return _e60;
             }
         }
@@ -2134,124 +2433,124 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cells(
         &self,
-        path_23: Path,
+        path_28: Path,
         params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_23, rt::into(params_10)))
+        rt::into(self.v_search_cells(path_28, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_23: Path,
+        path_28: Path,
         params_10: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_8: rt::Vec2<f32>;
+        let mut cell_11: rt::Vec2<f32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e2 = self.v_grid_of(path_23);
+        let _e2 = self.v_grid_of(path_28);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_8 = _e4;
+        cell_11 = _e4;
         let limit_1 = params_10.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e12 = reads_8;
+                let _e12 = reads_10;
                 if rt::Scalar::into_branch_condition(_e12.elementwise_lt(limit_1)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e14 = cell_8;
+                    let _e14 = cell_11;
                     let _e15 = self.v_cell_leave(_e2, _e14);
-                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_23.exit));
-                    let _e21 = cell_8;
+                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_28.exit));
+                    let _e21 = cell_11;
                     let _e22 = t_14;
-                    let _e23 = self.v_cell_gap(path_23, _e2, _e21, _e22);
-                    let _e24 = reads_8;
-                    reads_8 = (_e24 + rt::Scalar(1u32));
+                    let _e23 = self.v_cell_gap(path_28, _e2, _e21, _e22);
+                    let _e24 = reads_10;
+                    reads_10 = (_e24 + rt::Scalar(1u32));
                     let _e27 = t_14;
                     let span_5 = (end_1 - _e27).max(rt::Scalar(0f32));
                     let _e31 = t_14;
-                    let _e32 = reads_8;
-                    let _e35 = reads_8;
+                    let _e32 = reads_10;
+                    let _e35 = reads_10;
                     let _e36 = self.v_found_in_cell(_e23, _e31, span_5, _e32.elementwise_eq(rt::Scalar(1u32)), _e35);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e36;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_23.exit))) {
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_28.exit))) {
                         let _e43 = t_14;
-                        let _e47 = reads_8;
-                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_23.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
+                        let _e47 = reads_10;
+                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_28.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
                     }
-                    let _e49 = cell_8;
+                    let _e49 = cell_11;
                     let _e50 = self.v_cell_next(_e2, _e49, _e15);
-                    cell_8 = _e50;
+                    cell_11 = _e50;
                     let _e51 = t_14;
                     t_14 = _e51.max(end_1);
                 }
             }
         }
         let _e54 = t_14;
-        let _e56 = reads_8;
-        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
+        let _e56 = reads_10;
+        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
     }
     pub(crate) fn stays_inside(
         &self,
-        path_24: Path,
-        grid_5: Grid,
+        path_29: Path,
+        grid_7: Grid,
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_1: impl rt::Into<rt::Scalar<f32>>,
         t_15: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_24, grid_5, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
+        rt::into(self.v_stays_inside(path_29, grid_7, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_24: Path,
-        grid_5: Grid,
+        path_29: Path,
+        grid_7: Grid,
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_1: rt::Scalar<f32>,
         t_15: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_12: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
         let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_1 = (rt::Scalar(path_24.exit) - t_15);
-        let _e8 = self.v_path_height(path_24, t_15);
-        let height = (_e8 - apex);
-        let terms = (path_24.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_24.exit)) * path_24.h.z().abs()));
-        let _e21 = self.v_path_slope(path_24, t_15);
-        let rise_2 = ((_e21 + (path_24.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let rest_1 = (rt::Scalar(path_29.exit) - t_15);
+        let _e8 = self.v_path_height(path_29, t_15);
+        let height_1 = (_e8 - apex);
+        let terms = (path_29.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_29.exit)) * path_29.h.z().abs()));
+        let _e21 = self.v_path_slope(path_29, t_15);
+        let rise_2 = ((_e21 + (path_29.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_1;
         if rt::Scalar::into_branch_condition(rise_2.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height / (rt::Scalar(0f32) - rise_2)));
+            most = _e34.min((height_1 / (rt::Scalar(0f32) - rise_2)));
         }
         let _e39 = most;
         let end_2 = (t_15 + _e39);
         let _e51 = self.v_height_size();
-        let far_2 = (((grid_5.origin.abs() + (grid_5.step.abs() * end_2)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
-        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_24.h.x().abs() + (end_2 * (path_24.h.y().abs() + (end_2 * path_24.h.z().abs())))));
-        let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_2.x() + far_2.y())));
-        let gap = (height - (rt::Scalar(2f32) * lost_1));
+        let far_4 = (((grid_7.origin.abs() + (grid_7.step.abs() * end_2)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
+        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_29.h.x().abs() + (end_2 * (path_29.h.y().abs() + (end_2 * path_29.h.z().abs())))));
+        let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_4.x() + far_4.y())));
+        let gap_1 = (height_1 - (rt::Scalar(2f32) * lost_1));
         let _e83 = self.v_height_size();
-        let aside = (((grid_5.origin - offset) + (grid_5.step * t_15)) / _e83);
-        let c_5 = (((slope_1 * aside.length()) - gap) * ((slope_1 * aside.length()) + gap));
-        if rt::Scalar::into_branch_condition((!gap.elementwise_le(rt::Scalar(0f32)))) {
-            local_12 = c_5.elementwise_ge(rt::Scalar(0f32));
+        let aside = (((grid_7.origin - offset) + (grid_7.step * t_15)) / _e83);
+        let c_5 = (((slope_1 * aside.length()) - gap_1) * ((slope_1 * aside.length()) + gap_1));
+        if rt::Scalar::into_branch_condition((!gap_1.elementwise_le(rt::Scalar(0f32)))) {
+            local_15 = c_5.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_12 = rt::Scalar(true);
+            local_15 = rt::Scalar(true);
         }
-        let _e100 = local_12;
+        let _e100 = local_15;
         if rt::Scalar::into_branch_condition(_e100) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_1 * slope_1) * aside.dot(path_24.duv)) - (gap * rise_2));
-        let a_3 = (((slope_1 * slope_1) * path_24.duv.dot(path_24.duv)) - (rise_2 * rise_2));
+        let b_3 = (((slope_1 * slope_1) * aside.dot(path_29.duv)) - (gap_1 * rise_2));
+        let a_3 = (((slope_1 * slope_1) * path_29.duv.dot(path_29.duv)) - (rise_2 * rise_2));
         let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -2268,7 +2567,7 @@ impl<'g> Resources<'g> {
         leave_3 = _e133.min(_e134);
         let _e137 = leave_3;
         let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_24.duv * _e137)).length()) + lost_1).elementwise_le((height + (rise_2 * _e143)))) {
+        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_29.duv * _e137)).length()) + lost_1).elementwise_le((height_1 + (rise_2 * _e143)))) {
             let _e147 = leave_3;
             return _e147;
         }
@@ -2276,402 +2575,1272 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_25: Path,
+        path_30: Path,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_25, rt::into(params_11)))
+        rt::into(self.v_search_cone(path_30, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_25: Path,
+        path_30: Path,
         params_11: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_9: rt::Vec2<f32>;
+        let mut cell_12: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_9: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut reads_11: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_1: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_25);
+        let _e2 = self.v_grid_of(path_30);
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_9 = _e9;
+        cell_12 = _e9;
         let limit_2 = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e17 = reads_9;
+                let _e17 = reads_11;
                 if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = reads_9;
-                    let first_2 = _e19.elementwise_eq(rt::Scalar(0u32));
-                    let _e22 = cell_9;
+                    let _e19 = reads_11;
+                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let _e22 = cell_12;
                     let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
-                    let _e25 = reads_9;
-                    reads_9 = (_e25 + rt::Scalar(1u32));
-                    let _e28 = cell_9;
+                    let _e25 = reads_11;
+                    reads_11 = (_e25 + rt::Scalar(1u32));
+                    let _e28 = cell_12;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_3 = _e29.x().min(_e29.y()).min(rt::Scalar(path_25.exit));
+                    let end_3 = _e29.x().min(_e29.y()).min(rt::Scalar(path_30.exit));
                     let _e35 = t_16;
                     let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
-                    let _e40 = cell_9;
+                    let _e40 = cell_12;
                     let _e43 = t_16;
-                    let at_5 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let corner = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_5.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-                    let above_1 = _e24.x().select(_e24.y(), at_5.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let below = _e24.z().select(_e24.w(), at_5.x().elementwise_ge(rt::Scalar(0.5f32)));
-                    let apex_1 = above_1.select(below, at_5.y().elementwise_ge(rt::Scalar(0.5f32)));
-                    let _e73 = t_16;
-                    next_1 = _e73;
-                    let _e75 = t_16;
-                    let _e76 = self.v_path_height(path_25, _e75);
-                    if rt::Scalar::into_branch_condition(_e76.elementwise_gt(apex_1)) {
-                        let _e78 = cell_9;
-                        let texel_3 = (_e78 + corner);
-                        let _e80 = self.v_cone_slope(path_25, texel_3);
-                        let _e81 = reads_9;
-                        reads_9 = (_e81 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e80.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e86 = t_16;
-                            let _e87 = t_16;
-                            let _e88 = self.v_stays_inside(path_25, _e2, texel_3, apex_1, _e80, _e87);
-                            next_1 = (_e86 + _e88);
+                    let at_6 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let _e46 = self.v_nearest_corner(at_6);
+                    let _e47 = self.v_corner_height(_e24, _e46);
+                    let _e48 = t_16;
+                    next_1 = _e48;
+                    let _e50 = t_16;
+                    let _e51 = self.v_path_height(path_30, _e50);
+                    if rt::Scalar::into_branch_condition(_e51.elementwise_gt(_e47)) {
+                        let _e53 = cell_12;
+                        let texel_3 = (_e53 + _e46);
+                        let _e55 = self.v_cone_slope(path_30, texel_3);
+                        let _e56 = reads_11;
+                        reads_11 = (_e56 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e55.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e61 = t_16;
+                            let _e62 = t_16;
+                            let _e63 = self.v_stays_inside(path_30, _e2, texel_3, _e47, _e55, _e62);
+                            next_1 = (_e61 + _e63);
                         }
                     }
-                    let _e90 = next_1;
-                    if rt::Scalar::into_branch_condition(_e90.elementwise_lt(end_3)) {
-                        let _e92 = cell_9;
-                        let _e93 = t_16;
-                        let _e94 = self.v_gap_to(path_25, _e2, _e92, _e24, _e93);
-                        let _e95 = t_16;
-                        let _e96 = reads_9;
-                        let _e97 = self.v_found_in_cell(_e94, _e95, span_6, first_2, _e96);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e97.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e97;
+                    let _e65 = next_1;
+                    if rt::Scalar::into_branch_condition(_e65.elementwise_lt(end_3)) {
+                        let _e67 = cell_12;
+                        let _e68 = t_16;
+                        let _e69 = self.v_gap_to(path_30, _e2, _e67, _e24, _e68);
+                        let _e70 = t_16;
+                        let _e71 = reads_11;
+                        let _e72 = self.v_found_in_cell(_e69, _e70, span_6, first_3, _e71);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e72.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e72;
                         }
-                        let _e101 = t_16;
-                        next_1 = _e101.max(end_3);
+                        let _e76 = t_16;
+                        next_1 = _e76.max(end_3);
                     }
-                    let _e103 = next_1;
-                    if rt::Scalar::into_branch_condition(_e103.elementwise_ge(rt::Scalar(path_25.exit))) {
-                        let _e107 = t_16;
-                        let _e109 = reads_9;
-                        return <Found>::new(FOUND_MISS, _e107, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
+                    let _e78 = next_1;
+                    if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_30.exit))) {
+                        let _e82 = t_16;
+                        let _e84 = reads_11;
+                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_30.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
                     }
-                    let _e113 = cell_9;
-                    let _e114 = next_1;
-                    let _e115 = self.v_cell_after(_e2, _e113, _e29, forward_2, _e114);
-                    cell_9 = _e115;
-                    let _e116 = next_1;
-                    t_16 = _e116;
+                    let _e88 = cell_12;
+                    let _e89 = next_1;
+                    let _e90 = self.v_cell_after(_e2, _e88, _e29, forward_2, _e89);
+                    cell_12 = _e90;
+                    let _e91 = next_1;
+                    t_16 = _e91;
                 }
             }
         }
-        let _e118 = t_16;
-        let _e120 = reads_9;
-        return <Found>::new(FOUND_EXHAUSTED, _e118, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e120);
+        let _e93 = t_16;
+        let _e95 = reads_11;
+        return <Found>::new(FOUND_EXHAUSTED, _e93, rt::Scalar(path_30.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e95);
+    }
+    pub(crate) fn search_cone_moved(
+        &self,
+        path_31: Path,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_cone_moved(path_31, rt::into(params_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_cone_moved(
+        &self,
+        path_31: Path,
+        params_12: rt::Vec4<f32>,
+    ) -> Found {
+        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_16: rt::Scalar<bool>;
+
+        let aside_1 = path_31.duv.length();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e14 = k_5;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_12.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e17 = t_17;
+                    let _e18 = self.v_path_gap(path_31, _e17);
+                    let _e19 = reads_12;
+                    reads_12 = (_e19 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
+                        let _e24 = t_17;
+                        if rt::Scalar::into_branch_condition(_e24.elementwise_eq(rt::Scalar(0f32))) {
+                            local_16 = _e18.elementwise_lt(rt::Scalar(0f32));
+                        } else {
+                            local_16 = rt::Scalar(false);
+                        }
+                        let _e32 = local_16;
+                        if rt::Scalar::into_branch_condition(_e32) {
+                            let _e34 = reads_12;
+                            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e18, _e18, _e34);
+                        }
+                        let _e39 = near_4;
+                        let _e40 = t_17;
+                        let _e41 = near_gap_2;
+                        let _e42 = reads_12;
+                        return <Found>::new(FOUND_BRACKET, _e39, _e40, _e41, _e18, _e42);
+                    }
+                    let _e44 = t_17;
+                    near_4 = _e44;
+                    near_gap_2 = _e18;
+                    let _e45 = t_17;
+                    let _e46 = self.v_path_uv(path_31, _e45);
+                    let _e47 = self.v_filtered_cone(path_31, _e46);
+                    let _e48 = self.v_slope_of(_e47);
+                    let _e49 = reads_12;
+                    reads_12 = (_e49 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e48.elementwise_lt(rt::Scalar(0f32))) {
+                        break 'naga_break;
+                    }
+                    let _e55 = t_17;
+                    let rest_2 = (rt::Scalar(path_31.exit) - _e55);
+                    let _e57 = t_17;
+                    let _e58 = self.v_path_slope(path_31, _e57);
+                    let rise_3 = (_e58 + (path_31.h.z().min(rt::Scalar(0f32)) * rest_2));
+                    let terms_1 = (path_31.h.x().abs() + (rt::Scalar(path_31.exit) * (path_31.h.y().abs() + (rt::Scalar(path_31.exit) * path_31.h.z().abs()))));
+                    let far_5 = (((path_31.uv.abs() + (path_31.duv.abs() * rt::Scalar(path_31.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e48);
+                    let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_5.x()) + far_5.y()));
+                    let closing_2 = (((_e48 * aside_1) - rise_3) * rt::Scalar(1.000001f32));
+                    if rt::Scalar::into_branch_condition(closing_2.elementwise_le(rt::Scalar(0f32))) {
+                        let _e105 = t_17;
+                        let _e107 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e105, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e107);
+                    }
+                    let _e111 = t_17;
+                    t_17 = (_e111 + ((_e18 - lost_2).max(rt::Scalar(0f32)) / closing_2));
+                    let _e117 = t_17;
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_31.exit))) {
+                        let _e121 = near_4;
+                        let _e123 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e121, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
+                    }
+                    let _e127 = k_5;
+                    k_5 = (_e127 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e131 = t_17;
+        let _e133 = t_17;
+        let _e134 = self.v_path_height(path_31, _e133);
+        let _e135 = reads_12;
+        return <Found>::new(FOUND_ABOVE, _e131, rt::Scalar(path_31.exit), _e134, rt::Scalar(0f32), _e135);
+    }
+    pub(crate) fn search_dilation_erosion(
+        &self,
+        path_32: Path,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_dilation_erosion(path_32, rt::into(params_13)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_dilation_erosion(
+        &self,
+        path_32: Path,
+        params_13: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_13: rt::Vec2<f32>;
+        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_2: rt::Scalar<f32>;
+        let mut looks: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_32);
+        let _e5 = self.surface_settings.height_size;
+        let n_6 = _e5.cast_elem_as_i32();
+        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e13 = self.v_cell_of(_e2.origin);
+        cell_13 = _e13;
+        let limit_3 = params_13.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e23 = reads_13;
+                if rt::Scalar::into_branch_condition(_e23.elementwise_lt(limit_3)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e25 = cell_13;
+                    let _e26 = self.v_cell_leave(_e2, _e25);
+                    let end_4 = _e26.x().min(_e26.y()).min(rt::Scalar(path_32.exit));
+                    let _e32 = t_18;
+                    let span_7 = (end_4 - _e32).max(rt::Scalar(0f32));
+                    let _e36 = t_18;
+                    next_2 = _e36;
+                    looks = params_13.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e43 = cell_13.x();
+                    let _e46 = self.v_image_of(_e43.cast_elem_as_i32(), n_6.x());
+                    let _e48 = cell_13.y();
+                    let _e51 = self.v_image_of(_e48.cast_elem_as_i32(), n_6.y());
+                    if rt::Scalar::into_branch_condition((!_e46.y().elementwise_eq(rt::Scalar(2i32)))) {
+                        local_17 = _e51.y().elementwise_eq(rt::Scalar(2i32));
+                    } else {
+                        local_17 = rt::Scalar(true);
+                    }
+                    let _e62 = local_17;
+                    if rt::Scalar::into_branch_condition(_e62) {
+                        looks = rt::Scalar(true);
+                    } else {
+                        let _e70 = self.v_search_texel(path_32, <rt::Vec2<i32>>::from_scalars(_e46.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_32.level).cast_elem_as_i32());
+                        let _e71 = reads_13;
+                        reads_13 = (_e71 + rt::Scalar(1u32));
+                        let _e74 = cell_13;
+                        let _e76 = self.v_leaves_window(_e2, _e74, params_13.z());
+                        let _e79 = t_18;
+                        let reach = (_e76.min(rt::Scalar(path_32.exit)) - _e79).max(rt::Scalar(0f32));
+                        let _e83 = t_18;
+                        let furthest = (_e83 + reach);
+                        let rounded = (path_32.h.x().abs() + (furthest * (path_32.h.y().abs() + (furthest * path_32.h.z().abs()))));
+                        let _e98 = t_18;
+                        let _e99 = self.v_path_height(path_32, _e98);
+                        let _e105 = t_18;
+                        let _e106 = self.v_path_slope(path_32, _e105);
+                        let gap_2 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e106, path_32.h.z());
+                        if rt::Scalar::into_branch_condition(gap_2.x().elementwise_gt(rt::Scalar(0f32))) {
+                            let _e113 = t_18;
+                            safe_ = _e113;
+                            let _e114 = t_18;
+                            next_2 = (_e114 + reach);
+                            let _e116 = self.v_least_at(gap_2, reach);
+                            let _e117 = self.v_quadratic(gap_2, _e116);
+                            if rt::Scalar::into_branch_condition(_e117.elementwise_le(rt::Scalar(0f32))) {
+                                let _e120 = t_18;
+                                let _e121 = self.v_first_root(gap_2, reach);
+                                next_2 = (_e120 + _e121.min(reach));
+                            }
+                        }
+                        let _e124 = looks;
+                        if rt::Scalar::into_branch_condition((!_e124)) {
+                            let _e128 = next_2;
+                            local_18 = _e128.elementwise_lt(end_4);
+                        } else {
+                            local_18 = rt::Scalar(false);
+                        }
+                        let _e131 = local_18;
+                        if rt::Scalar::into_branch_condition(_e131) {
+                            let _e134 = self.v_path_height(path_32, end_4);
+                            local_19 = _e134.elementwise_lt(_e70.x());
+                        } else {
+                            local_19 = rt::Scalar(false);
+                        }
+                        let _e138 = local_19;
+                        if rt::Scalar::into_branch_condition(_e138) {
+                            let _e139 = safe_;
+                            let _e140 = reads_13;
+                            let _e141 = self.v_bracket_between(path_32, _e139, end_4, _e140);
+                            return _e141;
+                        }
+                    }
+                    let _e142 = next_2;
+                    if rt::Scalar::into_branch_condition((!_e142.elementwise_lt(end_4))) {
+                        let _e147 = t_18;
+                        local_20 = (!end_4.elementwise_gt(_e147));
+                    } else {
+                        local_20 = rt::Scalar(true);
+                    }
+                    let _e151 = local_20;
+                    if rt::Scalar::into_branch_condition(_e151) {
+                        let _e152 = looks;
+                        if rt::Scalar::into_branch_condition(_e152) {
+                            let _e153 = reads_13;
+                            reads_13 = (_e153 + rt::Scalar(1u32));
+                            let _e156 = cell_13;
+                            let _e158 = self.v_height_cell(_e156.cast_elem_as_i32());
+                            let _e159 = cell_13;
+                            let _e160 = t_18;
+                            let _e161 = self.v_gap_to(path_32, _e2, _e159, _e158, _e160);
+                            let _e162 = t_18;
+                            let _e163 = t_18;
+                            let _e166 = reads_13;
+                            let _e167 = self.v_found_in_cell(_e161, _e162, span_7, _e163.elementwise_eq(rt::Scalar(0f32)), _e166);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e167.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e167;
+                            }
+                        }
+                        let _e171 = t_18;
+                        next_2 = _e171.max(end_4);
+                    }
+                    let _e173 = next_2;
+                    if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_32.exit))) {
+                        let _e177 = t_18;
+                        let _e179 = reads_13;
+                        return <Found>::new(FOUND_MISS, _e177, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e179);
+                    }
+                    let _e183 = cell_13;
+                    let _e184 = next_2;
+                    let _e185 = self.v_cell_after(_e2, _e183, _e26, forward_3, _e184);
+                    cell_13 = _e185;
+                    let _e186 = next_2;
+                    t_18 = _e186;
+                }
+            }
+        }
+        let _e188 = t_18;
+        let _e190 = reads_13;
+        return <Found>::new(FOUND_EXHAUSTED, _e188, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e190);
     }
     pub(crate) fn stays_above(
         &self,
-        above: impl rt::Into<rt::Vec3<f32>>,
+        above_1: impl rt::Into<rt::Vec3<f32>>,
         slope_2: impl rt::Into<rt::Scalar<f32>>,
         left: impl rt::Into<rt::Scalar<f32>>,
         speed: impl rt::Into<rt::Scalar<f32>>,
         lost: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_above(rt::into(above), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_3)))
+        rt::into(self.v_stays_above(rt::into(above_1), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_above(
         &self,
-        above: rt::Vec3<f32>,
+        above_1: rt::Vec3<f32>,
         slope_2: rt::Scalar<f32>,
         left: rt::Scalar<f32>,
         speed: rt::Scalar<f32>,
         lost: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let rise_3 = (slope_2 * speed.abs());
-        let gap_1 = ((above.x() + (slope_2 * left)) - lost);
-        if rt::Scalar::into_branch_condition(gap_1.elementwise_le(rt::Scalar(0f32))) {
+        let rise_4 = (slope_2 * speed.abs());
+        let gap_3 = ((above_1.x() + (slope_2 * left)) - lost);
+        if rt::Scalar::into_branch_condition(gap_3.elementwise_le(rt::Scalar(0f32))) {
             return rt::Scalar(0f32);
         }
-        let closing_2 = ((rise_3 - above.y()) + (rt::Scalar(0.0000009536743f32) * (rise_3 + above.y().abs())));
-        if rt::Scalar::into_branch_condition(above.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_1, (rt::Scalar(0f32) - closing_2), above.z()), span_3);
+        let closing_3 = ((rise_4 - above_1.y()) + (rt::Scalar(0.0000009536743f32) * (rise_4 + above_1.y().abs())));
+        if rt::Scalar::into_branch_condition(above_1.z().elementwise_ne(rt::Scalar(0f32))) {
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_3, (rt::Scalar(0f32) - closing_3), above_1.z()), span_3);
             return _e30;
         }
-        if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
-            return (gap_1 / closing_2);
+        if rt::Scalar::into_branch_condition(closing_3.elementwise_gt(rt::Scalar(0f32))) {
+            return (gap_3 / closing_3);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn search_frustum(
         &self,
-        path_26: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        path_33: Path,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_26, rt::into(params_12)))
+        rt::into(self.v_search_frustum(path_33, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_26: Path,
-        params_12: rt::Vec4<f32>,
+        path_33: Path,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_10: rt::Vec2<f32>;
-        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut next_2: rt::Scalar<f32>;
+        let mut cell_14: rt::Vec2<f32>;
+        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_14: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_3: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_13: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_26);
-        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_33);
+        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_10 = _e9;
-        let limit_3 = params_12.x().cast_elem_as_u32();
+        cell_14 = _e9;
+        let limit_4 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e17 = reads_10;
-                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_3)) {
+                let _e17 = reads_14;
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = reads_10;
-                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
-                    let _e22 = cell_10;
+                    let _e19 = reads_14;
+                    let first_4 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let _e22 = cell_14;
                     let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
-                    let _e25 = reads_10;
-                    reads_10 = (_e25 + rt::Scalar(1u32));
-                    let _e28 = cell_10;
+                    let _e25 = reads_14;
+                    reads_14 = (_e25 + rt::Scalar(1u32));
+                    let _e28 = cell_14;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_26.exit));
-                    let _e35 = t_17;
-                    let span_7 = (end_4 - _e35).max(rt::Scalar(0f32));
-                    let top_3 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
-                    let _e46 = t_17;
-                    let _e47 = self.v_path_height(path_26, _e46);
-                    let _e49 = t_17;
-                    let _e50 = self.v_path_slope(path_26, _e49);
-                    let above_2 = <rt::Vec3<f32>>::from_scalars((_e47 - top_3), _e50, path_26.h.z());
-                    let _e57 = t_17;
-                    let _e61 = t_17;
-                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_26.h.x().abs() + (_e57 * (path_26.h.y().abs() + (_e61 * path_26.h.z().abs())))));
-                    let _e71 = t_17;
-                    next_2 = _e71.max(end_4);
+                    let end_5 = _e29.x().min(_e29.y()).min(rt::Scalar(path_33.exit));
+                    let _e35 = t_19;
+                    let span_8 = (end_5 - _e35).max(rt::Scalar(0f32));
+                    let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
+                    let _e46 = t_19;
+                    let _e47 = self.v_path_height(path_33, _e46);
+                    let _e49 = t_19;
+                    let _e50 = self.v_path_slope(path_33, _e49);
+                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_33.h.z());
+                    let _e57 = t_19;
+                    let _e61 = t_19;
+                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_33.h.x().abs() + (_e57 * (path_33.h.y().abs() + (_e61 * path_33.h.z().abs())))));
+                    let _e71 = t_19;
+                    next_3 = _e71.max(end_5);
                     slope_3 = rt::Scalar(-1f32);
-                    let _e76 = self.v_least_at(above_2, span_7);
-                    let _e77 = self.v_quadratic(above_2, _e76);
+                    let _e76 = self.v_least_at(above_3, span_8);
+                    let _e77 = self.v_quadratic(above_3, _e76);
                     if rt::Scalar::into_branch_condition(_e77.elementwise_gt(of_heights_1)) {
-                        local_13 = above_2.x().elementwise_gt(of_heights_1);
+                        local_21 = above_3.x().elementwise_gt(of_heights_1);
                     } else {
-                        local_13 = rt::Scalar(false);
+                        local_21 = rt::Scalar(false);
                     }
-                    let _e84 = local_13;
+                    let _e84 = local_21;
                     if rt::Scalar::into_branch_condition(_e84) {
-                        if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_26.exit))) {
-                            let _e87 = cell_10;
-                            let _e89 = self.v_frustum_slope(path_26, _e87.cast_elem_as_i32(), forward_3);
+                        if rt::Scalar::into_branch_condition(end_5.elementwise_lt(rt::Scalar(path_33.exit))) {
+                            let _e87 = cell_14;
+                            let _e89 = self.v_frustum_slope(path_33, _e87.cast_elem_as_i32(), forward_4);
                             slope_3 = _e89;
-                            let _e90 = reads_10;
+                            let _e90 = reads_14;
                             let _e93 = slope_3;
-                            reads_10 = (_e90 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e93.elementwise_ge(rt::Scalar(0f32))));
+                            reads_14 = (_e90 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e93.elementwise_ge(rt::Scalar(0f32))));
                         }
                     } else {
-                        let _e98 = cell_10;
-                        let _e99 = t_17;
-                        let _e100 = self.v_gap_to(path_26, _e2, _e98, _e24, _e99);
-                        let _e101 = t_17;
-                        let _e102 = reads_10;
-                        let _e103 = self.v_found_in_cell(_e100, _e101, span_7, first_3, _e102);
+                        let _e98 = cell_14;
+                        let _e99 = t_19;
+                        let _e100 = self.v_gap_to(path_33, _e2, _e98, _e24, _e99);
+                        let _e101 = t_19;
+                        let _e102 = reads_14;
+                        let _e103 = self.v_found_in_cell(_e100, _e101, span_8, first_4, _e102);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e103.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e103;
                         }
                     }
                     let _e107 = slope_3;
                     if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e111 = cell_10;
-                        let _e114 = t_17;
-                        let at_6 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_2 = at_6.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_6), forward_3);
-                        let _e126 = t_17;
-                        let far_3 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e111 = cell_14;
+                        let _e114 = t_19;
+                        let at_7 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_2 = at_7.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_7), forward_4);
+                        let _e126 = t_19;
+                        let far_6 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e134 = slope_3;
-                        let lost_2 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_3));
-                        let _e140 = t_17;
-                        let rest_2 = (rt::Scalar(path_26.exit) - _e140);
+                        let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_6));
+                        let _e140 = t_19;
+                        let rest_3 = (rt::Scalar(path_33.exit) - _e140);
                         let _e142 = slope_3;
-                        let _e147 = self.v_stays_above(above_2, _e142, left_2.x(), _e2.step.x(), lost_2.x(), rest_2);
+                        let _e147 = self.v_stays_above(above_3, _e142, left_2.x(), _e2.step.x(), lost_3.x(), rest_3);
                         let _e148 = slope_3;
-                        let _e153 = self.v_stays_above(above_2, _e148, left_2.y(), _e2.step.y(), lost_2.y(), rest_2);
-                        let _e154 = next_2;
-                        let _e155 = t_17;
-                        next_2 = _e154.max((_e155 + _e147.min(_e153)));
+                        let _e153 = self.v_stays_above(above_3, _e148, left_2.y(), _e2.step.y(), lost_3.y(), rest_3);
+                        let _e154 = next_3;
+                        let _e155 = t_19;
+                        next_3 = _e154.max((_e155 + _e147.min(_e153)));
                     }
-                    let _e159 = next_2;
-                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_26.exit))) {
-                        let _e163 = t_17;
-                        let _e165 = reads_10;
-                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
+                    let _e159 = next_3;
+                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_33.exit))) {
+                        let _e163 = t_19;
+                        let _e165 = reads_14;
+                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
                     }
                     let _e169 = slope_3;
                     if rt::Scalar::into_branch_condition(_e169.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e172 = cell_10;
-                        let _e173 = next_2;
-                        let _e174 = self.v_cell_after(_e2, _e172, _e29, forward_3, _e173);
-                        cell_10 = _e174;
+                        let _e172 = cell_14;
+                        let _e173 = next_3;
+                        let _e174 = self.v_cell_after(_e2, _e172, _e29, forward_4, _e173);
+                        cell_14 = _e174;
                     } else {
-                        let _e175 = cell_10;
+                        let _e175 = cell_14;
                         let _e176 = self.v_cell_next(_e2, _e175, _e29);
-                        cell_10 = _e176;
+                        cell_14 = _e176;
                     }
-                    let _e177 = next_2;
-                    t_17 = _e177;
+                    let _e177 = next_3;
+                    t_19 = _e177;
                 }
             }
         }
-        let _e179 = t_17;
-        let _e181 = reads_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
+        let _e179 = t_19;
+        let _e181 = reads_14;
+        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
     }
     pub(crate) fn search_linear(
         &self,
-        path_27: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        path_34: Path,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_27, rt::into(params_13)))
+        rt::into(self.v_search_linear(path_34, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_27: Path,
-        params_13: rt::Vec4<f32>,
+        path_34: Path,
+        params_15: rt::Vec4<f32>,
     ) -> Found {
-        let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_1: rt::Scalar<f32>;
-        let mut reads_11: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_3: rt::Scalar<f32>;
+        let mut reads_15: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_1 = (path_27.h.y().abs() * path_27.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_13.x() * params_13.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
-        let _e22 = self.v_path_gap(path_27, rt::Scalar(0f32));
-        near_gap_1 = _e22;
-        let _e26 = near_gap_1;
+        let cosine_1 = (path_34.h.y().abs() * path_34.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_15.x() * params_15.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
+        let _e22 = self.v_path_gap(path_34, rt::Scalar(0f32));
+        near_gap_3 = _e22;
+        let _e26 = near_gap_3;
         if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
-            let _e30 = near_gap_1;
-            let _e31 = near_gap_1;
-            let _e32 = reads_11;
+            let _e30 = near_gap_3;
+            let _e31 = near_gap_3;
+            let _e32 = reads_15;
             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e30, _e31, _e32);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = k_5;
+                let _e38 = k_6;
                 if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e41 = k_5;
-                    let t_19 = (rt::Scalar(path_27.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_27, t_19);
-                    let _e45 = reads_11;
-                    reads_11 = (_e45 + rt::Scalar(1u32));
+                    let _e41 = k_6;
+                    let t_25 = (rt::Scalar(path_34.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_34, t_25);
+                    let _e45 = reads_15;
+                    reads_15 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
-                        let _e51 = near_2;
-                        let _e52 = near_gap_1;
-                        let _e53 = reads_11;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_19, _e52, _e44, _e53);
+                        let _e51 = near_5;
+                        let _e52 = near_gap_3;
+                        let _e53 = reads_15;
+                        return <Found>::new(FOUND_BRACKET, _e51, t_25, _e52, _e44, _e53);
                     }
-                    near_2 = t_19;
-                    near_gap_1 = _e44;
-                    let _e55 = k_5;
-                    k_5 = (_e55 + rt::Scalar(1f32));
+                    near_5 = t_25;
+                    near_gap_3 = _e44;
+                    let _e55 = k_6;
+                    k_6 = (_e55 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e59 = near_2;
-        let _e60 = near_2;
-        let _e61 = near_gap_1;
-        let _e62 = near_gap_1;
-        let _e63 = reads_11;
+        let _e59 = near_5;
+        let _e60 = near_5;
+        let _e61 = near_gap_3;
+        let _e62 = near_gap_3;
+        let _e63 = reads_15;
         return <Found>::new(FOUND_MISS, _e59, _e60, _e61, _e62, _e63);
     }
     pub(crate) fn search_none(
         &self,
-        path_28: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        path_35: Path,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_28, rt::into(params_14)))
+        rt::into(self.v_search_none(path_35, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_28: Path,
-        params_14: rt::Vec4<f32>,
+        path_35: Path,
+        params_16: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_35.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
-    pub(crate) fn search_stage(&self, path_29: Path) -> Found {
-        rt::into(self.v_search_stage(path_29))
+    pub(crate) fn search_pyramid(
+        &self,
+        path_36: Path,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_pyramid(path_36, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_29: Path) -> Found {
+    fn v_search_pyramid(
+        &self,
+        path_36: Path,
+        params_17: rt::Vec4<f32>,
+    ) -> Found {
+        let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_2: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cell_15: rt::Vec2<i32>;
+        let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
+        let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_16: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_22: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_36);
+        let _e5 = self.surface_settings.height_size;
+        let n_7 = _e5.cast_elem_as_i32();
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_36.exit));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e20 = top;
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e20).elementwise_lt(n_7.x().max(n_7.y()))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e27 = top;
+                    top = (_e27 + rt::Scalar(1u32));
+                    let _e30 = level_2;
+                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e30).cast_elem_as_f32().elementwise_lt(long)) {
+                        let _e35 = level_2;
+                        level_2 = (_e35 + rt::Scalar(1u32));
+                    }
+                }
+            }
+        }
+        let _e39 = self.v_cell_of(_e2.origin);
+        cell_15 = _e39.cast_elem_as_i32();
+        let limit_5 = params_17.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e52 = reads_16;
+                if rt::Scalar::into_branch_condition(_e52.elementwise_lt(limit_5)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e55 = cell_15.x();
+                    let _e57 = self.v_image_of(_e55, n_7.x());
+                    let _e59 = cell_15.y();
+                    let _e61 = self.v_image_of(_e59, n_7.y());
+                    let place_3 = <rt::Vec2<i32>>::from_scalars(_e57.x(), _e61.x());
+                    let _e65 = level_2;
+                    let above_level = (_e65 + rt::Scalar(1u32));
+                    let _e69 = parent.x();
+                    if rt::Scalar::into_branch_condition(_e69.elementwise_ge(rt::Scalar(0i32))) {
+                        let _e75 = parent.x();
+                        if rt::Scalar::into_branch_condition((!_e75.elementwise_ne((place_3.x() >> above_level)))) {
+                            let _e83 = parent.y();
+                            local_23 = _e83.elementwise_ne((place_3.y() >> above_level));
+                        } else {
+                            local_23 = rt::Scalar(true);
+                        }
+                        let _e88 = local_23;
+                        local_22 = _e88;
+                    } else {
+                        local_22 = rt::Scalar(false);
+                    }
+                    let left_3 = local_22;
+                    if rt::Scalar::into_branch_condition(left_3) {
+                        let _e93 = level_2;
+                        let _e94 = top;
+                        local_24 = _e93.elementwise_lt(_e94);
+                    } else {
+                        local_24 = rt::Scalar(false);
+                    }
+                    let _e97 = local_24;
+                    if rt::Scalar::into_branch_condition(_e97) {
+                        level_2 = above_level;
+                    }
+                    let _e99 = cell_15.x();
+                    let _e101 = level_2;
+                    let _e102 = self.v_node_extent(_e99, _e57, n_7.x(), _e101);
+                    let _e104 = cell_15.y();
+                    let _e106 = level_2;
+                    let _e107 = self.v_node_extent(_e104, _e61, n_7.y(), _e106);
+                    let _e112 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e102);
+                    let _e117 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e107);
+                    let end_6 = _e112.min(_e117).min(rt::Scalar(path_36.exit));
+                    let _e121 = t_20;
+                    let span_9 = (end_6 - _e121).max(rt::Scalar(0f32));
+                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e102.x(), _e107.x());
+                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e102.y() - rt::Scalar(1i32)), (_e107.y() - rt::Scalar(1i32)));
+                    let _e135 = reads_16;
+                    reads_16 = (_e135 + rt::Scalar(1u32));
+                    let _e138 = level_2;
+                    if rt::Scalar::into_branch_condition(_e138.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e141 = cell_15;
+                        let _e143 = cell_15;
+                        let _e144 = self.v_height_cell(_e143);
+                        let _e145 = t_20;
+                        let _e146 = self.v_gap_to(path_36, _e2, _e141.cast_elem_as_f32(), _e144, _e145);
+                        let _e147 = t_20;
+                        let _e148 = t_20;
+                        let _e151 = reads_16;
+                        let _e152 = self.v_found_in_cell(_e146, _e147, span_9, _e148.elementwise_eq(rt::Scalar(0f32)), _e151);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e152.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e152;
+                        }
+                    } else {
+                        let _e157 = level_2;
+                        let _e160 = level_2;
+                        let _e164 = level_2;
+                        let _e168 = self.v_search_texel(path_36, <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e157), (place_3.y() >> _e160)), rt::Scalar(0i32), (_e164.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let highest = _e168.y();
+                        let _e170 = t_20;
+                        let furthest_1 = (_e170 + span_9);
+                        let rounded_1 = (path_36.h.x().abs() + (furthest_1 * (path_36.h.y().abs() + (furthest_1 * path_36.h.z().abs()))));
+                        let _e185 = t_20;
+                        let _e186 = self.v_path_height(path_36, _e185);
+                        let _e191 = t_20;
+                        let _e192 = self.v_path_slope(path_36, _e191);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e186 - highest) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e192, path_36.h.z());
+                        if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
+                            let _e202 = self.v_least_at(gap_4, span_9);
+                            let _e203 = self.v_quadratic(gap_4, _e202);
+                            local_25 = _e203.elementwise_le(rt::Scalar(0f32));
+                        } else {
+                            local_25 = rt::Scalar(true);
+                        }
+                        let _e207 = local_25;
+                        if rt::Scalar::into_branch_condition(_e207) {
+                            if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
+                                let _e211 = t_20;
+                                let _e212 = self.v_first_root(gap_4, span_9);
+                                t_20 = (_e211 + _e212.min(span_9));
+                            }
+                            let _e217 = t_20;
+                            let _e220 = self.v_cell_of((_e2.origin + (_e2.step * _e217)));
+                            cell_15 = _e220.cast_elem_as_i32().clamp(low_1, last_1);
+                            let _e223 = level_2;
+                            level_2 = (_e223 - rt::Scalar(1u32));
+                            parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
+                            break 'naga_continue;
+                        }
+                    }
+                    if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_36.exit))) {
+                        let _e232 = t_20;
+                        let _e234 = reads_16;
+                        return <Found>::new(FOUND_MISS, _e232, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e234);
+                    }
+                    let _e242 = self.v_cell_of((_e2.origin + (_e2.step * end_6)));
+                    cell_15 = _e242.cast_elem_as_i32().clamp(low_1, last_1);
+                    if rt::Scalar::into_branch_condition(_e112.elementwise_le(end_6)) {
+                        cell_15.set_x((low_1.x() - rt::Scalar(1i32)).select(_e102.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    }
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_6)) {
+                        cell_15.set_y((low_1.y() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    }
+                    let _e268 = level_2;
+                    let _e273 = level_2;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_3.x() >> (_e268 + rt::Scalar(1u32))), (place_3.y() >> (_e273 + rt::Scalar(1u32))));
+                    let _e278 = t_20;
+                    t_20 = _e278.max(end_6);
+                }
+            }
+        }
+        let _e281 = t_20;
+        let _e283 = reads_16;
+        return <Found>::new(FOUND_EXHAUSTED, _e281, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e283);
+    }
+    pub(crate) fn search_relaxed_cone(
+        &self,
+        path_37: Path,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_relaxed_cone(path_37, rt::into(params_18)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_relaxed_cone(
+        &self,
+        path_37: Path,
+        params_18: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_16: rt::Vec2<f32>;
+        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_17: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_26: rt::Scalar<bool>;
+        let mut start: rt::Scalar<f32>;
+        let mut gap: rt::Scalar<f32>;
+        let mut next_4: rt::Scalar<f32>;
+        let mut local_27: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_37);
+        let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let aside_2 = path_37.duv.length();
+        let _e11 = self.v_path_slope(path_37, rt::Scalar(0f32));
+        let terms_2 = (path_37.h.x().abs() + (rt::Scalar(path_37.exit) * path_37.h.y().abs()));
+        let _e32 = self.v_height_size();
+        let far_7 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_37.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e32);
+        let _e35 = self.v_cell_of(_e2.origin);
+        cell_16 = _e35;
+        let limit_6 = params_18.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e47 = reads_17;
+                if rt::Scalar::into_branch_condition(_e47.elementwise_lt(limit_6)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e49 = cell_16;
+                    let _e50 = self.v_cell_leave(_e2, _e49);
+                    let end_7 = _e50.x().min(_e50.y()).min(rt::Scalar(path_37.exit));
+                    let _e56 = t_21;
+                    let span_10 = (end_7 - _e56).max(rt::Scalar(0f32));
+                    let _e60 = cell_16;
+                    let _e61 = cell_16;
+                    let _e63 = self.v_height_cell(_e61.cast_elem_as_i32());
+                    let _e64 = t_21;
+                    let _e65 = self.v_gap_to(path_37, _e2, _e60, _e63, _e64);
+                    let _e66 = reads_17;
+                    reads_17 = (_e66 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e65.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e72 = near_6;
+                        let _e73 = t_21;
+                        if rt::Scalar::into_branch_condition(_e72.elementwise_lt(_e73)) {
+                            let _e77 = near_gap_4;
+                            local_26 = _e77.elementwise_gt(rt::Scalar(0f32));
+                        } else {
+                            local_26 = rt::Scalar(false);
+                        }
+                        let _e81 = local_26;
+                        if rt::Scalar::into_branch_condition(_e81) {
+                            let _e82 = near_6;
+                            let _e83 = t_21;
+                            let _e84 = near_gap_4;
+                            let _e86 = reads_17;
+                            let _e87 = self.v_entered_once(path_37, _e2, _e82, _e83, _e84, _e65.x(), _e86);
+                            return _e87;
+                        }
+                        let _e88 = t_21;
+                        let _e89 = t_21;
+                        let _e92 = reads_17;
+                        let _e93 = self.v_found_in_cell(_e65, _e88, span_10, _e89.elementwise_eq(rt::Scalar(0f32)), _e92);
+                        return _e93;
+                    }
+                    let _e94 = t_21;
+                    start = _e94;
+                    gap = _e65.x();
+                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e101 = t_21;
+                        let _e102 = t_21;
+                        let _e105 = reads_17;
+                        let _e106 = self.v_found_in_cell(_e65, _e101, span_10, _e102.elementwise_eq(rt::Scalar(0f32)), _e105);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e106.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e106;
+                        }
+                        let _e110 = t_21;
+                        start = _e110.max(end_7);
+                        gap = rt::Scalar(_e106.far_gap);
+                    }
+                    let _e113 = start;
+                    if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(path_37.exit))) {
+                        let _e117 = t_21;
+                        let _e119 = reads_17;
+                        return <Found>::new(FOUND_MISS, _e117, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e119);
+                    }
+                    let _e123 = start;
+                    near_6 = _e123;
+                    let _e124 = gap;
+                    near_gap_4 = _e124;
+                    let _e125 = cell_16;
+                    let _e127 = cell_16;
+                    let _e130 = start;
+                    let _e133 = self.v_nearest_corner(((_e2.origin - _e127) + (_e2.step * _e130)));
+                    let _e135 = self.v_cone_slope(path_37, (_e125 + _e133));
+                    let _e136 = reads_17;
+                    reads_17 = (_e136 + rt::Scalar(1u32));
+                    let _e139 = start;
+                    next_4 = _e139;
+                    if rt::Scalar::into_branch_condition(_e135.elementwise_ge(rt::Scalar(0f32))) {
+                        let closing_4 = (((_e135 * aside_2) - _e11) * rt::Scalar(1.000001f32));
+                        let _e147 = gap;
+                        let room = (_e147 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e135 * (far_7.x() + far_7.y())))));
+                        next_4 = rt::Scalar(300000000000000000000000000000000000000f32);
+                        if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
+                            let _e159 = start;
+                            next_4 = (_e159 + (room.max(rt::Scalar(0f32)) / closing_4));
+                        }
+                    }
+                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e169 = next_4;
+                        let _e170 = t_21;
+                        local_27 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_37.exit))));
+                    } else {
+                        local_27 = rt::Scalar(false);
+                    }
+                    let _e178 = local_27;
+                    if rt::Scalar::into_branch_condition(_e178) {
+                        let _e180 = t_21;
+                        let _e182 = gap;
+                        let _e183 = reads_17;
+                        return <Found>::new(FOUND_ABOVE, _e180, rt::Scalar(path_37.exit), _e182, rt::Scalar(0f32), _e183);
+                    }
+                    let _e186 = next_4;
+                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_37.exit))) {
+                        let _e190 = self.v_path_gap(path_37, rt::Scalar(path_37.exit));
+                        let _e191 = reads_17;
+                        reads_17 = (_e191 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e190.elementwise_le(rt::Scalar(0f32))) {
+                            let _e196 = start;
+                            let _e198 = gap;
+                            let _e199 = reads_17;
+                            let _e200 = self.v_entered_once(path_37, _e2, _e196, rt::Scalar(path_37.exit), _e198, _e190, _e199);
+                            return _e200;
+                        }
+                        let _e202 = start;
+                        let _e204 = reads_17;
+                        return <Found>::new(FOUND_MISS, _e202, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e204);
+                    }
+                    let _e208 = cell_16;
+                    let _e209 = next_4;
+                    let _e210 = self.v_cell_after(_e2, _e208, _e50, forward_5, _e209);
+                    cell_16 = _e210;
+                    let _e211 = next_4;
+                    t_21 = _e211;
+                }
+            }
+        }
+        let _e213 = t_21;
+        let _e215 = reads_17;
+        return <Found>::new(FOUND_EXHAUSTED, _e213, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e215);
+    }
+    pub(crate) fn search_relaxed_cone_resting(
+        &self,
+        path_38: Path,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_relaxed_cone_resting(path_38, rt::into(params_19)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_relaxed_cone_resting(
+        &self,
+        path_38: Path,
+        params_19: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_17: rt::Vec2<f32>;
+        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_18: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_28: rt::Scalar<bool>;
+        let mut next_5: rt::Scalar<f32>;
+
+        let _e2 = self.v_grid_of(path_38);
+        let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_cell_of(_e2.origin);
+        cell_17 = _e9;
+        let limit_7 = params_19.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e21 = reads_18;
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(limit_7)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e23 = cell_17;
+                    let _e25 = self.v_height_cell(_e23.cast_elem_as_i32());
+                    let _e26 = reads_18;
+                    reads_18 = (_e26 + rt::Scalar(1u32));
+                    let _e29 = cell_17;
+                    let _e30 = self.v_cell_leave(_e2, _e29);
+                    let end_8 = _e30.x().min(_e30.y()).min(rt::Scalar(path_38.exit));
+                    let _e36 = t_22;
+                    let span_11 = (end_8 - _e36).max(rt::Scalar(0f32));
+                    let _e40 = cell_17;
+                    let _e41 = t_22;
+                    let _e42 = self.v_gap_to(path_38, _e2, _e40, _e25, _e41);
+                    if rt::Scalar::into_branch_condition(_e42.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e46 = near_7;
+                        let _e47 = t_22;
+                        if rt::Scalar::into_branch_condition(_e46.elementwise_lt(_e47)) {
+                            let _e51 = near_gap_5;
+                            local_28 = _e51.elementwise_gt(rt::Scalar(0f32));
+                        } else {
+                            local_28 = rt::Scalar(false);
+                        }
+                        let _e55 = local_28;
+                        if rt::Scalar::into_branch_condition(_e55) {
+                            let _e56 = near_7;
+                            let _e57 = t_22;
+                            let _e58 = near_gap_5;
+                            let _e60 = reads_18;
+                            let _e61 = self.v_entered_once(path_38, _e2, _e56, _e57, _e58, _e42.x(), _e60);
+                            return _e61;
+                        }
+                        let _e62 = t_22;
+                        let _e63 = t_22;
+                        let _e66 = reads_18;
+                        let _e67 = self.v_found_in_cell(_e42, _e62, span_11, _e63.elementwise_eq(rt::Scalar(0f32)), _e66);
+                        return _e67;
+                    }
+                    let _e68 = t_22;
+                    let _e69 = t_22;
+                    let _e72 = reads_18;
+                    let _e73 = self.v_found_in_cell(_e42, _e68, span_11, _e69.elementwise_eq(rt::Scalar(0f32)), _e72);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e73.status).elementwise_ne(FOUND_ABOVE)) {
+                        return _e73;
+                    }
+                    let _e77 = t_22;
+                    let start_1 = _e77.max(end_8);
+                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_38.exit))) {
+                        let _e82 = t_22;
+                        let _e84 = reads_18;
+                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                    }
+                    near_7 = start_1;
+                    near_gap_5 = rt::Scalar(_e73.far_gap);
+                    let _e90 = cell_17;
+                    let _e95 = self.v_nearest_corner(((_e2.origin - _e90) + (_e2.step * start_1)));
+                    let _e96 = self.v_corner_height(_e25, _e95);
+                    next_5 = start_1;
+                    let _e98 = self.v_path_height(path_38, start_1);
+                    if rt::Scalar::into_branch_condition(_e98.elementwise_gt(_e96)) {
+                        let _e100 = cell_17;
+                        let texel_4 = (_e100 + _e95);
+                        let _e102 = self.v_cone_slope(path_38, texel_4);
+                        let _e103 = reads_18;
+                        reads_18 = (_e103 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e102.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e108 = self.v_stays_inside(path_38, _e2, texel_4, _e96, _e102, start_1);
+                            next_5 = (start_1 + _e108);
+                        }
+                    }
+                    let _e110 = next_5;
+                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(path_38.exit))) {
+                        let _e114 = self.v_path_gap(path_38, rt::Scalar(path_38.exit));
+                        let _e115 = reads_18;
+                        reads_18 = (_e115 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e114.elementwise_le(rt::Scalar(0f32))) {
+                            let _e121 = near_gap_5;
+                            let _e122 = reads_18;
+                            let _e123 = self.v_entered_once(path_38, _e2, start_1, rt::Scalar(path_38.exit), _e121, _e114, _e122);
+                            return _e123;
+                        }
+                        let _e126 = reads_18;
+                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
+                    }
+                    let _e130 = cell_17;
+                    let _e131 = next_5;
+                    let _e132 = self.v_cell_after(_e2, _e130, _e30, forward_6, _e131);
+                    cell_17 = _e132;
+                    let _e133 = next_5;
+                    t_22 = _e133;
+                }
+            }
+        }
+        let _e135 = t_22;
+        let _e137 = reads_18;
+        return <Found>::new(FOUND_EXHAUSTED, _e135, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
+    }
+    pub(crate) fn search_sphere(
+        &self,
+        path_39: Path,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_sphere(path_39, rt::into(params_20)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_sphere(
+        &self,
+        path_39: Path,
+        params_20: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_18: rt::Vec2<f32>;
+        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_6: rt::Scalar<f32>;
+        let mut local_29: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_39);
+        let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_path_slope(path_39, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_39, rt::Scalar(path_39.exit));
+        let climb = _e9.abs().max(_e12.abs());
+        let speed_1 = (<rt::Vec3<f32>>::new_21(path_39.duv, climb).length() * rt::Scalar(1.000001f32));
+        let far_8 = (path_39.uv.abs() + (path_39.duv.abs() * rt::Scalar(path_39.exit)));
+        let height_terms = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * (path_39.h.y().abs() + (rt::Scalar(path_39.exit) * path_39.h.z().abs()))));
+        let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_8.x() + far_8.y()) + height_terms) + rt::Scalar(1f32)));
+        let _e51 = self.v_cell_of(_e2.origin);
+        cell_18 = _e51;
+        let limit_8 = params_20.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e59 = reads_19;
+                if rt::Scalar::into_branch_condition(_e59.elementwise_lt(limit_8)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e61 = cell_18;
+                    let _e62 = self.v_cell_leave(_e2, _e61);
+                    let end_9 = _e62.x().min(_e62.y()).min(rt::Scalar(path_39.exit));
+                    let _e68 = t_23;
+                    let span_12 = (end_9 - _e68).max(rt::Scalar(0f32));
+                    let _e72 = t_23;
+                    let _e73 = self.v_path_uv(path_39, _e72);
+                    let _e74 = t_23;
+                    let _e75 = self.v_path_height(path_39, _e74);
+                    let _e77 = self.v_distance_at(path_39, _e73, _e75, params_20.z());
+                    let free = (_e77 - lost_4);
+                    let _e79 = reads_19;
+                    reads_19 = (_e79 + rt::Scalar(2u32));
+                    let _e82 = t_23;
+                    next_6 = _e82;
+                    if rt::Scalar::into_branch_condition(free.elementwise_gt(rt::Scalar(0f32))) {
+                        let _e86 = t_23;
+                        next_6 = (_e86 + (free / speed_1));
+                    }
+                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e92 = next_6;
+                        let _e93 = t_23;
+                        if rt::Scalar::into_branch_condition((!(_e92 - _e93).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_39.exit))))) {
+                            let _e101 = t_23;
+                            let _e103 = reads_19;
+                            return <Found>::new(FOUND_ABOVE, _e101, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e103);
+                        }
+                    } else {
+                        let _e107 = next_6;
+                        if rt::Scalar::into_branch_condition((!_e107.elementwise_lt(end_9))) {
+                            let _e112 = t_23;
+                            local_29 = (!end_9.elementwise_gt(_e112));
+                        } else {
+                            local_29 = rt::Scalar(true);
+                        }
+                        let _e116 = local_29;
+                        if rt::Scalar::into_branch_condition(_e116) {
+                            let _e117 = reads_19;
+                            reads_19 = (_e117 + rt::Scalar(1u32));
+                            let _e120 = cell_18;
+                            let _e121 = cell_18;
+                            let _e123 = self.v_height_cell(_e121.cast_elem_as_i32());
+                            let _e124 = t_23;
+                            let _e125 = self.v_gap_to(path_39, _e2, _e120, _e123, _e124);
+                            let _e126 = t_23;
+                            let _e127 = t_23;
+                            let _e130 = reads_19;
+                            let _e131 = self.v_found_in_cell(_e125, _e126, span_12, _e127.elementwise_eq(rt::Scalar(0f32)), _e130);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e131.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e131;
+                            }
+                            let _e135 = t_23;
+                            next_6 = _e135.max(end_9);
+                        }
+                    }
+                    let _e137 = next_6;
+                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(path_39.exit))) {
+                        let _e141 = t_23;
+                        let _e143 = reads_19;
+                        return <Found>::new(FOUND_MISS, _e141, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+                    }
+                    let _e147 = cell_18;
+                    let _e148 = next_6;
+                    let _e149 = self.v_cell_after(_e2, _e147, _e62, forward_7, _e148);
+                    cell_18 = _e149;
+                    let _e150 = next_6;
+                    t_23 = _e150;
+                }
+            }
+        }
+        let _e152 = t_23;
+        let _e154 = reads_19;
+        return <Found>::new(FOUND_EXHAUSTED, _e152, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e154);
+    }
+    pub(crate) fn search_stage(&self, path_40: Path) -> Found {
+        rt::into(self.v_search_stage(path_40))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_stage(&self, path_40: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_search_none(path_29, _e10);
+                let _e11 = self.v_search_none(path_40, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_search_linear(path_29, _e16);
+                let _e17 = self.v_search_linear(path_40, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_search_cells(path_29, _e22);
+                let _e23 = self.v_search_cells(path_40, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_search_frustum(path_29, _e28);
+                let _e29 = self.v_search_frustum(path_40, _e28);
                 return _e29;
             }
-            _ => {
+            4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_search_cone(path_29, _e34);
+                let _e35 = self.v_search_cone(path_40, _e34);
                 return _e35;
+            }
+            5u32 => {
+                let _e40 = self.surface_settings.choices[1usize].params;
+                let _e41 = self.v_search_pyramid(path_40, _e40);
+                return _e41;
+            }
+            6u32 => {
+                let _e46 = self.surface_settings.choices[1usize].params;
+                let _e47 = self.v_search_dilation_erosion(path_40, _e46);
+                return _e47;
+            }
+            7u32 => {
+                let _e52 = self.surface_settings.choices[1usize].params;
+                let _e53 = self.v_search_sphere(path_40, _e52);
+                return _e53;
+            }
+            8u32 => {
+                let _e58 = self.surface_settings.choices[1usize].params;
+                let _e59 = self.v_search_cone_moved(path_40, _e58);
+                return _e59;
+            }
+            9u32 => {
+                let _e64 = self.surface_settings.choices[1usize].params;
+                let _e65 = self.v_search_relaxed_cone(path_40, _e64);
+                return _e65;
+            }
+            _ => {
+                let _e70 = self.surface_settings.choices[1usize].params;
+                let _e71 = self.v_search_relaxed_cone_resting(path_40, _e70);
+                return _e71;
             }
         }
     }
-    pub(crate) fn shade_hit(&self, pixel_2: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_2, at_3, hit_1))
+    pub(crate) fn shade_hit(&self, pixel_2: PixelIn, at_4: Entered, hit_1: Hit) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_2, at_4, hit_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_2: PixelIn, at_3: Entered, hit_1: Hit) -> PixelOut {
-        let mut local_14: rt::Scalar<bool>;
+    fn v_shade_hit(&self, pixel_2: PixelIn, at_4: Entered, hit_1: Hit) -> PixelOut {
+        let mut local_30: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_3.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_14 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_4.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_30 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_14 = rt::Scalar(true);
+            local_30 = rt::Scalar(true);
         }
-        let _e13 = local_14;
+        let _e13 = local_30;
         if rt::Scalar::into_branch_condition(_e13) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
         }
         let _e41 = self.v_height_at(hit_1.uv);
-        let aside_1 = (hit_1.uv - at_3.uv);
+        let aside_3 = (hit_1.uv - at_4.uv);
         let _e57 = rt::Scalar(self.surface_settings.bias_m);
         let _e60 = rt::Scalar(self.surface_settings.scale_m);
-        let position_2 = (((at_3.point + (at_3.tangent * aside_1.x())) + (at_3.bitangent * aside_1.y())) + (at_3.normal * (_e57 + (_e60 * _e41))));
-        let _e66 = self.v_mesostructure_normal(at_3, hit_1.uv);
+        let position_2 = (((at_4.point + (at_4.tangent * aside_3.x())) + (at_4.bitangent * aside_3.y())) + (at_4.normal * (_e57 + (_e60 * _e41))));
+        let _e66 = self.v_mesostructure_normal(at_4, hit_1.uv);
         let view_3 = (pixel_2.origin - position_2).normalize();
         let _e71 = self.v_color_or_white(hit_1.uv);
         let _e72 = self.v_reflected_light(position_2, _e66, view_3, _e71);
@@ -2684,18 +3853,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane(
         &self,
         pixel_3: PixelIn,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_3, rt::into(params_15)))
+        rt::into(self.v_surface_plane(pixel_3, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_3: PixelIn,
-        params_15: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_15: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
@@ -2703,16 +3872,16 @@ impl<'g> Resources<'g> {
         let a_4 = pixel_3.a.position;
         let e1_ = (pixel_3.b.position - a_4);
         let e2_ = (pixel_3.c.position - a_4);
-        let n_5 = e1_.cross(e2_);
-        let nn = n_5.dot(n_5);
-        let toward_3 = n_5.dot(pixel_3.direction);
-        let distance = (n_5.dot((a_4 - pixel_3.origin)) / toward_3);
+        let n_8 = e1_.cross(e2_);
+        let nn = n_8.dot(n_8);
+        let toward_3 = n_8.dot(pixel_3.direction);
+        let distance = (n_8.dot((a_4 - pixel_3.origin)) / toward_3);
         let point_5 = (pixel_3.origin + (pixel_3.direction * distance));
         let from_a = (point_5 - a_4);
-        let wb = (from_a.cross(e2_).dot(n_5) / nn);
-        let wc = (e1_.cross(from_a).dot(n_5) / nn);
+        let wb = (from_a.cross(e2_).dot(n_8) / nn);
+        let wc = (e1_.cross(from_a).dot(n_8) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_9 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
+        let uv_12 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
         let tangent = (((pixel_3.a.tangent * wa) + (pixel_3.b.tangent * wb)) + (pixel_3.c.tangent * wc));
         let bitangent = (((pixel_3.a.bitangent * wa) + (pixel_3.b.bitangent * wb)) + (pixel_3.c.bitangent * wc));
         let normal_3 = ((((pixel_3.a.normal * wa) + (pixel_3.b.normal * wb)) + (pixel_3.c.normal * wc)).normalize() * rt::Scalar(pixel_3.side));
@@ -2726,11 +3895,11 @@ impl<'g> Resources<'g> {
         let area_1 = ((tt * bb) - (tb * tb));
         let descent = (rt::Scalar(0f32) - normal_3.dot(direction));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_15 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
+            local_31 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_15 = rt::Scalar(true);
+            local_31 = rt::Scalar(true);
         }
-        let _e107 = local_15;
+        let _e107 = local_31;
         if rt::Scalar::into_branch_condition(_e107) {
             valid = rt::Scalar(0u32);
         }
@@ -2741,20 +3910,20 @@ impl<'g> Resources<'g> {
         let base_height = ((rt::Scalar(0f32) - _e125) / scale);
         let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
         let eye = ((rt::Scalar(0f32) - distance) * along);
-        let top_4 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
-        enter = top_4.max(eye);
+        let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
+        enter = top_5.max(eye);
         leave_4 = ((base_height * scale) / descent);
         let _e144 = leave_4;
         let _e145 = leave_4;
-        leave_4 = (_e144 + ((_e145 - top_4) * rt::Scalar(0.000001f32)));
+        leave_4 = (_e144 + ((_e145 - top_5) * rt::Scalar(0.000001f32)));
         let _e152 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
             let _e157 = enter;
             let _e158 = leave_4;
-            let _e160 = self.v_inside_unit(uv_9.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
+            let _e160 = self.v_inside_unit(uv_12.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
             interval_1 = _e160;
             let _e164 = interval_1;
-            let _e165 = self.v_inside_unit(uv_9.y(), duv.y(), _e164);
+            let _e165 = self.v_inside_unit(uv_12.y(), duv.y(), _e164);
             interval_1 = _e165;
             let _e167 = interval_1.x();
             enter = _e167;
@@ -2768,16 +3937,16 @@ impl<'g> Resources<'g> {
         }
         let _e175 = enter;
         let _e178 = enter;
-        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_4));
+        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
         let _e182 = enter;
         let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e188 = enter;
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_31 = <Path>::new((uv_9 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_42 = <Path>::new((uv_12 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_31, point_5, uv_9, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_42, point_5, uv_12, tangent, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_4: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_4))
@@ -2793,13 +3962,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn trace(&self, path_30: Path) -> Hit {
-        rt::into(self.v_trace(path_30))
+    pub(crate) fn trace(&self, path_41: Path) -> Hit {
+        rt::into(self.v_trace(path_41))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_30: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_30);
-        let _e2 = self.v_refine_stage(path_30, _e1);
+    fn v_trace(&self, path_41: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_41);
+        let _e2 = self.v_refine_stage(path_41, _e1);
         return _e2;
     }
     pub(crate) fn shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {

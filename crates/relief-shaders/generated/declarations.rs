@@ -11,6 +11,8 @@ pub const MODULES: &[Module] = &[
 // In a cell the bilinear surface along the path is a quadratic: the gap between path and surface, with s
 // counted from the parameter t where the path enters the cell, is c.x + c.y s + c.z s².
 "# },
+    Module { path: "shared/cone", head: r#"// Cones on texels, shared by the searches that step over them.
+"# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
 //
 // `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine.
@@ -18,6 +20,8 @@ pub const MODULES: &[Module] = &[
 //
 // Texel (i, j) has its centre at ((i + ½) / W, (j + ½) / H); dual cell (i, j) lies between the centres of the
 // texels (i, j) and (i + 1, j + 1).
+"# },
+    Module { path: "shared/image", head: r#"// Dual cells beside the map, and the cells of the map over which the surface is the same.
 "# },
     Module { path: "shared/interval", head: r#"// The interval that the bracketing refinements begin with.
 "# },
@@ -73,6 +77,19 @@ pub const MODULES: &[Module] = &[
 // where it ends is looked at before it is taken. A path that bends is followed by a line that is not above
 // it.
 "# },
+    Module { path: "search/cone_moved", head: r#"// Cone stepping as published: the cone is moved to the surface under the ray, through a bilinear filter.
+//
+// Dummer 2006; Szirmay-Kalos and Umenhoffer 2008, section 4.3.5. `params.x` is the number of steps. The last
+// point is the answer: with cones that are safe through a filter it is never behind the surface.
+"# },
+    Module { path: "search/dilation_erosion", head: r#"// Dilation and erosion: over the greatest height around each cell, and cell by cell between it and the least.
+//
+// Kolb and Rezk-Salama 2005; Szirmay-Kalos and Umenhoffer 2008, section 4.3.2. Over the dilation of a cell
+// nothing is met until the path sinks to it or leaves the cell's window. Between dilation and erosion the
+// cell's patch is looked at, as `cells` does. `params.x` caps the reads, `params.z` is the radius of the
+// windows in texels. With `params.y` 0 it is as published: no patch is looked at, and the bracket ends where
+// the path is below the erosion.
+"# },
     Module { path: "search/frustum", head: r#"// Quadrant frusta: from every dual cell on, over the empty frustum that stands on it in the quadrant of the
 // ray.
 //
@@ -93,6 +110,36 @@ pub const MODULES: &[Module] = &[
 // normal, `params.y` how many times as many a grazing ray takes.
 "# },
     Module { path: "search/none", head: r#"// No search: the entry and the exit, with nothing known of what lies between.
+"# },
+    Module { path: "search/pyramid", head: r#"// Maximum pyramid: over the nodes of a quadtree that the path stays above, down where it sinks to one, and up
+// again where it has left a parent.
+//
+// Oh, Ki and Lee 2006; Tevs, Ihrke and Seidel 2008; Szirmay-Kalos and Umenhoffer 2008, section 4.3.3. A node
+// of level k holds the greatest height over 2^k by 2^k dual cells; on level 0 the cell's own patch is looked
+// at, as `cells` does. `params.x` caps the reads.
+"# },
+    Module { path: "search/relaxed_cone", head: r#"// Relaxed cone stepping: over cones that a view ray leaves after at most one entry into the surface.
+//
+// Policarpo and Oliveira 2007; Szirmay-Kalos and Umenhoffer 2008, section 4.4.3. The cone of the nearest
+// texel is moved to the surface under the ray, and holds there from anywhere in the texel's square: where the
+// ray is below the surface behind a step, it has entered once on the way, and where it is above, not at all.
+// In each cell that a step ends in the patch is looked at first, as `cells` does. `params.x` caps the reads.
+// With `params.y` 0 it is as published, by steps alone; these shrink toward the surface, and a step that gets
+// no further ends the search.
+"# },
+    Module { path: "search/relaxed_cone_resting", head: r#"// Relaxed cones that rest on their texel: the search `cone` over the wider cones of texel centres.
+//
+// Published here first. The cones hold for rays over the texel's centre alone. Beside it the horizontal
+// direction at a peak is another, so that a ray may enter and come out again within a cone: hits are passed,
+// rarely. `params.x` caps the reads.
+"# },
+    Module { path: "search/sphere", head: r#"// Sphere tracing: as far as the distance field says that nothing is near, in any direction.
+//
+// Hart 1993; Donnelly 2005; Szirmay-Kalos and Umenhoffer 2008, section 4.3.4. The map is relief-bake's kind
+// `distance` in texture units: a fetch between its voxels is nowhere more than the distance to the surface.
+// Where a step ends within the cell, the cell's patch is looked at, as `cells` does. `params.x` caps the
+// reads, `params.z` is the number of slices. With `params.y` 0 it is as published: the search ends where the
+// field allows no more way.
 "# },
     Module { path: "refine/binary", head: r#"// Binary search: the interval is halved, keeping its near end above and its far end below the surface.
 //
@@ -685,6 +732,151 @@ fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, reads: u32) -> Found 
 }"#,
     },
     Declaration {
+        module: "shared/cone",
+        name: "FEW_CELLS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Cells of a bracket up to which a refinement may go through one by one.
+const FEW_CELLS = 3.0;"#,
+    },
+    Declaration {
+        module: "shared/cone",
+        name: "slope_of",
+        sampling: None,
+        uses: &["CONE_HALF_RATIO"],
+        text: r#"// Slope of a cone by its stored value, in heights for each tile; negative where none is known to hold.
+fn slope_of(value: f32) -> f32 {
+    // The ratio, in tiles for each unit of height, is half v² / (1 - v²).
+    let squared = CONE_HALF_RATIO * value * value;
+    if (squared > 0.0) {
+        return (1.0 - value) * (1.0 + value) / squared;
+    }
+    return -1.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/cone",
+        name: "cone_slope",
+        sampling: None,
+        uses: &["Path", "search_texel", "slope_of", "surface_settings", "wrap_index"],
+        text: r#"// Slope of the cone on a texel. One read.
+fn cone_slope(path: Path, texel: vec2f) -> f32 {
+    let n = vec2i(surface_settings.height_size);
+    let place = vec2i(texel);
+    let wrapped = vec2i(wrap_index(place.x, n.x), wrap_index(place.y, n.y));
+    return slope_of(search_texel(path, wrapped, 0, i32(path.level)).x);
+}"#,
+    },
+    Declaration {
+        module: "shared/cone",
+        name: "nearest_corner",
+        sampling: None,
+        uses: &[],
+        text: r#"// The corner of a cell that is nearest to a place in it.
+fn nearest_corner(at: vec2f) -> vec2f {
+    return select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), at >= vec2f(0.5, 0.5));
+}"#,
+    },
+    Declaration {
+        module: "shared/cone",
+        name: "corner_height",
+        sampling: None,
+        uses: &[],
+        text: r#"// The height at a corner of a cell.
+fn corner_height(heights: vec4f, corner: vec2f) -> f32 {
+    let above = select(heights.x, heights.y, corner.x > 0.5);
+    let below = select(heights.z, heights.w, corner.x > 0.5);
+    return select(above, below, corner.y > 0.5);
+}"#,
+    },
+    Declaration {
+        module: "shared/cone",
+        name: "stays_inside",
+        sampling: None,
+        uses: &["Grid", "NEVER", "Path", "ROUNDING", "height_size", "path_height", "path_slope"],
+        text: r#"// How far from t on the ray is inside of the cone of that slope on an apex, by more than is rounded. `offset`
+// is the texel's centre from which the places of the path count, in texels.
+fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t: f32) -> f32 {
+    let rest = path.exit - t;
+    let height = path_height(path, t) - apex;
+    // A path that bends down is above its chord, one that bends up above its tangent.
+    let terms = abs(path.h.y) + 2.0 * path.exit * abs(path.h.z);
+    let rise = path_slope(path, t) + min(path.h.z, 0.0) * rest - ROUNDING * terms;
+    var most = rest;
+    if (rise < 0.0) {
+        most = min(most, height / (0.0 - rise));
+    }
+    let end = t + most;
+    let far = (abs(grid.origin) + abs(grid.step) * end + vec2f(1.0, 1.0)) / height_size();
+    let of_heights = ROUNDING * (abs(path.h.x) + end * (abs(path.h.y) + end * abs(path.h.z)));
+    let lost = of_heights + ROUNDING * slope * (far.x + far.y);
+    let gap = height - 2.0 * lost;
+    let aside = ((grid.origin - offset) + grid.step * t) / height_size();
+    let c = (slope * length(aside) - gap) * (slope * length(aside) + gap);
+    if (gap <= 0.0 || c >= 0.0) {
+        return 0.0;
+    }
+    // Where slope |aside + duv s| is gap + rise s.
+    let b = slope * slope * dot(aside, path.duv) - gap * rise;
+    let a = slope * slope * dot(path.duv, path.duv) - rise * rise;
+    let discriminant = b * b - a * c;
+    var leave = NEVER;
+    if (discriminant >= 0.0) {
+        let root = sqrt(discriminant);
+        if (b >= 0.0) {
+            leave = (0.0 - c) / (b + root);
+        } else if (a > 0.0) {
+            leave = (root - b) / a;
+        }
+    }
+    leave = min(leave, most);
+    if (slope * length(aside + path.duv * leave) + lost <= height + rise * leave) {
+        return leave;
+    }
+    return 0.0;
+}"#,
+    },
+    Declaration {
+        module: "shared/cone",
+        name: "entered_once",
+        sampling: None,
+        uses: &["FEW_CELLS", "FOUND_BRACKET", "Found", "Grid", "Path", "path_gap"],
+        text: r#"// The bracket of the only entry between two places, above and below the surface: halved until few cells are
+// left.
+fn entered_once(
+    path: Path,
+    grid: Grid,
+    above: f32,
+    below: f32,
+    above_gap: f32,
+    below_gap: f32,
+    read: u32,
+) -> Found {
+    var near = above;
+    var far = below;
+    var near_gap = above_gap;
+    var far_gap = below_gap;
+    var reads = read;
+    let wide = abs(grid.step.x) + abs(grid.step.y);
+    while (wide * (far - near) > FEW_CELLS) {
+        let middle = 0.5 * (near + far);
+        if (!(middle > near && middle < far)) {
+            break;
+        }
+        let gap = path_gap(path, middle);
+        reads = reads + 1u;
+        if (gap <= 0.0) {
+            far = middle;
+            far_gap = gap;
+        } else {
+            near = middle;
+            near_gap = gap;
+        }
+    }
+    return Found(FOUND_BRACKET, near, far, near_gap, far_gap, reads);
+}"#,
+    },
+    Declaration {
         module: "shared/height",
         name: "CELL_LIMIT",
         sampling: None,
@@ -870,6 +1062,57 @@ fn normal_at(uv: vec2f) -> vec3f {
         uses: &["map_sampler", "normal_map"],
         text: r#"fn normal_at(uv: vec2f) -> vec3f {
     return textureSampleLevel(normal_map, map_sampler, uv, 0, 0.0).xyz;
+}"#,
+    },
+    Declaration {
+        module: "shared/image",
+        name: "UPRIGHT",
+        sampling: None,
+        uses: &[],
+        text: r#"// How a dual cell lies to the cell of the map that it is an image of.
+const UPRIGHT = 0;"#,
+    },
+    Declaration {
+        module: "shared/image",
+        name: "MIRRORED",
+        sampling: None,
+        uses: &[],
+        text: r#"const MIRRORED = 1;"#,
+    },
+    Declaration {
+        module: "shared/image",
+        name: "BESIDE",
+        sampling: None,
+        uses: &[],
+        text: r#"// It is none: along the axis the surface is level over it, and as high as at the edge of that cell.
+const BESIDE = 2;"#,
+    },
+    Declaration {
+        module: "shared/image",
+        name: "image_of",
+        sampling: None,
+        uses: &["BESIDE", "MIRRORED", "UPRIGHT", "WRAP_CLAMP", "WRAP_REPEAT", "surface_settings"],
+        text: r#"// Along an axis of n texels, the cell of the map that a dual cell is an image of, and how the two lie. Cells
+// beside a clamped map are images of none, nor are the half cells between a mirrored map and its images.
+fn image_of(cell: i32, n: i32) -> vec2i {
+    if (cell >= 0 && cell < n) {
+        return vec2i(cell, UPRIGHT);
+    }
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        return vec2i(clamp(cell, 0, n - 1), BESIDE);
+    }
+    if (surface_settings.wrap == WRAP_REPEAT) {
+        return vec2i(((cell % n) + n) % n, UPRIGHT);
+    }
+    let period = 2 * n;
+    let folded = ((cell % period) + period) % period;
+    if (folded < n) {
+        return vec2i(folded, UPRIGHT);
+    }
+    if (folded == period - 1) {
+        return vec2i(0, BESIDE);
+    }
+    return vec2i(period - 2 - folded, MIRRORED);
 }"#,
     },
     Declaration {
@@ -1752,76 +1995,9 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
     },
     Declaration {
         module: "search/cone",
-        name: "cone_slope",
-        sampling: None,
-        uses: &["CONE_HALF_RATIO", "Path", "search_texel", "surface_settings", "wrap_index"],
-        text: r#"// Slope of the empty cone on a texel, in heights for each tile; negative where none is known to be empty. One
-// read.
-fn cone_slope(path: Path, texel: vec2f) -> f32 {
-    let n = vec2i(surface_settings.height_size);
-    let place = vec2i(texel);
-    let wrapped = vec2i(wrap_index(place.x, n.x), wrap_index(place.y, n.y));
-    let value = search_texel(path, wrapped, 0, i32(path.level)).x;
-    // The ratio, in tiles for each unit of height, is half v² / (1 - v²).
-    let squared = CONE_HALF_RATIO * value * value;
-    if (squared > 0.0) {
-        return (1.0 - value) * (1.0 + value) / squared;
-    }
-    return -1.0;
-}"#,
-    },
-    Declaration {
-        module: "search/cone",
-        name: "stays_inside",
-        sampling: None,
-        uses: &["Grid", "NEVER", "Path", "ROUNDING", "height_size", "path_height", "path_slope"],
-        text: r#"// How far from t on the ray is inside of the cone of that slope on an apex, by more than is rounded. `offset`
-// is the texel's centre from which the places of the path count, in texels.
-fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t: f32) -> f32 {
-    let rest = path.exit - t;
-    let height = path_height(path, t) - apex;
-    // A path that bends down is above its chord, one that bends up above its tangent.
-    let terms = abs(path.h.y) + 2.0 * path.exit * abs(path.h.z);
-    let rise = path_slope(path, t) + min(path.h.z, 0.0) * rest - ROUNDING * terms;
-    var most = rest;
-    if (rise < 0.0) {
-        most = min(most, height / (0.0 - rise));
-    }
-    let end = t + most;
-    let far = (abs(grid.origin) + abs(grid.step) * end + vec2f(1.0, 1.0)) / height_size();
-    let of_heights = ROUNDING * (abs(path.h.x) + end * (abs(path.h.y) + end * abs(path.h.z)));
-    let lost = of_heights + ROUNDING * slope * (far.x + far.y);
-    let gap = height - 2.0 * lost;
-    let aside = ((grid.origin - offset) + grid.step * t) / height_size();
-    let c = (slope * length(aside) - gap) * (slope * length(aside) + gap);
-    if (gap <= 0.0 || c >= 0.0) {
-        return 0.0;
-    }
-    // Where slope |aside + duv s| is gap + rise s.
-    let b = slope * slope * dot(aside, path.duv) - gap * rise;
-    let a = slope * slope * dot(path.duv, path.duv) - rise * rise;
-    let discriminant = b * b - a * c;
-    var leave = NEVER;
-    if (discriminant >= 0.0) {
-        let root = sqrt(discriminant);
-        if (b >= 0.0) {
-            leave = (0.0 - c) / (b + root);
-        } else if (a > 0.0) {
-            leave = (root - b) / a;
-        }
-    }
-    leave = min(leave, most);
-    if (slope * length(aside + path.duv * leave) + lost <= height + rise * leave) {
-        return leave;
-    }
-    return 0.0;
-}"#,
-    },
-    Declaration {
-        module: "search/cone",
         name: "search_cone",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_after", "cell_leave", "cell_of", "cone_slope", "found_in_cell", "gap_to", "grid_of", "height_cell", "path_height", "stays_inside"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "found_in_cell", "gap_to", "grid_of", "height_cell", "nearest_corner", "path_height", "stays_inside"],
         text: r#"fn search_cone(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -1837,10 +2013,8 @@ fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t:
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
         let at = (grid.origin - cell) + grid.step * t;
-        let corner = select(vec2f(0.0, 0.0), vec2f(1.0, 1.0), at >= vec2f(0.5, 0.5));
-        let above = select(heights.x, heights.y, at.x >= 0.5);
-        let below = select(heights.z, heights.w, at.x >= 0.5);
-        let apex = select(above, below, at.y >= 0.5);
+        let corner = nearest_corner(at);
+        let apex = corner_height(heights, corner);
         var next = t;
         if (path_height(path, t) > apex) {
             let texel = cell + corner;
@@ -1867,48 +2041,182 @@ fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t:
 }"#,
     },
     Declaration {
-        module: "search/frustum",
-        name: "folded_cell",
+        module: "search/cone_moved",
+        name: "filtered_cone",
         sampling: None,
-        uses: &["WRAP_MIRROR", "WRAP_REPEAT", "surface_settings"],
-        text: r#"// Along an axis the cell of the map that a dual cell is an image of, and 1 where the image is mirrored. The
-// first is -1 where there is none: outside of a clamped map, and in the half cells between a mirrored map and
-// its images.
-fn folded_cell(i: i32, n: i32) -> vec2i {
-    if (i >= 0 && i < n) {
-        return vec2i(i, 0);
-    }
-    if (surface_settings.wrap == WRAP_REPEAT) {
-        return vec2i(((i % n) + n) % n, 0);
-    }
-    if (surface_settings.wrap == WRAP_MIRROR) {
-        let period = 2 * n;
-        let folded = ((i % period) + period) % period;
-        if (folded < n) {
-            return vec2i(folded, 0);
+        uses: &["Path", "bilinear", "height_size", "search_texel", "texels_around"],
+        text: r#"// The stored value of the cones between the texels. One read.
+fn filtered_cone(path: Path, uv: vec2f) -> f32 {
+    let at = texels_around(uv, vec2u(height_size()));
+    let level = i32(path.level);
+    return bilinear(
+        search_texel(path, vec2i(at.columns.x, at.rows.x), 0, level),
+        search_texel(path, vec2i(at.columns.y, at.rows.x), 0, level),
+        search_texel(path, vec2i(at.columns.x, at.rows.y), 0, level),
+        search_texel(path, vec2i(at.columns.y, at.rows.y), 0, level),
+        at.part,
+    ).x;
+}"#,
+    },
+    Declaration {
+        module: "search/cone_moved",
+        name: "search_cone_moved",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "Path", "ROUNDING", "filtered_cone", "path_gap", "path_height", "path_slope", "path_uv", "slope_of"],
+        text: r#"fn search_cone_moved(path: Path, params: vec4f) -> Found {
+    let aside = length(path.duv);
+    var t = 0.0;
+    var near = 0.0;
+    var near_gap = 0.0;
+    var reads = 0u;
+    var k = 0.0;
+    while (k < params.x) {
+        let gap = path_gap(path, t);
+        reads = reads + 1u;
+        if (gap <= 0.0) {
+            if (t == 0.0 && gap < 0.0) {
+                return Found(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, reads);
+            }
+            return Found(FOUND_BRACKET, near, t, near_gap, gap, reads);
         }
-        return vec2i(select(-1, period - 2 - folded, folded < period - 1), 1);
+        near = t;
+        near_gap = gap;
+        let slope = slope_of(filtered_cone(path, path_uv(path, t)));
+        reads = reads + 1u;
+        if (slope < 0.0) {
+            break;
+        }
+        // A path that bends down is above its chord, one that bends up above its tangent.
+        let rest = path.exit - t;
+        let rise = path_slope(path, t) + min(path.h.z, 0.0) * rest;
+        let terms = abs(path.h.x) + path.exit * (abs(path.h.y) + path.exit * abs(path.h.z));
+        let far = (abs(path.uv) + abs(path.duv) * path.exit + vec2f(1.0, 1.0)) * slope;
+        let lost = ROUNDING * (terms + far.x + far.y);
+        let closing = (slope * aside - rise) * (1.0 + ROUNDING);
+        if (closing <= 0.0) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        t = t + max(gap - lost, 0.0) / closing;
+        if (t >= path.exit) {
+            return Found(FOUND_MISS, near, path.exit, 0.0, 0.0, reads);
+        }
+        k = k + 1.0;
     }
-    return vec2i(-1, 0);
+    return Found(FOUND_ABOVE, t, path.exit, path_height(path, t), 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/dilation_erosion",
+        name: "leaves_window",
+        sampling: None,
+        uses: &["Grid", "cell_leave"],
+        text: r#"// When the path leaves the square of cells within the radius of a cell.
+fn leaves_window(grid: Grid, cell: vec2f, radius: f32) -> f32 {
+    let wide = vec2f(radius, radius);
+    let leave_low = cell_leave(grid, cell - wide);
+    let leave_high = cell_leave(grid, cell + wide);
+    let leave = select(leave_low, leave_high, grid.step > vec2f(0.0, 0.0));
+    return min(leave.x, leave.y);
+}"#,
+    },
+    Declaration {
+        module: "search/dilation_erosion",
+        name: "bracket_between",
+        sampling: None,
+        uses: &["FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "Path", "path_gap"],
+        text: r#"// A bracket whose ends are looked at. Two reads.
+fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
+    let gap = path_gap(path, near);
+    if (near == 0.0 && gap < 0.0) {
+        return Found(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, reads + 1u);
+    }
+    return Found(FOUND_BRACKET, near, far, gap, path_gap(path, far), reads + 2u);
+}"#,
+    },
+    Declaration {
+        module: "search/dilation_erosion",
+        name: "search_dilation_erosion",
+        sampling: None,
+        uses: &["BESIDE", "FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "bracket_between", "cell_after", "cell_leave", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "image_of", "least_at", "leaves_window", "path_height", "path_slope", "quadratic", "search_texel", "surface_settings"],
+        text: r#"fn search_dilation_erosion(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let n = vec2i(surface_settings.height_size);
+    let forward = grid.step >= vec2f(0.0, 0.0);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    // Where the path was last known to be above the surface.
+    var safe = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let span = max(end - t, 0.0);
+        var next = t;
+        var looks = params.y > 0.5;
+        let u = image_of(i32(cell.x), n.x);
+        let v = image_of(i32(cell.y), n.y);
+        if (u.y == BESIDE || v.y == BESIDE) {
+            looks = true;
+        } else {
+            let bounds = search_texel(path, vec2i(u.x, v.x), 0, i32(path.level));
+            reads = reads + 1u;
+            let reach = max(min(leaves_window(grid, cell, params.z), path.exit) - t, 0.0);
+            let furthest = t + reach;
+            let rounded = abs(path.h.x) + furthest * (abs(path.h.y) + furthest * abs(path.h.z));
+            let gap = vec3f(
+                path_height(path, t) - bounds.y - ROUNDING * rounded,
+                path_slope(path, t),
+                path.h.z,
+            );
+            if (gap.x > 0.0) {
+                safe = t;
+                next = t + reach;
+                if (quadratic(gap, least_at(gap, reach)) <= 0.0) {
+                    next = t + min(first_root(gap, reach), reach);
+                }
+            }
+            if (!looks && next < end && path_height(path, end) < bounds.x) {
+                return bracket_between(path, safe, end, reads);
+            }
+        }
+        if (next < end || !(end > t)) {
+            if (looks) {
+                reads = reads + 1u;
+                let heights = height_cell(vec2i(cell));
+                let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, t == 0.0, reads);
+                if (found.status != FOUND_ABOVE) {
+                    return found;
+                }
+            }
+            next = max(t, end);
+        }
+        if (next >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        cell = cell_after(grid, cell, leave, forward, next);
+        t = next;
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
 }"#,
     },
     Declaration {
         module: "search/frustum",
         name: "frustum_slope",
         sampling: None,
-        uses: &["Path", "folded_cell", "search_texel", "surface_settings"],
+        uses: &["BESIDE", "Path", "UPRIGHT", "image_of", "search_texel", "surface_settings"],
         text: r#"// The slope of the frustum that stands on a cell, toward larger u and v where `forward` says so. One read;
 // none, and a negative slope, where the map has no frustum.
 fn frustum_slope(path: Path, cell: vec2i, forward: vec2<bool>) -> f32 {
-    let u = folded_cell(cell.x, i32(surface_settings.height_size.x));
-    let v = folded_cell(cell.y, i32(surface_settings.height_size.y));
-    if (u.x < 0 || v.x < 0) {
+    let u = image_of(cell.x, i32(surface_settings.height_size.x));
+    let v = image_of(cell.y, i32(surface_settings.height_size.y));
+    if (u.y == BESIDE || v.y == BESIDE) {
         return -1.0;
     }
     let slopes = search_texel(path, vec2i(u.x, v.x), 0, i32(path.level));
     // In a mirrored image forward is backward.
-    let right = forward.x == (u.y == 0);
-    let down = forward.y == (v.y == 0);
+    let right = forward.x == (u.y == UPRIGHT);
+    let down = forward.y == (v.y == UPRIGHT);
     return select(select(slopes.w, slopes.z, right), select(slopes.y, slopes.x, right), down);
 }"#,
     },
@@ -2032,6 +2340,359 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         uses: &["FOUND_UNBRACKETED", "Found", "Path"],
         text: r#"fn search_none(path: Path, params: vec4f) -> Found {
     return Found(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, 0u);
+}"#,
+    },
+    Declaration {
+        module: "search/pyramid",
+        name: "FAR_OUT",
+        sampling: None,
+        uses: &[],
+        text: r#"// Farther out no cell is asked for.
+const FAR_OUT = 1073741824;"#,
+    },
+    Declaration {
+        module: "search/pyramid",
+        name: "node_extent",
+        sampling: None,
+        uses: &["FAR_OUT", "MIRRORED", "UPRIGHT", "WRAP_CLAMP", "surface_settings"],
+        text: r#"// Along an axis, the first cell of the node of a level that a cell is in, and the cell after its last.
+fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
+    let first = (image.x >> level) << level;
+    let side = 1 << level;
+    if (image.y == UPRIGHT) {
+        let low = cell - (image.x - first);
+        return vec2i(low, low + min(side, n - first));
+    }
+    if (image.y == MIRRORED) {
+        // The last cell of the map is its own image, not one of those on the other side.
+        let high = cell + (image.x - first) + 1;
+        return vec2i(high - min(side, n - 1 - first), high);
+    }
+    if (level > 0u && surface_settings.wrap == WRAP_CLAMP) {
+        return vec2i(select(-FAR_OUT, n, cell >= n), select(0, FAR_OUT, cell >= n));
+    }
+    return vec2i(cell, cell + 1);
+}"#,
+    },
+    Declaration {
+        module: "search/pyramid",
+        name: "leaves_extent",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// When the path leaves an extent along an axis, as `cell_leave` has it for a cell.
+fn leaves_extent(origin: f32, step: f32, extent: vec2i) -> f32 {
+    if (step > 0.0) {
+        return (f32(extent.y) - origin) / step;
+    }
+    if (step < 0.0) {
+        return (f32(extent.x) - origin) / step;
+    }
+    return NEVER;
+}"#,
+    },
+    Declaration {
+        module: "search/pyramid",
+        name: "search_pyramid",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "image_of", "least_at", "leaves_extent", "node_extent", "path_height", "path_slope", "quadratic", "search_texel", "surface_settings"],
+        text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let n = vec2i(surface_settings.height_size);
+    // Nodes that are wider than the path is long tell nothing that narrower ones do not.
+    let long = max(abs(grid.step.x), abs(grid.step.y)) * path.exit;
+    var top = 0u;
+    var level = 0u;
+    while ((1 << top) < max(n.x, n.y)) {
+        top = top + 1u;
+        if (f32(1 << level) < long) {
+            level = level + 1u;
+        }
+    }
+    var cell = vec2i(cell_of(grid.origin));
+    var parent = vec2i(-1, -1);
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let u = image_of(cell.x, n.x);
+        let v = image_of(cell.y, n.y);
+        let place = vec2i(u.x, v.x);
+        let above_level = level + 1u;
+        let left = parent.x >= 0 && (parent.x != place.x >> above_level || parent.y != place.y >> above_level);
+        if (left && level < top) {
+            level = above_level;
+        }
+        let columns = node_extent(cell.x, u, n.x, level);
+        let rows = node_extent(cell.y, v, n.y, level);
+        let leave_u = leaves_extent(grid.origin.x, grid.step.x, columns);
+        let leave_v = leaves_extent(grid.origin.y, grid.step.y, rows);
+        let end = min(min(leave_u, leave_v), path.exit);
+        let span = max(end - t, 0.0);
+        let low = vec2i(columns.x, rows.x);
+        let last = vec2i(columns.y - 1, rows.y - 1);
+        reads = reads + 1u;
+        if (level == 0u) {
+            let c = gap_to(path, grid, vec2f(cell), height_cell(cell), t);
+            let found = found_in_cell(c, t, span, t == 0.0, reads);
+            if (found.status != FOUND_ABOVE) {
+                return found;
+            }
+        } else {
+            let highest = search_texel(path, vec2i(place.x >> level, place.y >> level), 0, i32(level) - 1).y;
+            let furthest = t + span;
+            let rounded = abs(path.h.x) + furthest * (abs(path.h.y) + furthest * abs(path.h.z));
+            let gap = vec3f(
+                path_height(path, t) - highest - ROUNDING * rounded,
+                path_slope(path, t),
+                path.h.z,
+            );
+            if (gap.x <= 0.0 || quadratic(gap, least_at(gap, span)) <= 0.0) {
+                // Down, to the child over which the path sinks to the maximum.
+                if (gap.x > 0.0) {
+                    t = t + min(first_root(gap, span), span);
+                }
+                cell = clamp(vec2i(cell_of(grid.origin + grid.step * t)), low, last);
+                level = level - 1u;
+                parent = vec2i(-1, -1);
+                continue;
+            }
+        }
+        if (end >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        cell = clamp(vec2i(cell_of(grid.origin + grid.step * end)), low, last);
+        if (leave_u <= end) {
+            cell.x = select(low.x - 1, columns.y, grid.step.x > 0.0);
+        }
+        if (leave_v <= end) {
+            cell.y = select(low.y - 1, rows.y, grid.step.y > 0.0);
+        }
+        parent = vec2i(place.x >> (level + 1u), place.y >> (level + 1u));
+        t = max(t, end);
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/relaxed_cone",
+        name: "search_relaxed_cone",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "NEVER", "Path", "ROUNDING", "cell_after", "cell_leave", "cell_of", "cone_slope", "entered_once", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_size", "nearest_corner", "path_gap", "path_slope"],
+        text: r#"fn search_relaxed_cone(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let forward = grid.step >= vec2f(0.0, 0.0);
+    let aside = length(path.duv);
+    let rise = path_slope(path, 0.0);
+    let terms = abs(path.h.x) + path.exit * abs(path.h.y);
+    let far = (abs(grid.origin) + abs(grid.step) * path.exit + vec2f(1.0, 1.0)) / height_size();
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    // Where the path was last seen above the surface, and how far.
+    var near = 0.0;
+    var near_gap = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let span = max(end - t, 0.0);
+        let c = gap_to(path, grid, cell, height_cell(vec2i(cell)), t);
+        reads = reads + 1u;
+        if (c.x <= 0.0) {
+            if (near < t && near_gap > 0.0) {
+                return entered_once(path, grid, near, t, near_gap, c.x, reads);
+            }
+            return found_in_cell(c, t, span, t == 0.0, reads);
+        }
+        // The cone is asked where the patch has nothing more to say: where the path leaves the cell.
+        var start = t;
+        var gap = c.x;
+        if (params.y > 0.5) {
+            let found = found_in_cell(c, t, span, t == 0.0, reads);
+            if (found.status != FOUND_ABOVE) {
+                return found;
+            }
+            start = max(t, end);
+            gap = found.far_gap;
+        }
+        if (start >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        near = start;
+        near_gap = gap;
+        let slope = cone_slope(path, cell + nearest_corner((grid.origin - cell) + grid.step * start));
+        reads = reads + 1u;
+        var next = start;
+        if (slope >= 0.0) {
+            let closing = (slope * aside - rise) * (1.0 + ROUNDING);
+            let room = gap - ROUNDING * (terms + slope * (far.x + far.y));
+            next = NEVER;
+            if (closing > 0.0) {
+                next = start + max(room, 0.0) / closing;
+            }
+        }
+        if (params.y < 0.5 && !(next - t > ROUNDING * path.exit)) {
+            return Found(FOUND_ABOVE, t, path.exit, gap, 0.0, reads);
+        }
+        if (next >= path.exit) {
+            let last = path_gap(path, path.exit);
+            reads = reads + 1u;
+            if (last <= 0.0) {
+                return entered_once(path, grid, start, path.exit, gap, last, reads);
+            }
+            return Found(FOUND_MISS, start, path.exit, 0.0, 0.0, reads);
+        }
+        cell = cell_after(grid, cell, leave, forward, next);
+        t = next;
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/relaxed_cone_resting",
+        name: "search_relaxed_cone_resting",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "entered_once", "found_in_cell", "gap_to", "grid_of", "height_cell", "nearest_corner", "path_gap", "path_height", "stays_inside"],
+        text: r#"fn search_relaxed_cone_resting(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let forward = grid.step >= vec2f(0.0, 0.0);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    // Where the path was last seen above the surface, and how far.
+    var near = 0.0;
+    var near_gap = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let heights = height_cell(vec2i(cell));
+        reads = reads + 1u;
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let span = max(end - t, 0.0);
+        let c = gap_to(path, grid, cell, heights, t);
+        if (c.x <= 0.0) {
+            if (near < t && near_gap > 0.0) {
+                return entered_once(path, grid, near, t, near_gap, c.x, reads);
+            }
+            return found_in_cell(c, t, span, t == 0.0, reads);
+        }
+        let found = found_in_cell(c, t, span, t == 0.0, reads);
+        if (found.status != FOUND_ABOVE) {
+            return found;
+        }
+        let start = max(t, end);
+        if (start >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        near = start;
+        near_gap = found.far_gap;
+        // The cone is asked where the patch has nothing more to say: where the path leaves the cell.
+        let corner = nearest_corner((grid.origin - cell) + grid.step * start);
+        let apex = corner_height(heights, corner);
+        var next = start;
+        if (path_height(path, start) > apex) {
+            let texel = cell + corner;
+            let slope = cone_slope(path, texel);
+            reads = reads + 1u;
+            if (slope >= 0.0) {
+                next = start + stays_inside(path, grid, texel, apex, slope, start);
+            }
+        }
+        if (next >= path.exit) {
+            let last = path_gap(path, path.exit);
+            reads = reads + 1u;
+            if (last <= 0.0) {
+                return entered_once(path, grid, start, path.exit, near_gap, last, reads);
+            }
+            return Found(FOUND_MISS, start, path.exit, 0.0, 0.0, reads);
+        }
+        cell = cell_after(grid, cell, leave, forward, next);
+        t = next;
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
+        module: "search/sphere",
+        name: "slice_distance",
+        sampling: None,
+        uses: &["Path", "bilinear", "height_size", "search_texel", "texels_around"],
+        text: r#"// The distance field between the voxels of one slice. One read.
+fn slice_distance(path: Path, uv: vec2f, slice: i32) -> f32 {
+    let at = texels_around(uv, vec2u(height_size()));
+    let level = i32(path.level);
+    return bilinear(
+        search_texel(path, vec2i(at.columns.x, at.rows.x), slice, level),
+        search_texel(path, vec2i(at.columns.y, at.rows.x), slice, level),
+        search_texel(path, vec2i(at.columns.x, at.rows.y), slice, level),
+        search_texel(path, vec2i(at.columns.y, at.rows.y), slice, level),
+        at.part,
+    ).x;
+}"#,
+    },
+    Declaration {
+        module: "search/sphere",
+        name: "distance_at",
+        sampling: None,
+        uses: &["Path", "slice_distance"],
+        text: r#"// The distance field at texture coordinates and a height. Two reads.
+fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
+    let place = clamp(height * slices - 0.5, 0.0, slices - 1.0);
+    let below = floor(place);
+    let lower = slice_distance(path, uv, i32(below));
+    let upper = slice_distance(path, uv, i32(min(below + 1.0, slices - 1.0)));
+    return lower + (upper - lower) * (place - below);
+}"#,
+    },
+    Declaration {
+        module: "search/sphere",
+        name: "search_sphere",
+        sampling: None,
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_after", "cell_leave", "cell_of", "distance_at", "found_in_cell", "gap_to", "grid_of", "height_cell", "path_height", "path_slope", "path_uv"],
+        text: r#"fn search_sphere(path: Path, params: vec4f) -> Found {
+    let grid = grid_of(path);
+    let forward = grid.step >= vec2f(0.0, 0.0);
+    // A bent path is fastest at one of its ends.
+    let climb = max(abs(path_slope(path, 0.0)), abs(path_slope(path, path.exit)));
+    let speed = length(vec3f(path.duv, climb)) * (1.0 + ROUNDING);
+    // What rounding may make of the path's places, in texture units and heights.
+    let far = abs(path.uv) + abs(path.duv) * path.exit;
+    let height_terms = abs(path.h.x) + path.exit * (abs(path.h.y) + path.exit * abs(path.h.z));
+    let lost = ROUNDING * (far.x + far.y + height_terms + 1.0);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let span = max(end - t, 0.0);
+        let free = distance_at(path, path_uv(path, t), path_height(path, t), params.z) - lost;
+        reads = reads + 2u;
+        var next = t;
+        if (free > 0.0) {
+            next = t + free / speed;
+        }
+        if (params.y < 0.5) {
+            if (!(next - t > ROUNDING * path.exit)) {
+                return Found(FOUND_ABOVE, t, path.exit, 0.0, 0.0, reads);
+            }
+        } else if (next < end || !(end > t)) {
+            reads = reads + 1u;
+            let c = gap_to(path, grid, cell, height_cell(vec2i(cell)), t);
+            let found = found_in_cell(c, t, span, t == 0.0, reads);
+            if (found.status != FOUND_ABOVE) {
+                return found;
+            }
+            next = max(t, end);
+        }
+        if (next >= path.exit) {
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+        }
+        cell = cell_after(grid, cell, leave, forward, next);
+        t = next;
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
 }"#,
     },
     Declaration {

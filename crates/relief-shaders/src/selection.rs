@@ -1,6 +1,7 @@
 //! A variant chosen for every stage, with its settings.
 
-use relief_core::registry::{self, Entry, Guarantee, MAX_PARAMS, Param, RayClass, UnknownName};
+use relief_core::FoundState;
+use relief_core::registry::{self, Entry, Guarantee, Guarantees, MAX_PARAMS, Param, RayClass, UnknownName};
 
 use crate::Method;
 use crate::stages::{REFINE, SEARCH, STAGES, Stage, entry_place, stage};
@@ -73,6 +74,20 @@ pub enum SelectionError {
         /// The rays.
         rays: &'static str,
     },
+    /// The refinement makes nothing better that the search gives.
+    #[error(
+        "the refinement '{refine}' makes nothing of what the search '{search}' gives: it takes {takes}, not {gives}"
+    )]
+    Pair {
+        /// The search.
+        search: &'static str,
+        /// The refinement.
+        refine: &'static str,
+        /// How the search ends.
+        gives: String,
+        /// What the refinement takes.
+        takes: String,
+    },
 }
 
 /// How settings may begin: the keys of the stages of which a variant has parameters.
@@ -90,6 +105,11 @@ impl Choice {
     fn new(stage: &'static Stage, number: usize) -> Self {
         let entry = &stage.entries[number];
         Self { entry, number: number as u32, params: entry.defaults() }
+    }
+
+    /// What the variant promises with these parameters.
+    fn promises(&self) -> Guarantees {
+        self.entry.promises(&self.params)
     }
 }
 
@@ -174,20 +194,38 @@ impl Selection {
         Ok(())
     }
 
-    /// Whether every chosen variant can be used for the rays that its stage is given.
+    /// Whether every chosen variant can be used for the rays that its stage is given, and with the others.
     ///
     /// # Errors
     ///
     /// When one cannot.
     pub fn check(&self) -> Result<(), SelectionError> {
-        for (stage, Choice { entry, .. }) in STAGES.iter().zip(&self.choices) {
-            let impossible = |rays: &&RayClass| entry.guarantee.of(**rays) == Guarantee::Impossible;
+        for (stage, choice) in STAGES.iter().zip(&self.choices) {
+            let (entry, promises) = (choice.entry, choice.promises());
+            let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
             if let Some(rays) = stage.rays.iter().find(impossible) {
                 let (stage, key, entry, rays) = (stage.title, stage.key, entry.name, rays.name());
                 return Err(SelectionError::Impossible { stage, key, entry, rays });
             }
         }
-        Ok(())
+        self.check_pair()
+    }
+
+    /// Whether the refinement makes something of what the search gives.
+    ///
+    /// # Errors
+    ///
+    /// When it does not.
+    pub fn check_pair(&self) -> Result<(), SelectionError> {
+        let (search, refine) = (self.search(), self.refine());
+        if search.states.iter().any(|state| refine.states.contains(state)) {
+            return Ok(());
+        }
+        let named = |states: &[FoundState]| {
+            states.iter().map(|state| state.description()).collect::<Vec<_>>().join(" or ")
+        };
+        let (gives, takes) = (named(search.states), named(refine.states));
+        Err(SelectionError::Pair { search: search.name, refine: refine.name, gives, takes })
     }
 
     /// The chosen search.
@@ -202,7 +240,8 @@ impl Selection {
 
     /// What search and refinement together promise for a class of rays: the weaker of the two promises.
     pub fn guarantee(&self, rays: RayClass) -> Guarantee {
-        self.search().guarantee.of(rays).min(self.refine().guarantee.of(rays))
+        let [search, refine] = [SEARCH, REFINE].map(|stage| self.choices[stage].promises().of(rays));
+        search.min(refine)
     }
 
     /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
@@ -277,10 +316,7 @@ mod tests {
         let mut selection = Selection::default();
         assert_eq!(selection.check(), Ok(()));
         let refused = Box::leak(Box::new(Entry {
-            guarantee: registry::Guarantees {
-                view: Guarantee::Impossible,
-                ..registry::Guarantees::all(Guarantee::Exact)
-            },
+            guarantee: Guarantees { view: Guarantee::Impossible, ..Guarantees::all(Guarantee::Exact) },
             ..*selection.search()
         }));
         selection.choices[SEARCH].entry = refused;

@@ -5,14 +5,16 @@ use relief_core::Path;
 use relief_core::registry::{Guarantee, RayClass};
 use relief_shaders::{Selection, refine, search};
 
-/// Every pair, with default parameters.
+/// Every pair that makes sense, with default parameters.
 ///
 /// # Panics
 ///
 /// Never: the names are those of the lists.
 pub fn all() -> impl Iterator<Item = Selection> {
     let names = search::ENTRIES.iter().flat_map(|a| refine::ENTRIES.iter().map(move |b| (a.name, b.name)));
-    names.map(|(search, refine)| Selection::pair(search, refine).unwrap_or_else(|error| panic!("{error}")))
+    names
+        .map(|(search, refine)| Selection::pair(search, refine).unwrap_or_else(|error| panic!("{error}")))
+        .filter(|pair| pair.check_pair().is_ok())
 }
 
 /// The pairs that promise the exact answer for a class of rays.

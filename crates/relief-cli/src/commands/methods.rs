@@ -6,7 +6,7 @@ use clap::Args;
 use comfy_table::presets::ASCII_MARKDOWN;
 use comfy_table::{ContentArrangement, Table};
 use relief_core::registry::{Entry, Param, Publication, RayClass};
-use relief_shaders::{METHODS, STAGES, Stage};
+use relief_shaders::{METHODS, REFINE, SEARCH, STAGES, Selection, Stage};
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
@@ -14,6 +14,9 @@ use crate::failure::Failure;
 /// What `relief methods` is given.
 #[derive(Args)]
 pub struct Arguments {
+    /// Print which refinement goes with which search, and what they promise together
+    #[arg(long)]
+    pairs: bool,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -22,9 +25,11 @@ pub struct Arguments {
 /// Prints the tables.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    if arguments.json {
-        writeln!(out, "{:#}", as_json())?;
-        return Ok(());
+    match (arguments.pairs, arguments.json) {
+        (true, true) => return Ok(writeln!(out, "{:#}", pairs_as_json()?)?),
+        (true, false) => return Ok(write!(out, "{}", pairs_text()?)?),
+        (false, true) => return Ok(writeln!(out, "{:#}", as_json())?),
+        (false, false) => {}
     }
     writeln!(out, "Methods: pairs of a search and a refinement, for --method\n{}\n", methods_table())?;
     for stage in &STAGES {
@@ -71,6 +76,57 @@ fn methods_table() -> Table {
         ]);
     }
     table
+}
+
+/// A pair, and why it is refused if it is.
+struct Pair {
+    selection: Selection,
+    refused: Option<String>,
+}
+
+/// Every search with every refinement, in the order of the lists.
+fn pairs() -> Result<Vec<Pair>, Failure> {
+    let pair = |search: &Entry, refine: &Entry| {
+        let selection = Selection::pair(search.name, refine.name).map_err(Failure::work)?;
+        Ok(Pair { refused: selection.check_pair().err().map(|error| error.to_string()), selection })
+    };
+    let [searches, refinements] = [SEARCH, REFINE].map(|stage| STAGES[stage].entries);
+    searches.iter().flat_map(|search| refinements.iter().map(move |refine| pair(search, refine))).collect()
+}
+
+fn pairs_text() -> Result<String, Failure> {
+    let (pairs, refinements) = (pairs()?, STAGES[REFINE].entries);
+    let names = refinements.iter().map(|entry| entry.name);
+    let mut table = Table::new();
+    table.load_style(ASCII_MARKDOWN).set_header(std::iter::once("search").chain(names));
+    for row in pairs.chunks(refinements.len()) {
+        let cells = row.iter().map(|pair| match pair.refused {
+            Some(_) => "no".to_owned(),
+            None => RayClass::ALL.map(|rays| &pair.selection.guarantee(rays).name()[..1]).join(" "),
+        });
+        let search = row.first().map(|pair| pair.selection.search().name.to_owned());
+        table.add_row(search.into_iter().chain(cells));
+    }
+    let mut text = format!(
+        "What a search and a refinement promise together for view, bent and shadow rays, with their default \
+         settings: e exact, c conservative (never passes a hit, may stop before one), a approximate, i impossible; \
+         no where they are refused.\n\n{table}\n\nWhy they are refused:\n\n"
+    );
+    for reason in pairs.iter().filter_map(|pair| pair.refused.as_ref()) {
+        text += &format!("- {reason}\n");
+    }
+    Ok(text)
+}
+
+fn pairs_as_json() -> Result<Value, Failure> {
+    let pair = |Pair { selection, refused }: Pair| {
+        let promised = |rays| selection.guarantee(rays).name();
+        let [view, bent, shadow] = RayClass::ALL.map(promised);
+        let promises = refused.is_none().then(|| json!({ "view": view, "bent": bent, "shadow": shadow }));
+        let (search, refine) = (selection.search().name, selection.refine().name);
+        json!({ "search": search, "refine": refine, "guarantee": promises, "refused": refused })
+    };
+    Ok(pairs()?.into_iter().map(pair).collect())
 }
 
 fn entries_table(entries: &[Entry]) -> Table {

@@ -17,6 +17,8 @@ pub const ENTRY: Entry = Entry {
         default: 8.0,
         integer: true,
     }],
+    states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "Converges to a crossing in the interval, which is the first when the interval holds one.",
 };

@@ -1,6 +1,7 @@
 //! Refinements: what converges inside a search's bracket. A new one is a `.wesl` and a `.rs` file here and
 //! its name in the list below.
 
+use relief_core::FoundState;
 use relief_core::registry::Entry;
 
 use crate::SURVEY;
@@ -27,3 +28,10 @@ pub const ENTRIES: &[Entry] = &[
     true_secant::ENTRY,
     patch::ENTRY,
 ];
+
+/// What a refinement takes that narrows an interval or corrects a point on the way.
+const ANY_INTERVAL: &[FoundState] = &[FoundState::Above, FoundState::Bracket, FoundState::Unbracketed];
+
+/// What a refinement takes that does nothing to it.
+const ALL_STATES: &[FoundState] =
+    &[FoundState::Above, FoundState::Below, FoundState::Bracket, FoundState::Unbracketed];

@@ -9,6 +9,8 @@ pub const ENTRY: Entry = Entry {
     publication: Publication { paper: super::SURVEY, section: "4.1.1" },
     maps: &[],
     params: &[],
+    states: super::ALL_STATES,
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "It adds nothing to what the search knows.",
 };

@@ -1,5 +1,6 @@
 //! Registry entry of the refinement `offset`.
 
+use relief_core::FoundState;
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Parallax mapping: a level surface at the starting point's height.
@@ -9,6 +10,8 @@ pub const ENTRY: Entry = Entry {
     publication: Publication { paper: super::SURVEY, section: "4.1.2" },
     maps: &[],
     params: &[],
+    states: &[FoundState::Unbracketed],
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "Exact where the map is constant.",
 };

@@ -1,5 +1,6 @@
 //! Registry entry of the refinement `offset-limited`.
 
+use relief_core::FoundState;
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Parallax mapping with offset limiting: never farther than the height.
@@ -9,6 +10,8 @@ pub const ENTRY: Entry = Entry {
     publication: Publication { paper: super::SURVEY, section: "4.1.3" },
     maps: &[],
     params: &[],
+    states: &[FoundState::Unbracketed],
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "Never moves farther along the ray than the height difference; the point lies beside the ray.",
 };

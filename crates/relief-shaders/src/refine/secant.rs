@@ -17,6 +17,8 @@ pub const ENTRY: Entry = Entry {
         default: 2.0,
         integer: true,
     }],
+    states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "Keeps a crossing enclosed; exact after one step where the gap is linear.",
 };

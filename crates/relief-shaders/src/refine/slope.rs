@@ -17,6 +17,8 @@ pub const ENTRY: Entry = Entry {
         default: 0.0,
         integer: true,
     }],
+    states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "Exact where the map is a plane and `divide` is 1.",
 };

@@ -28,6 +28,8 @@ pub const ENTRY: Entry = Entry {
             integer: true,
         },
     ],
+    states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "Convergence is not guaranteed, nor is the first crossing.",
 };

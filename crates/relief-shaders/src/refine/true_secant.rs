@@ -17,7 +17,9 @@ pub const ENTRY: Entry = Entry {
         default: 3.0,
         integer: true,
     }],
+    states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "Converges faster than false position near a simple crossing and may leave the bracket; guesses \
         are kept in the search's interval.",
 };

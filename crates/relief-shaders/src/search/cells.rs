@@ -1,5 +1,6 @@
 //! Registry entry of the search `cells`.
 
+use relief_core::FoundState;
 use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Every dual cell along the path, in order.
@@ -17,7 +18,9 @@ pub const ENTRY: Entry = Entry {
         default: 1_048_576.0,
         integer: true,
     }],
+    states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Exact),
+    weakened: &[],
     argument: "Every cell on the path is visited and the gap, a quadratic there, is bounded below in closed \
         form, so the first cell that holds a crossing ends the walk. In f32 the gap of a cell is known \
         to 8 ulp of its terms: rays that clear the surface by less may be judged either way.",

@@ -1,6 +1,7 @@
 //! Registry entry of the search `cone`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapSetting, Param, Publication};
+use relief_core::FoundState;
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapSetting, Publication};
 
 /// Over the empty cone on the texel nearest to the path.
 pub const ENTRY: Entry = Entry {
@@ -8,16 +9,10 @@ pub const ENTRY: Entry = Entry {
     summary: "over the empty cone on each texel that the path comes to",
     publication: Publication { paper: super::SURVEY, section: "4.3.5" },
     maps: &[MapInput::new("cone", "").with(&[("apex", MapSetting::Fixed(0.0))])],
-    params: &[Param {
-        name: "limit",
-        summary: "most reads before the search gives up",
-        unit: "",
-        min: 1.0,
-        max: 16_777_216.0,
-        default: 1_048_576.0,
-        integer: true,
-    }],
+    params: &[super::LIMIT],
+    states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Exact),
+    weakened: &[],
     argument: "The cone stays on the centre of the texel that it was baked for and holds no surface, so a path that is \
         inside of it, wherever over the texel, is above the surface until it leaves it. A cone is convex: a line that is inside at \
         both ends of a step is inside between, and a path that bends stays above its tangent or its chord. Where the path is \

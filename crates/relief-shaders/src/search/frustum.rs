@@ -1,6 +1,7 @@
 //! Registry entry of the search `frustum`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, Param, Publication};
+use relief_core::FoundState;
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, Publication};
 
 /// Over the empty frustum of each cell that the path comes to.
 pub const ENTRY: Entry = Entry {
@@ -8,16 +9,10 @@ pub const ENTRY: Entry = Entry {
     summary: "over the empty frustum on each cell that the path comes to",
     publication: Publication { paper: "Relief", section: "" },
     maps: &[MapInput::new("frustum", "slopes")],
-    params: &[Param {
-        name: "limit",
-        summary: "most reads before the search gives up",
-        unit: "",
-        min: 1.0,
-        max: 16_777_216.0,
-        default: 1_048_576.0,
-        integer: true,
-    }],
+    params: &[super::LIMIT],
+    states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Exact),
+    weakened: &[],
     argument: "Over a cell a path above its top is above the surface, and after it as far as it is above the \
         frustum, as the map promises for all of the quadrant ahead; the gap to the frustum is concave, or for paths \
         that bend up the first root of each axis' quadratic is taken, so it closes once. Where the path sinks to the \

@@ -1,5 +1,6 @@
 //! Registry entry of the search `linear`.
 
+use relief_core::FoundState;
 use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 
 /// Equal steps until one is below the surface.
@@ -28,7 +29,9 @@ pub const ENTRY: Entry = Entry {
             integer: false,
         },
     ],
+    states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "A bracket encloses a crossing, since the gap is read at both ends; a bump thinner than a step \
         is passed over.",
 };

@@ -1,5 +1,6 @@
 //! Registry entry of the search `none`.
 
+use relief_core::FoundState;
 use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
 
 /// Nothing is searched: entry and exit.
@@ -9,6 +10,8 @@ pub const ENTRY: Entry = Entry {
     publication: Publication { paper: super::SURVEY, section: "4.1" },
     maps: &[],
     params: &[],
+    states: &[FoundState::Unbracketed],
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "It claims nothing: both ends are returned unbracketed.",
 };

@@ -9,6 +9,8 @@ pub const ENTRY: Entry = Entry {
     publication: Publication { paper: super::SURVEY, section: "2.1" },
     maps: &[],
     params: &[],
+    states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
     argument: "",
 };

@@ -9,7 +9,9 @@ pub const ENTRY: Entry = Entry {
     publication: Publication { paper: super::SURVEY, section: "4" },
     maps: &[],
     params: &[],
+    states: &[],
     guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Impossible, shadow: Guarantee::Exact },
+    weakened: &[],
     argument: "A straight ray stays straight in texture space when the frame is constant along it, which holds on flat \
         polygons and is the approximation made on curved meshes. The entry lies at height 1 to a rounding of f32, the \
         exit a millionth of the relief below height 0, so that rounding cannot end a path above a floor.",

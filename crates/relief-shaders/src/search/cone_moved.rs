@@ -1,0 +1,44 @@
+//! Registry entry of the search `cone-moved`.
+
+use relief_core::FoundState;
+use relief_core::registry::{
+    Entry, Guarantee, Guarantees, MapInput, MapSetting, Param, Publication, Weakened,
+};
+
+/// Cone stepping as published.
+pub const ENTRY: Entry = Entry {
+    name: "cone-moved",
+    summary: "cone stepping as published: over cones that are moved to the ray",
+    publication: Publication { paper: super::SURVEY, section: "4.3.5" },
+    maps: &[MapInput::new("cone", "").with(&[("apex", MapSetting::Param("apex"))])],
+    params: &[
+        Param {
+            name: "steps",
+            summary: "steps, after which the last point is the answer",
+            unit: "",
+            min: 1.0,
+            max: 4096.0,
+            default: 32.0,
+            integer: true,
+        },
+        Param {
+            name: "apex",
+            summary: "cones that are safe 0 on texel centres, as their author had them, 1 over a texel, 2 through a filter",
+            unit: "",
+            min: 0.0,
+            max: 2.0,
+            default: 2.0,
+            integer: true,
+        },
+    ],
+    states: &[FoundState::Above, FoundState::Bracket],
+    guarantee: Guarantees::all(Guarantee::Conservative),
+    weakened: &[
+        Weakened { param: "apex", value: 0.0, to: Guarantees::all(Guarantee::Approximate) },
+        Weakened { param: "apex", value: 1.0, to: Guarantees::all(Guarantee::Approximate) },
+    ],
+    argument: "A cone that is safe through a filter holds no surface wherever it stands, so a step to where the path leaves it \
+        passes nothing. Steps get shorter toward the surface, and after the last of them the point that it reached is the \
+        answer. In f32 a step is shortened by 8 roundings of the heights and, times the slope, of the places that it is \
+        computed from.",
+};
