@@ -45,6 +45,28 @@ fn every_node_of_every_level_is_the_extremes_of_its_cells() {
 }
 
 #[test]
+fn over_texels_every_node_is_the_extremes_of_its_texels() {
+    for named in maps::ALL {
+        let map = named.build(Wrap::Clamp);
+        let metric = Metric::new([2.0, 0.5], 0.1).expect("lengths");
+        let texture = stored::textures(&KIND, &map, metric, &[("over", 1.0)]).expect("a bake").remove(0);
+        for level in 0..texture.levels.len() {
+            let [width, height, _] = texture.texture.level_size(level);
+            for (column, row) in (0..height).flat_map(|row| (0..width).map(move |column| (column, row))) {
+                let along = |node: u32, size: u32| (node << level)..((node + 1) << level).min(size);
+                let texels = along(row, map.height()).flat_map(|j| {
+                    let map = &map;
+                    along(column, map.width()).map(move |i| map.texel(i64::from(i), i64::from(j)))
+                });
+                let (least, greatest) = texels
+                    .fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), texel| (a.min(texel), b.max(texel)));
+                assert_eq!(node(&texture, level, column, row), [least, greatest], "{} {level}", named.name);
+            }
+        }
+    }
+}
+
+#[test]
 fn the_surface_stays_within_every_level_in_any_bits() {
     for case in [0, 8, 16].into_iter().flat_map(|bits| run::cases(KIND.name, bits)) {
         let outcome = run::run(&case, PROBES, &|_| {}).expect("a bake");

@@ -40,7 +40,7 @@ impl FoundState {
         match self {
             FoundState::Miss => "a miss",
             FoundState::Above => "a point above the surface",
-            FoundState::Below => "a point below it",
+            FoundState::Below => "a point below the surface",
             FoundState::Bracket => "a bracket",
             FoundState::Exhausted => "the point where the steps ran out",
             FoundState::StartedBelow => "a start below the surface",

@@ -407,6 +407,8 @@ pub const STAGES: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
+pub const WRAP_MIRROR: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
 pub const WRAP_REPEAT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Resources<'g> {
@@ -538,11 +540,11 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_cell(&self, cell: rt::Vec2<i32>) -> rt::Vec4<f32> {
         let _e3 = self.surface_settings.height_size;
-        let n_3 = _e3.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(cell.x(), n_3.x());
-        let _e12 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), n_3.x());
-        let _e15 = self.v_wrap_index(cell.y(), n_3.y());
-        let _e20 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), n_3.y());
+        let n_4 = _e3.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(cell.x(), n_4.x());
+        let _e12 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), n_4.x());
+        let _e15 = self.v_wrap_index(cell.y(), n_4.y());
+        let _e20 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), n_4.y());
         let _e24 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e29 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -769,14 +771,14 @@ impl<'g> Resources<'g> {
         uv_1: rt::Vec2<f32>,
         size: rt::Vec2<u32>,
     ) -> Around {
-        let n_4 = size.cast_elem_as_i32();
+        let n_5 = size.cast_elem_as_i32();
         let point_3 = ((uv_1 * size.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e9 = self.v_cell_of(point_3);
         let i_1 = _e9.cast_elem_as_i32();
-        let _e13 = self.v_wrap_index(i_1.x(), n_4.x());
-        let _e18 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_4.x());
-        let _e22 = self.v_wrap_index(i_1.y(), n_4.y());
-        let _e27 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_4.y());
+        let _e13 = self.v_wrap_index(i_1.x(), n_5.x());
+        let _e18 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_5.x());
+        let _e22 = self.v_wrap_index(i_1.y(), n_5.y());
+        let _e27 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_5.y());
         return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e13, _e18), <rt::Vec2<i32>>::from_scalars(_e22, _e27), (point_3 - _e9));
     }
     pub(crate) fn color_at(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
@@ -852,9 +854,9 @@ impl<'g> Resources<'g> {
         level: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_6.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_2 = rt::texture::Read::read_texel((&self.shadow_search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
+            let texel_4 = rt::texture::Read::read_texel((&self.shadow_search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
             let _e12 = self.surface_settings.maps[1usize];
-            let _e13 = self.v_decoded(texel_2, _e12);
+            let _e13 = self.v_decoded(texel_4, _e12);
             return _e13;
         }
         let _e15 = rt::texture::Read::read_texel((&self.search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
@@ -876,10 +878,10 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e4 = self.surface_settings.height_size;
-        let n_5 = _e4.cast_elem_as_i32();
+        let n_6 = _e4.cast_elem_as_i32();
         let place_1 = texel_1.cast_elem_as_i32();
-        let _e9 = self.v_wrap_index(place_1.x(), n_5.x());
-        let _e12 = self.v_wrap_index(place_1.y(), n_5.y());
+        let _e9 = self.v_wrap_index(place_1.x(), n_6.x());
+        let _e12 = self.v_wrap_index(place_1.y(), n_6.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e9, _e12);
         let _e17 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
         let _e19 = self.v_slope_of(_e17.x());
@@ -919,11 +921,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_size();
         let _e5 = self.v_texels_around(uv_4, _e3.cast_elem_as_u32());
-        let level_3 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), slice, level_3);
-        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), slice, level_3);
-        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), slice, level_3);
-        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), slice, level_3);
+        let level_5 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), slice, level_5);
+        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), slice, level_5);
+        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), slice, level_5);
+        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), slice, level_5);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33.x();
     }
@@ -1044,11 +1046,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size();
         let _e4 = self.v_texels_around(uv_6, _e2.cast_elem_as_u32());
-        let level_4 = rt::Scalar(path_11.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar(0i32), level_4);
-        let _e20 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar(0i32), level_4);
-        let _e27 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar(0i32), level_4);
-        let _e34 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), rt::Scalar(0i32), level_4);
+        let level_6 = rt::Scalar(path_11.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar(0i32), level_6);
+        let _e20 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar(0i32), level_6);
+        let _e27 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar(0i32), level_6);
+        let _e34 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), rt::Scalar(0i32), level_6);
         let _e36 = self.v_bilinear(_e13, _e20, _e27, _e34, _e4.part);
         return _e36.x();
     }
@@ -1396,6 +1398,29 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(step.elementwise_lt(rt::Scalar(0f32))) {
             return ((extent.x().cast_elem_as_f32() - origin) / step);
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub(crate) fn leaves_texels(
+        &self,
+        origin_1: impl rt::Into<rt::Scalar<f32>>,
+        step_1: impl rt::Into<rt::Scalar<f32>>,
+        extent_1: impl rt::Into<rt::Vec2<i32>>,
+    ) -> f32 {
+        rt::into(self.v_leaves_texels(rt::into(origin_1), rt::into(step_1), rt::into(extent_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_leaves_texels(
+        &self,
+        origin_1: rt::Scalar<f32>,
+        step_1: rt::Scalar<f32>,
+        extent_1: rt::Vec2<i32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(step_1.elementwise_gt(rt::Scalar(0f32))) {
+            return ((extent_1.y().cast_elem_as_f32() - origin_1) / step_1);
+        }
+        if rt::Scalar::into_branch_condition(step_1.elementwise_lt(rt::Scalar(0f32))) {
+            return ((extent_1.x().cast_elem_as_f32() - origin_1) / step_1);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
@@ -1747,56 +1772,63 @@ impl<'g> Resources<'g> {
         let _e56 = self.v_hit_on_path(path_19, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
     }
-    pub(crate) fn refine_offset(
+    pub(crate) fn refine_half_texel(
         &self,
         path_20: Path,
         found_4: Found,
         params_2: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_20, found_4, rt::into(params_2)))
+        rt::into(self.v_refine_half_texel(path_20, found_4, rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset(
+    fn v_refine_half_texel(
         &self,
         path_20: Path,
         found_4: Found,
         params_2: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_9: rt::Scalar<f32>;
+        let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_4.reads));
-            return _e7;
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_ne(FOUND_BELOW)) {
+            let _e6 = self.v_refine_none(path_20, found_4, params_2);
+            return _e6;
         }
-        let _e8 = self.v_starting_point(path_20, found_4);
-        let _e9 = self.v_path_uv(path_20, _e8);
-        let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_slope(path_20, _e8);
-        t_9 = _e8;
-        if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
-            let _e15 = self.v_path_height(path_20, _e8);
-            t_9 = (_e8 + ((_e10 - _e15) / _e11));
+        let _e8 = self.v_height_size();
+        let speed_1 = (path_20.duv * _e8).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_20.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e16 = self.v_refine_none(path_20, found_4, params_2);
+            return _e16;
         }
-        let _e19 = t_9;
-        let _e29 = self.v_hit_on_path(path_20, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
-        return _e29;
+        let half = (rt::Scalar(0.5f32) / speed_1);
+        let backward = (rt::Scalar(found_4.far) - half).max(rt::Scalar(0f32));
+        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_20.exit));
+        let _e27 = self.v_path_gap(path_20, backward);
+        let before_1 = _e27.abs();
+        let _e29 = self.v_path_gap(path_20, forward_2);
+        let behind_1 = _e29.abs();
+        if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
+            part_1 = (before_1 / (before_1 + behind_1));
+        }
+        let _e39 = part_1;
+        let _e46 = self.v_hit_on_path(path_20, (backward + ((forward_2 - backward) * _e39)), rt::Scalar(0u32), (rt::Scalar(found_4.reads) + rt::Scalar(2u32)));
+        return _e46;
     }
-    pub(crate) fn refine_offset_limited(
+    pub(crate) fn refine_offset(
         &self,
         path_21: Path,
         found_5: Found,
         params_3: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_21, found_5, rt::into(params_3)))
+        rt::into(self.v_refine_offset(path_21, found_5, rt::into(params_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset_limited(
+    fn v_refine_offset(
         &self,
         path_21: Path,
         found_5: Found,
         params_3: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit: Hit;
+        let mut t_9: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_5.reads));
@@ -1805,9 +1837,43 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_starting_point(path_21, found_5);
         let _e9 = self.v_path_uv(path_21, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_height(path_21, _e8);
-        let rise_m = ((_e10 - _e11) * path_21.metric.w());
-        let _e26 = self.v_hit_on_path(path_21, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        let _e11 = self.v_path_slope(path_21, _e8);
+        t_9 = _e8;
+        if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
+            let _e15 = self.v_path_height(path_21, _e8);
+            t_9 = (_e8 + ((_e10 - _e15) / _e11));
+        }
+        let _e19 = t_9;
+        let _e29 = self.v_hit_on_path(path_21, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        return _e29;
+    }
+    pub(crate) fn refine_offset_limited(
+        &self,
+        path_22: Path,
+        found_6: Found,
+        params_4: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_offset_limited(path_22, found_6, rt::into(params_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_offset_limited(
+        &self,
+        path_22: Path,
+        found_6: Found,
+        params_4: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut hit: Hit;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_6.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_22, found_6);
+        let _e9 = self.v_path_uv(path_22, _e8);
+        let _e10 = self.v_height_at(_e9);
+        let _e11 = self.v_path_height(path_22, _e8);
+        let rise_m = ((_e10 - _e11) * path_22.metric.w());
+        let _e26 = self.v_hit_on_path(path_22, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_6.reads) + rt::Scalar(1u32)));
         hit = _e26;
         let _e29 = rt::Scalar(hit.found);
         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
@@ -1818,44 +1884,44 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_patch(
         &self,
-        path_22: Path,
-        found_6: Found,
-        params_4: impl rt::Into<rt::Vec4<f32>>,
+        path_23: Path,
+        found_7: Found,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_22, found_6, rt::into(params_4)))
+        rt::into(self.v_refine_patch(path_23, found_7, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_22: Path,
-        found_6: Found,
-        params_4: rt::Vec4<f32>,
+        path_23: Path,
+        found_7: Found,
+        params_5: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_10: rt::Scalar<f32>;
         let mut cell_10: rt::Vec2<f32>;
         let mut reads_6: rt::Scalar<u32>;
         let mut local_14: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_6.reads));
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_7.reads));
             return _e7;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_22, rt::Scalar(found_6.near), rt::Scalar(1u32), rt::Scalar(found_6.reads));
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_EXHAUSTED)) {
+            let _e14 = self.v_hit_on_path(path_23, rt::Scalar(found_7.near), rt::Scalar(1u32), rt::Scalar(found_7.reads));
             return _e14;
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_22, rt::Scalar(found_6.near), rt::Scalar(0u32), rt::Scalar(found_6.reads));
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_STARTED_BELOW)) {
+            let _e21 = self.v_hit_on_path(path_23, rt::Scalar(found_7.near), rt::Scalar(0u32), rt::Scalar(found_7.reads));
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_22);
-        t_10 = rt::Scalar(found_6.near);
+        let _e22 = self.v_grid_of(path_23);
+        t_10 = rt::Scalar(found_7.near);
         let _e27 = t_10;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_10 = _e30;
-        reads_6 = rt::Scalar(found_6.reads);
+        reads_6 = rt::Scalar(found_7.reads);
         let _e34 = reads_6;
-        let limit = (_e34 + params_4.x().cast_elem_as_u32());
+        let limit = (_e34 + params_5.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e38 = reads_6;
@@ -1866,37 +1932,37 @@ impl<'g> Resources<'g> {
                 {
                     let _e40 = cell_10;
                     let _e41 = self.v_cell_leave(_e22, _e40);
-                    let end = _e41.x().min(_e41.y()).min(rt::Scalar(found_6.far));
+                    let end = _e41.x().min(_e41.y()).min(rt::Scalar(found_7.far));
                     let _e47 = t_10;
                     let span_4 = (end - _e47).max(rt::Scalar(0f32));
                     let _e51 = cell_10;
                     let _e52 = t_10;
-                    let _e53 = self.v_cell_gap(path_22, _e22, _e51, _e52);
+                    let _e53 = self.v_cell_gap(path_23, _e22, _e51, _e52);
                     let _e54 = reads_6;
                     reads_6 = (_e54 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e60 = t_10;
                         let _e62 = reads_6;
-                        let _e63 = self.v_hit_on_path(path_22, _e60, rt::Scalar(0u32), _e62);
+                        let _e63 = self.v_hit_on_path(path_23, _e60, rt::Scalar(0u32), _e62);
                         return _e63;
                     }
                     let _e64 = self.v_first_root(_e53, span_4);
                     if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e67 = t_10;
                         let _e70 = reads_6;
-                        let _e71 = self.v_hit_on_path(path_22, (_e67 + _e64), rt::Scalar(0u32), _e70);
+                        let _e71 = self.v_hit_on_path(path_23, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
-                    if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_6.far))) {
-                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_14 = rt::Scalar(found_6.status).elementwise_eq(FOUND_BELOW);
+                    if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_7.far))) {
+                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
+                            local_14 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
                         } else {
                             local_14 = rt::Scalar(true);
                         }
                         let _e84 = local_14;
                         if rt::Scalar::into_branch_condition(_e84) {
                             let _e87 = reads_6;
-                            let _e88 = self.v_hit_on_path(path_22, rt::Scalar(found_6.far), rt::Scalar(0u32), _e87);
+                            let _e88 = self.v_hit_on_path(path_23, rt::Scalar(found_7.far), rt::Scalar(0u32), _e87);
                             return _e88;
                         }
                         let _e89 = reads_6;
@@ -1913,23 +1979,23 @@ impl<'g> Resources<'g> {
         }
         let _e95 = t_10;
         let _e97 = reads_6;
-        let _e98 = self.v_hit_on_path(path_22, _e95, rt::Scalar(1u32), _e97);
+        let _e98 = self.v_hit_on_path(path_23, _e95, rt::Scalar(1u32), _e97);
         return _e98;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_23: Path,
-        found_7: Found,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        path_24: Path,
+        found_8: Found,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_23, found_7, rt::into(params_5)))
+        rt::into(self.v_refine_secant(path_24, found_8, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_23: Path,
-        found_7: Found,
-        params_5: rt::Vec4<f32>,
+        path_24: Path,
+        found_8: Found,
+        params_6: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
@@ -1939,22 +2005,22 @@ impl<'g> Resources<'g> {
         let mut t_11: rt::Scalar<f32>;
         let mut k_1: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e3 = self.v_has_interval(found_7);
+        let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_23, found_7, params_5);
+            let _e5 = self.v_refine_none(path_24, found_8, params_6);
             return _e5;
         }
-        near_3 = rt::Scalar(found_7.near);
-        far_3 = rt::Scalar(found_7.far);
-        near_gap_1 = rt::Scalar(found_7.near_gap);
-        far_gap_1 = rt::Scalar(found_7.far_gap);
-        reads_7 = rt::Scalar(found_7.reads);
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_ne(FOUND_BRACKET)) {
+        near_3 = rt::Scalar(found_8.near);
+        far_3 = rt::Scalar(found_8.far);
+        near_gap_1 = rt::Scalar(found_8.near_gap);
+        far_gap_1 = rt::Scalar(found_8.far_gap);
+        reads_7 = rt::Scalar(found_8.reads);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_23, _e19);
+            let _e20 = self.v_path_gap(path_24, _e19);
             near_gap_1 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_23, _e21);
+            let _e22 = self.v_path_gap(path_24, _e21);
             far_gap_1 = _e22;
             let _e23 = reads_7;
             reads_7 = (_e23 + rt::Scalar(2u32));
@@ -1970,7 +2036,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_1;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_5.x())) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_6.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -1987,9 +2053,9 @@ impl<'g> Resources<'g> {
                     let _e48 = near_gap_1;
                     t_11 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
                     let _e52 = k_1;
-                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_5.x())) {
+                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_6.x())) {
                         let _e55 = t_11;
-                        let _e56 = self.v_path_gap(path_23, _e55);
+                        let _e56 = self.v_path_gap(path_24, _e55);
                         let _e57 = reads_7;
                         reads_7 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
@@ -2009,107 +2075,107 @@ impl<'g> Resources<'g> {
         }
         let _e67 = t_11;
         let _e69 = reads_7;
-        let _e70 = self.v_hit_on_path(path_23, _e67, rt::Scalar(0u32), _e69);
+        let _e70 = self.v_hit_on_path(path_24, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
     pub(crate) fn refine_slope(
-        &self,
-        path_24: Path,
-        found_8: Found,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_slope(path_24, found_8, rt::into(params_6)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope(
-        &self,
-        path_24: Path,
-        found_8: Found,
-        params_6: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_12: rt::Scalar<f32>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_8.reads));
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_24, found_8);
-        let _e9 = self.v_path_uv(path_24, _e8);
-        let _e10 = self.v_height_and_slope(_e9);
-        let _e12 = self.v_path_height(path_24, _e8);
-        let rise = (_e10.x() - _e12);
-        t_12 = _e8;
-        if rt::Scalar::into_branch_condition(params_6.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e18 = self.v_path_slope(path_24, _e8);
-            let closing = (_e18 - ((_e10.y() * path_24.duv.x()) + (_e10.z() * path_24.duv.y())));
-            if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_12 = (_e8 + (rise / closing));
-            }
-        } else {
-            let _e39 = self.v_normal_z(path_24, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_12 = (_e8 - ((rise * path_24.metric.w()) * _e39));
-        }
-        let _e42 = t_12;
-        let _e52 = self.v_hit_on_path(path_24, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_8.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_8.reads) + rt::Scalar(1u32)));
-        return _e52;
-    }
-    pub(crate) fn refine_slope_iterative(
         &self,
         path_25: Path,
         found_9: Found,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_25, found_9, rt::into(params_7)))
+        rt::into(self.v_refine_slope(path_25, found_9, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope_iterative(
+    fn v_refine_slope(
         &self,
         path_25: Path,
         found_9: Found,
         params_7: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_13: rt::Scalar<f32>;
-        let mut reads_8: rt::Scalar<u32>;
-        let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_12: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_9.reads));
             return _e7;
         }
         let _e8 = self.v_starting_point(path_25, found_9);
+        let _e9 = self.v_path_uv(path_25, _e8);
+        let _e10 = self.v_height_and_slope(_e9);
+        let _e12 = self.v_path_height(path_25, _e8);
+        let rise = (_e10.x() - _e12);
+        t_12 = _e8;
+        if rt::Scalar::into_branch_condition(params_7.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e18 = self.v_path_slope(path_25, _e8);
+            let closing = (_e18 - ((_e10.y() * path_25.duv.x()) + (_e10.z() * path_25.duv.y())));
+            if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
+                t_12 = (_e8 + (rise / closing));
+            }
+        } else {
+            let _e39 = self.v_normal_z(path_25, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
+            t_12 = (_e8 - ((rise * path_25.metric.w()) * _e39));
+        }
+        let _e42 = t_12;
+        let _e52 = self.v_hit_on_path(path_25, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_9.reads) + rt::Scalar(1u32)));
+        return _e52;
+    }
+    pub(crate) fn refine_slope_iterative(
+        &self,
+        path_26: Path,
+        found_10: Found,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope_iterative(path_26, found_10, rt::into(params_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope_iterative(
+        &self,
+        path_26: Path,
+        found_10: Found,
+        params_8: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_13: rt::Scalar<f32>;
+        let mut reads_8: rt::Scalar<u32>;
+        let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_10.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_26, found_10);
         t_13 = _e8;
-        reads_8 = rt::Scalar(found_9.reads);
+        reads_8 = rt::Scalar(found_10.reads);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_2;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_7.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_8.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = t_13;
-                    let _e18 = self.v_path_uv(path_25, _e17);
+                    let _e18 = self.v_path_uv(path_26, _e17);
                     let _e19 = self.v_height_and_slope(_e18);
                     let _e20 = reads_8;
                     reads_8 = (_e20 + rt::Scalar(1u32));
                     let _e24 = t_13;
-                    let _e25 = self.v_path_height(path_25, _e24);
+                    let _e25 = self.v_path_height(path_26, _e24);
                     let rise_1 = (_e19.x() - _e25);
-                    if rt::Scalar::into_branch_condition(params_7.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_8.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e30 = t_13;
-                        let _e31 = self.v_path_slope(path_25, _e30);
-                        let closing_1 = (_e31 - ((_e19.y() * path_25.duv.x()) + (_e19.z() * path_25.duv.y())));
+                        let _e31 = self.v_path_slope(path_26, _e30);
+                        let closing_1 = (_e31 - ((_e19.y() * path_26.duv.x()) + (_e19.z() * path_26.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e44 = t_13;
                             t_13 = (_e44 + (rise_1 / closing_1));
                         }
                     } else {
                         let _e47 = t_13;
-                        let _e54 = self.v_normal_z(path_25, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_13 = (_e47 - ((rise_1 * path_25.metric.w()) * _e54));
+                        let _e54 = self.v_normal_z(path_26, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
+                        t_13 = (_e47 - ((rise_1 * path_26.metric.w()) * _e54));
                     }
                     let _e57 = t_13;
-                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_25.exit));
+                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_26.exit));
                     let _e61 = k_2;
                     k_2 = (_e61 + rt::Scalar(1f32));
                 }
@@ -2117,23 +2183,23 @@ impl<'g> Resources<'g> {
         }
         let _e64 = t_13;
         let _e71 = reads_8;
-        let _e72 = self.v_hit_on_path(path_25, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
+        let _e72 = self.v_hit_on_path(path_26, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
         return _e72;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_26: Path,
-        found_10: Found,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        path_27: Path,
+        found_11: Found,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_26, found_10, rt::into(params_8)))
+        rt::into(self.v_refine_true_secant(path_27, found_11, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_26: Path,
-        found_10: Found,
-        params_8: rt::Vec4<f32>,
+        path_27: Path,
+        found_11: Found,
+        params_9: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
@@ -2142,22 +2208,22 @@ impl<'g> Resources<'g> {
         let mut reads_9: rt::Scalar<u32>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e3 = self.v_has_interval(found_10);
+        let _e3 = self.v_has_interval(found_11);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_26, found_10, params_8);
+            let _e5 = self.v_refine_none(path_27, found_11, params_9);
             return _e5;
         }
-        before = rt::Scalar(found_10.near);
-        last = rt::Scalar(found_10.far);
-        before_gap = rt::Scalar(found_10.near_gap);
-        last_gap = rt::Scalar(found_10.far_gap);
-        reads_9 = rt::Scalar(found_10.reads);
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_ne(FOUND_BRACKET)) {
+        before = rt::Scalar(found_11.near);
+        last = rt::Scalar(found_11.far);
+        before_gap = rt::Scalar(found_11.near_gap);
+        last_gap = rt::Scalar(found_11.far_gap);
+        reads_9 = rt::Scalar(found_11.reads);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_26, _e19);
+            let _e20 = self.v_path_gap(path_27, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_26, _e21);
+            let _e22 = self.v_path_gap(path_27, _e21);
             last_gap = _e22;
             let _e23 = reads_9;
             reads_9 = (_e23 + rt::Scalar(2u32));
@@ -2171,7 +2237,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e33 = k_3;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_8.x())) {
+                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_9.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -2186,15 +2252,15 @@ impl<'g> Resources<'g> {
                     let _e42 = last;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_24 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_10.near), rt::Scalar(found_10.far));
+                    let t_25 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
                     let _e52 = last;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last = t_24;
+                    last = t_25;
                     let _e54 = k_3;
-                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_8.x())) {
-                        let _e57 = self.v_path_gap(path_26, t_24);
+                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_9.x())) {
+                        let _e57 = self.v_path_gap(path_27, t_25);
                         last_gap = _e57;
                         let _e58 = reads_9;
                         reads_9 = (_e58 + rt::Scalar(1u32));
@@ -2206,60 +2272,65 @@ impl<'g> Resources<'g> {
         }
         let _e64 = last;
         let _e66 = reads_9;
-        let _e67 = self.v_hit_on_path(path_26, _e64, rt::Scalar(0u32), _e66);
+        let _e67 = self.v_hit_on_path(path_27, _e64, rt::Scalar(0u32), _e66);
         return _e67;
     }
-    pub(crate) fn refine_stage(&self, path_27: Path, found_11: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_27, found_11))
+    pub(crate) fn refine_stage(&self, path_28: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_28, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_27: Path, found_11: Found) -> Hit {
+    fn v_refine_stage(&self, path_28: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[2usize].params;
-                let _e12 = self.v_refine_none(path_27, found_11, _e11);
+                let _e12 = self.v_refine_none(path_28, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[2usize].params;
-                let _e18 = self.v_refine_offset(path_27, found_11, _e17);
+                let _e18 = self.v_refine_offset(path_28, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[2usize].params;
-                let _e24 = self.v_refine_offset_limited(path_27, found_11, _e23);
+                let _e24 = self.v_refine_offset_limited(path_28, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[2usize].params;
-                let _e30 = self.v_refine_slope(path_27, found_11, _e29);
+                let _e30 = self.v_refine_slope(path_28, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[2usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_27, found_11, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_28, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[2usize].params;
-                let _e42 = self.v_refine_binary(path_27, found_11, _e41);
+                let _e42 = self.v_refine_binary(path_28, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[2usize].params;
-                let _e48 = self.v_refine_secant(path_27, found_11, _e47);
+                let _e48 = self.v_refine_secant(path_28, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[2usize].params;
-                let _e54 = self.v_refine_true_secant(path_27, found_11, _e53);
+                let _e54 = self.v_refine_true_secant(path_28, found_12, _e53);
                 return _e54;
             }
-            _ => {
+            8u32 => {
                 let _e59 = self.surface_settings.choices[2usize].params;
-                let _e60 = self.v_refine_patch(path_27, found_11, _e59);
+                let _e60 = self.v_refine_patch(path_28, found_12, _e59);
                 return _e60;
+            }
+            _ => {
+                let _e65 = self.surface_settings.choices[2usize].params;
+                let _e66 = self.v_refine_half_texel(path_28, found_12, _e65);
+                return _e66;
             }
         }
     }
@@ -2332,9 +2403,9 @@ impl<'g> Resources<'g> {
         view: impl rt::Into<rt::Vec3<f32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_9)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -2343,7 +2414,7 @@ impl<'g> Resources<'g> {
         view: rt::Vec3<f32>,
         toward: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_9: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let cosine = normal.dot(toward);
         if rt::Scalar::into_branch_condition(cosine.elementwise_gt(rt::Scalar(0f32))) {
@@ -2433,25 +2504,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cells(
         &self,
-        path_28: Path,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        path_29: Path,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_28, rt::into(params_10)))
+        rt::into(self.v_search_cells(path_29, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_28: Path,
-        params_10: rt::Vec4<f32>,
+        path_29: Path,
+        params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_11: rt::Vec2<f32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e2 = self.v_grid_of(path_28);
+        let _e2 = self.v_grid_of(path_29);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_11 = _e4;
-        let limit_1 = params_10.x().cast_elem_as_u32();
+        let limit_1 = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = reads_10;
@@ -2462,10 +2533,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e14 = cell_11;
                     let _e15 = self.v_cell_leave(_e2, _e14);
-                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_28.exit));
+                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_29.exit));
                     let _e21 = cell_11;
                     let _e22 = t_14;
-                    let _e23 = self.v_cell_gap(path_28, _e2, _e21, _e22);
+                    let _e23 = self.v_cell_gap(path_29, _e2, _e21, _e22);
                     let _e24 = reads_10;
                     reads_10 = (_e24 + rt::Scalar(1u32));
                     let _e27 = t_14;
@@ -2477,10 +2548,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e36;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_28.exit))) {
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_29.exit))) {
                         let _e43 = t_14;
                         let _e47 = reads_10;
-                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_28.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
+                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_29.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
                     }
                     let _e49 = cell_11;
                     let _e50 = self.v_cell_next(_e2, _e49, _e15);
@@ -2492,23 +2563,23 @@ impl<'g> Resources<'g> {
         }
         let _e54 = t_14;
         let _e56 = reads_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
+        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
     }
     pub(crate) fn stays_inside(
         &self,
-        path_29: Path,
+        path_30: Path,
         grid_7: Grid,
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_1: impl rt::Into<rt::Scalar<f32>>,
         t_15: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_29, grid_7, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
+        rt::into(self.v_stays_inside(path_30, grid_7, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_29: Path,
+        path_30: Path,
         grid_7: Grid,
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -2519,12 +2590,12 @@ impl<'g> Resources<'g> {
         let mut local_15: rt::Scalar<bool>;
         let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_1 = (rt::Scalar(path_29.exit) - t_15);
-        let _e8 = self.v_path_height(path_29, t_15);
+        let rest_1 = (rt::Scalar(path_30.exit) - t_15);
+        let _e8 = self.v_path_height(path_30, t_15);
         let height_1 = (_e8 - apex);
-        let terms = (path_29.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_29.exit)) * path_29.h.z().abs()));
-        let _e21 = self.v_path_slope(path_29, t_15);
-        let rise_2 = ((_e21 + (path_29.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_30.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_30.exit)) * path_30.h.z().abs()));
+        let _e21 = self.v_path_slope(path_30, t_15);
+        let rise_2 = ((_e21 + (path_30.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_1;
         if rt::Scalar::into_branch_condition(rise_2.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
@@ -2534,7 +2605,7 @@ impl<'g> Resources<'g> {
         let end_2 = (t_15 + _e39);
         let _e51 = self.v_height_size();
         let far_4 = (((grid_7.origin.abs() + (grid_7.step.abs() * end_2)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
-        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_29.h.x().abs() + (end_2 * (path_29.h.y().abs() + (end_2 * path_29.h.z().abs())))));
+        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_30.h.x().abs() + (end_2 * (path_30.h.y().abs() + (end_2 * path_30.h.z().abs())))));
         let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_4.x() + far_4.y())));
         let gap_1 = (height_1 - (rt::Scalar(2f32) * lost_1));
         let _e83 = self.v_height_size();
@@ -2549,8 +2620,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e100) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_1 * slope_1) * aside.dot(path_29.duv)) - (gap_1 * rise_2));
-        let a_3 = (((slope_1 * slope_1) * path_29.duv.dot(path_29.duv)) - (rise_2 * rise_2));
+        let b_3 = (((slope_1 * slope_1) * aside.dot(path_30.duv)) - (gap_1 * rise_2));
+        let a_3 = (((slope_1 * slope_1) * path_30.duv.dot(path_30.duv)) - (rise_2 * rise_2));
         let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -2567,7 +2638,7 @@ impl<'g> Resources<'g> {
         leave_3 = _e133.min(_e134);
         let _e137 = leave_3;
         let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_29.duv * _e137)).length()) + lost_1).elementwise_le((height_1 + (rise_2 * _e143)))) {
+        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_30.duv * _e137)).length()) + lost_1).elementwise_le((height_1 + (rise_2 * _e143)))) {
             let _e147 = leave_3;
             return _e147;
         }
@@ -2575,27 +2646,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_30: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        path_31: Path,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_30, rt::into(params_11)))
+        rt::into(self.v_search_cone(path_31, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_30: Path,
-        params_11: rt::Vec4<f32>,
+        path_31: Path,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_1: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_30);
-        let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_31);
+        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
-        let limit_2 = params_11.x().cast_elem_as_u32();
+        let limit_2 = params_12.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_11;
@@ -2612,7 +2683,7 @@ impl<'g> Resources<'g> {
                     reads_11 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_12;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_3 = _e29.x().min(_e29.y()).min(rt::Scalar(path_30.exit));
+                    let end_3 = _e29.x().min(_e29.y()).min(rt::Scalar(path_31.exit));
                     let _e35 = t_16;
                     let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_12;
@@ -2623,17 +2694,17 @@ impl<'g> Resources<'g> {
                     let _e48 = t_16;
                     next_1 = _e48;
                     let _e50 = t_16;
-                    let _e51 = self.v_path_height(path_30, _e50);
+                    let _e51 = self.v_path_height(path_31, _e50);
                     if rt::Scalar::into_branch_condition(_e51.elementwise_gt(_e47)) {
                         let _e53 = cell_12;
-                        let texel_3 = (_e53 + _e46);
-                        let _e55 = self.v_cone_slope(path_30, texel_3);
+                        let texel_5 = (_e53 + _e46);
+                        let _e55 = self.v_cone_slope(path_31, texel_5);
                         let _e56 = reads_11;
                         reads_11 = (_e56 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e55.elementwise_ge(rt::Scalar(0f32))) {
                             let _e61 = t_16;
                             let _e62 = t_16;
-                            let _e63 = self.v_stays_inside(path_30, _e2, texel_3, _e47, _e55, _e62);
+                            let _e63 = self.v_stays_inside(path_31, _e2, texel_5, _e47, _e55, _e62);
                             next_1 = (_e61 + _e63);
                         }
                     }
@@ -2641,7 +2712,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e65.elementwise_lt(end_3)) {
                         let _e67 = cell_12;
                         let _e68 = t_16;
-                        let _e69 = self.v_gap_to(path_30, _e2, _e67, _e24, _e68);
+                        let _e69 = self.v_gap_to(path_31, _e2, _e67, _e24, _e68);
                         let _e70 = t_16;
                         let _e71 = reads_11;
                         let _e72 = self.v_found_in_cell(_e69, _e70, span_6, first_3, _e71);
@@ -2652,14 +2723,14 @@ impl<'g> Resources<'g> {
                         next_1 = _e76.max(end_3);
                     }
                     let _e78 = next_1;
-                    if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_30.exit))) {
+                    if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_31.exit))) {
                         let _e82 = t_16;
                         let _e84 = reads_11;
-                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_30.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
                     }
                     let _e88 = cell_12;
                     let _e89 = next_1;
-                    let _e90 = self.v_cell_after(_e2, _e88, _e29, forward_2, _e89);
+                    let _e90 = self.v_cell_after(_e2, _e88, _e29, forward_3, _e89);
                     cell_12 = _e90;
                     let _e91 = next_1;
                     t_16 = _e91;
@@ -2668,20 +2739,20 @@ impl<'g> Resources<'g> {
         }
         let _e93 = t_16;
         let _e95 = reads_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e93, rt::Scalar(path_30.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e95);
+        return <Found>::new(FOUND_EXHAUSTED, _e93, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e95);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_31: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        path_32: Path,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_31, rt::into(params_12)))
+        rt::into(self.v_search_cone_moved(path_32, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_31: Path,
-        params_12: rt::Vec4<f32>,
+        path_32: Path,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2690,17 +2761,17 @@ impl<'g> Resources<'g> {
         let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_16: rt::Scalar<bool>;
 
-        let aside_1 = path_31.duv.length();
+        let aside_1 = path_32.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_5;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_12.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_13.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = t_17;
-                    let _e18 = self.v_path_gap(path_31, _e17);
+                    let _e18 = self.v_path_gap(path_32, _e17);
                     let _e19 = reads_12;
                     reads_12 = (_e19 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
@@ -2725,8 +2796,8 @@ impl<'g> Resources<'g> {
                     near_4 = _e44;
                     near_gap_2 = _e18;
                     let _e45 = t_17;
-                    let _e46 = self.v_path_uv(path_31, _e45);
-                    let _e47 = self.v_filtered_cone(path_31, _e46);
+                    let _e46 = self.v_path_uv(path_32, _e45);
+                    let _e47 = self.v_filtered_cone(path_32, _e46);
                     let _e48 = self.v_slope_of(_e47);
                     let _e49 = reads_12;
                     reads_12 = (_e49 + rt::Scalar(1u32));
@@ -2734,26 +2805,26 @@ impl<'g> Resources<'g> {
                         break 'naga_break;
                     }
                     let _e55 = t_17;
-                    let rest_2 = (rt::Scalar(path_31.exit) - _e55);
+                    let rest_2 = (rt::Scalar(path_32.exit) - _e55);
                     let _e57 = t_17;
-                    let _e58 = self.v_path_slope(path_31, _e57);
-                    let rise_3 = (_e58 + (path_31.h.z().min(rt::Scalar(0f32)) * rest_2));
-                    let terms_1 = (path_31.h.x().abs() + (rt::Scalar(path_31.exit) * (path_31.h.y().abs() + (rt::Scalar(path_31.exit) * path_31.h.z().abs()))));
-                    let far_5 = (((path_31.uv.abs() + (path_31.duv.abs() * rt::Scalar(path_31.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e48);
+                    let _e58 = self.v_path_slope(path_32, _e57);
+                    let rise_3 = (_e58 + (path_32.h.z().min(rt::Scalar(0f32)) * rest_2));
+                    let terms_1 = (path_32.h.x().abs() + (rt::Scalar(path_32.exit) * (path_32.h.y().abs() + (rt::Scalar(path_32.exit) * path_32.h.z().abs()))));
+                    let far_5 = (((path_32.uv.abs() + (path_32.duv.abs() * rt::Scalar(path_32.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e48);
                     let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_5.x()) + far_5.y()));
                     let closing_2 = (((_e48 * aside_1) - rise_3) * rt::Scalar(1.000001f32));
                     if rt::Scalar::into_branch_condition(closing_2.elementwise_le(rt::Scalar(0f32))) {
                         let _e105 = t_17;
                         let _e107 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e105, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e107);
+                        return <Found>::new(FOUND_MISS, _e105, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e107);
                     }
                     let _e111 = t_17;
                     t_17 = (_e111 + ((_e18 - lost_2).max(rt::Scalar(0f32)) / closing_2));
                     let _e117 = t_17;
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_31.exit))) {
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_32.exit))) {
                         let _e121 = near_4;
                         let _e123 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e121, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
+                        return <Found>::new(FOUND_MISS, _e121, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
                     }
                     let _e127 = k_5;
                     k_5 = (_e127 + rt::Scalar(1f32));
@@ -2762,22 +2833,22 @@ impl<'g> Resources<'g> {
         }
         let _e131 = t_17;
         let _e133 = t_17;
-        let _e134 = self.v_path_height(path_31, _e133);
+        let _e134 = self.v_path_height(path_32, _e133);
         let _e135 = reads_12;
-        return <Found>::new(FOUND_ABOVE, _e131, rt::Scalar(path_31.exit), _e134, rt::Scalar(0f32), _e135);
+        return <Found>::new(FOUND_ABOVE, _e131, rt::Scalar(path_32.exit), _e134, rt::Scalar(0f32), _e135);
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_32: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        path_33: Path,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_32, rt::into(params_13)))
+        rt::into(self.v_search_dilation_erosion(path_33, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_32: Path,
-        params_13: rt::Vec4<f32>,
+        path_33: Path,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_13: rt::Vec2<f32>;
         let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2790,13 +2861,13 @@ impl<'g> Resources<'g> {
         let mut local_19: rt::Scalar<bool>;
         let mut local_20: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_32);
+        let _e2 = self.v_grid_of(path_33);
         let _e5 = self.surface_settings.height_size;
-        let n_6 = _e5.cast_elem_as_i32();
-        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let n_7 = _e5.cast_elem_as_i32();
+        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e13 = self.v_cell_of(_e2.origin);
         cell_13 = _e13;
-        let limit_3 = params_13.x().cast_elem_as_u32();
+        let limit_3 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e23 = reads_13;
@@ -2807,16 +2878,16 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = cell_13;
                     let _e26 = self.v_cell_leave(_e2, _e25);
-                    let end_4 = _e26.x().min(_e26.y()).min(rt::Scalar(path_32.exit));
+                    let end_4 = _e26.x().min(_e26.y()).min(rt::Scalar(path_33.exit));
                     let _e32 = t_18;
                     let span_7 = (end_4 - _e32).max(rt::Scalar(0f32));
                     let _e36 = t_18;
                     next_2 = _e36;
-                    looks = params_13.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_14.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e43 = cell_13.x();
-                    let _e46 = self.v_image_of(_e43.cast_elem_as_i32(), n_6.x());
+                    let _e46 = self.v_image_of(_e43.cast_elem_as_i32(), n_7.x());
                     let _e48 = cell_13.y();
-                    let _e51 = self.v_image_of(_e48.cast_elem_as_i32(), n_6.y());
+                    let _e51 = self.v_image_of(_e48.cast_elem_as_i32(), n_7.y());
                     if rt::Scalar::into_branch_condition((!_e46.y().elementwise_eq(rt::Scalar(2i32)))) {
                         local_17 = _e51.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
@@ -2826,21 +2897,21 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e70 = self.v_search_texel(path_32, <rt::Vec2<i32>>::from_scalars(_e46.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_32.level).cast_elem_as_i32());
+                        let _e70 = self.v_search_texel(path_33, <rt::Vec2<i32>>::from_scalars(_e46.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_33.level).cast_elem_as_i32());
                         let _e71 = reads_13;
                         reads_13 = (_e71 + rt::Scalar(1u32));
                         let _e74 = cell_13;
-                        let _e76 = self.v_leaves_window(_e2, _e74, params_13.z());
+                        let _e76 = self.v_leaves_window(_e2, _e74, params_14.z());
                         let _e79 = t_18;
-                        let reach = (_e76.min(rt::Scalar(path_32.exit)) - _e79).max(rt::Scalar(0f32));
+                        let reach = (_e76.min(rt::Scalar(path_33.exit)) - _e79).max(rt::Scalar(0f32));
                         let _e83 = t_18;
                         let furthest = (_e83 + reach);
-                        let rounded = (path_32.h.x().abs() + (furthest * (path_32.h.y().abs() + (furthest * path_32.h.z().abs()))));
+                        let rounded = (path_33.h.x().abs() + (furthest * (path_33.h.y().abs() + (furthest * path_33.h.z().abs()))));
                         let _e98 = t_18;
-                        let _e99 = self.v_path_height(path_32, _e98);
+                        let _e99 = self.v_path_height(path_33, _e98);
                         let _e105 = t_18;
-                        let _e106 = self.v_path_slope(path_32, _e105);
-                        let gap_2 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e106, path_32.h.z());
+                        let _e106 = self.v_path_slope(path_33, _e105);
+                        let gap_2 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e106, path_33.h.z());
                         if rt::Scalar::into_branch_condition(gap_2.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e113 = t_18;
                             safe_ = _e113;
@@ -2863,7 +2934,7 @@ impl<'g> Resources<'g> {
                         }
                         let _e131 = local_18;
                         if rt::Scalar::into_branch_condition(_e131) {
-                            let _e134 = self.v_path_height(path_32, end_4);
+                            let _e134 = self.v_path_height(path_33, end_4);
                             local_19 = _e134.elementwise_lt(_e70.x());
                         } else {
                             local_19 = rt::Scalar(false);
@@ -2872,7 +2943,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e138) {
                             let _e139 = safe_;
                             let _e140 = reads_13;
-                            let _e141 = self.v_bracket_between(path_32, _e139, end_4, _e140);
+                            let _e141 = self.v_bracket_between(path_33, _e139, end_4, _e140);
                             return _e141;
                         }
                     }
@@ -2893,7 +2964,7 @@ impl<'g> Resources<'g> {
                             let _e158 = self.v_height_cell(_e156.cast_elem_as_i32());
                             let _e159 = cell_13;
                             let _e160 = t_18;
-                            let _e161 = self.v_gap_to(path_32, _e2, _e159, _e158, _e160);
+                            let _e161 = self.v_gap_to(path_33, _e2, _e159, _e158, _e160);
                             let _e162 = t_18;
                             let _e163 = t_18;
                             let _e166 = reads_13;
@@ -2906,14 +2977,14 @@ impl<'g> Resources<'g> {
                         next_2 = _e171.max(end_4);
                     }
                     let _e173 = next_2;
-                    if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_32.exit))) {
+                    if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_33.exit))) {
                         let _e177 = t_18;
                         let _e179 = reads_13;
-                        return <Found>::new(FOUND_MISS, _e177, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e179);
+                        return <Found>::new(FOUND_MISS, _e177, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e179);
                     }
                     let _e183 = cell_13;
                     let _e184 = next_2;
-                    let _e185 = self.v_cell_after(_e2, _e183, _e26, forward_3, _e184);
+                    let _e185 = self.v_cell_after(_e2, _e183, _e26, forward_4, _e184);
                     cell_13 = _e185;
                     let _e186 = next_2;
                     t_18 = _e186;
@@ -2922,7 +2993,7 @@ impl<'g> Resources<'g> {
         }
         let _e188 = t_18;
         let _e190 = reads_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e188, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e190);
+        return <Found>::new(FOUND_EXHAUSTED, _e188, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e190);
     }
     pub(crate) fn stays_above(
         &self,
@@ -2962,16 +3033,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_33: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        path_34: Path,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_33, rt::into(params_14)))
+        rt::into(self.v_search_frustum(path_34, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_33: Path,
-        params_14: rt::Vec4<f32>,
+        path_34: Path,
+        params_15: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_14: rt::Vec2<f32>;
         let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2980,11 +3051,11 @@ impl<'g> Resources<'g> {
         let mut slope_3: rt::Scalar<f32>;
         let mut local_21: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_33);
-        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_34);
+        let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_14 = _e9;
-        let limit_4 = params_14.x().cast_elem_as_u32();
+        let limit_4 = params_15.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_14;
@@ -3001,18 +3072,18 @@ impl<'g> Resources<'g> {
                     reads_14 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_14;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_5 = _e29.x().min(_e29.y()).min(rt::Scalar(path_33.exit));
+                    let end_5 = _e29.x().min(_e29.y()).min(rt::Scalar(path_34.exit));
                     let _e35 = t_19;
                     let span_8 = (end_5 - _e35).max(rt::Scalar(0f32));
                     let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
                     let _e46 = t_19;
-                    let _e47 = self.v_path_height(path_33, _e46);
+                    let _e47 = self.v_path_height(path_34, _e46);
                     let _e49 = t_19;
-                    let _e50 = self.v_path_slope(path_33, _e49);
-                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_33.h.z());
+                    let _e50 = self.v_path_slope(path_34, _e49);
+                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_34.h.z());
                     let _e57 = t_19;
                     let _e61 = t_19;
-                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_33.h.x().abs() + (_e57 * (path_33.h.y().abs() + (_e61 * path_33.h.z().abs())))));
+                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_34.h.x().abs() + (_e57 * (path_34.h.y().abs() + (_e61 * path_34.h.z().abs())))));
                     let _e71 = t_19;
                     next_3 = _e71.max(end_5);
                     slope_3 = rt::Scalar(-1f32);
@@ -3025,9 +3096,9 @@ impl<'g> Resources<'g> {
                     }
                     let _e84 = local_21;
                     if rt::Scalar::into_branch_condition(_e84) {
-                        if rt::Scalar::into_branch_condition(end_5.elementwise_lt(rt::Scalar(path_33.exit))) {
+                        if rt::Scalar::into_branch_condition(end_5.elementwise_lt(rt::Scalar(path_34.exit))) {
                             let _e87 = cell_14;
-                            let _e89 = self.v_frustum_slope(path_33, _e87.cast_elem_as_i32(), forward_4);
+                            let _e89 = self.v_frustum_slope(path_34, _e87.cast_elem_as_i32(), forward_5);
                             slope_3 = _e89;
                             let _e90 = reads_14;
                             let _e93 = slope_3;
@@ -3036,7 +3107,7 @@ impl<'g> Resources<'g> {
                     } else {
                         let _e98 = cell_14;
                         let _e99 = t_19;
-                        let _e100 = self.v_gap_to(path_33, _e2, _e98, _e24, _e99);
+                        let _e100 = self.v_gap_to(path_34, _e2, _e98, _e24, _e99);
                         let _e101 = t_19;
                         let _e102 = reads_14;
                         let _e103 = self.v_found_in_cell(_e100, _e101, span_8, first_4, _e102);
@@ -3049,13 +3120,13 @@ impl<'g> Resources<'g> {
                         let _e111 = cell_14;
                         let _e114 = t_19;
                         let at_7 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_2 = at_7.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_7), forward_4);
+                        let left_2 = at_7.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_7), forward_5);
                         let _e126 = t_19;
                         let far_6 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e134 = slope_3;
                         let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_6));
                         let _e140 = t_19;
-                        let rest_3 = (rt::Scalar(path_33.exit) - _e140);
+                        let rest_3 = (rt::Scalar(path_34.exit) - _e140);
                         let _e142 = slope_3;
                         let _e147 = self.v_stays_above(above_3, _e142, left_2.x(), _e2.step.x(), lost_3.x(), rest_3);
                         let _e148 = slope_3;
@@ -3065,16 +3136,16 @@ impl<'g> Resources<'g> {
                         next_3 = _e154.max((_e155 + _e147.min(_e153)));
                     }
                     let _e159 = next_3;
-                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_33.exit))) {
+                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_34.exit))) {
                         let _e163 = t_19;
                         let _e165 = reads_14;
-                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
+                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
                     }
                     let _e169 = slope_3;
                     if rt::Scalar::into_branch_condition(_e169.elementwise_ge(rt::Scalar(0f32))) {
                         let _e172 = cell_14;
                         let _e173 = next_3;
-                        let _e174 = self.v_cell_after(_e2, _e172, _e29, forward_4, _e173);
+                        let _e174 = self.v_cell_after(_e2, _e172, _e29, forward_5, _e173);
                         cell_14 = _e174;
                     } else {
                         let _e175 = cell_14;
@@ -3088,29 +3159,29 @@ impl<'g> Resources<'g> {
         }
         let _e179 = t_19;
         let _e181 = reads_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
+        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
     }
     pub(crate) fn search_linear(
         &self,
-        path_34: Path,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        path_35: Path,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_34, rt::into(params_15)))
+        rt::into(self.v_search_linear(path_35, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_34: Path,
-        params_15: rt::Vec4<f32>,
+        path_35: Path,
+        params_16: rt::Vec4<f32>,
     ) -> Found {
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32>;
         let mut reads_15: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_1 = (path_34.h.y().abs() * path_34.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_15.x() * params_15.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
-        let _e22 = self.v_path_gap(path_34, rt::Scalar(0f32));
+        let cosine_1 = (path_35.h.y().abs() * path_35.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_16.x() * params_16.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
+        let _e22 = self.v_path_gap(path_35, rt::Scalar(0f32));
         near_gap_3 = _e22;
         let _e26 = near_gap_3;
         if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
@@ -3128,17 +3199,17 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e41 = k_6;
-                    let t_25 = (rt::Scalar(path_34.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_34, t_25);
+                    let t_26 = (rt::Scalar(path_35.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_35, t_26);
                     let _e45 = reads_15;
                     reads_15 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_5;
                         let _e52 = near_gap_3;
                         let _e53 = reads_15;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_25, _e52, _e44, _e53);
+                        return <Found>::new(FOUND_BRACKET, _e51, t_26, _e52, _e44, _e53);
                     }
-                    near_5 = t_25;
+                    near_5 = t_26;
                     near_gap_3 = _e44;
                     let _e55 = k_6;
                     k_6 = (_e55 + rt::Scalar(1f32));
@@ -3154,31 +3225,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_none(
         &self,
-        path_35: Path,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        path_36: Path,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_35, rt::into(params_16)))
+        rt::into(self.v_search_none(path_36, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_35: Path,
-        params_16: rt::Vec4<f32>,
+        path_36: Path,
+        params_17: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_35.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_36: Path,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        path_37: Path,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_36, rt::into(params_17)))
+        rt::into(self.v_search_pyramid(path_37, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_36: Path,
-        params_17: rt::Vec4<f32>,
+        path_37: Path,
+        params_18: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_2: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -3191,14 +3262,14 @@ impl<'g> Resources<'g> {
         let mut local_24: rt::Scalar<bool>;
         let mut local_25: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_36);
+        let _e2 = self.v_grid_of(path_37);
         let _e5 = self.surface_settings.height_size;
-        let n_7 = _e5.cast_elem_as_i32();
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_36.exit));
+        let n_8 = _e5.cast_elem_as_i32();
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_37.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e20 = top;
-                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e20).elementwise_lt(n_7.x().max(n_7.y()))) {
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e20).elementwise_lt(n_8.x().max(n_8.y()))) {
                 } else {
                     break 'naga_break;
                 }
@@ -3215,7 +3286,7 @@ impl<'g> Resources<'g> {
         }
         let _e39 = self.v_cell_of(_e2.origin);
         cell_15 = _e39.cast_elem_as_i32();
-        let limit_5 = params_17.x().cast_elem_as_u32();
+        let limit_5 = params_18.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e52 = reads_16;
@@ -3225,9 +3296,9 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e55 = cell_15.x();
-                    let _e57 = self.v_image_of(_e55, n_7.x());
+                    let _e57 = self.v_image_of(_e55, n_8.x());
                     let _e59 = cell_15.y();
-                    let _e61 = self.v_image_of(_e59, n_7.y());
+                    let _e61 = self.v_image_of(_e59, n_8.y());
                     let place_3 = <rt::Vec2<i32>>::from_scalars(_e57.x(), _e61.x());
                     let _e65 = level_2;
                     let above_level = (_e65 + rt::Scalar(1u32));
@@ -3259,13 +3330,13 @@ impl<'g> Resources<'g> {
                     }
                     let _e99 = cell_15.x();
                     let _e101 = level_2;
-                    let _e102 = self.v_node_extent(_e99, _e57, n_7.x(), _e101);
+                    let _e102 = self.v_node_extent(_e99, _e57, n_8.x(), _e101);
                     let _e104 = cell_15.y();
                     let _e106 = level_2;
-                    let _e107 = self.v_node_extent(_e104, _e61, n_7.y(), _e106);
+                    let _e107 = self.v_node_extent(_e104, _e61, n_8.y(), _e106);
                     let _e112 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e102);
                     let _e117 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e107);
-                    let end_6 = _e112.min(_e117).min(rt::Scalar(path_36.exit));
+                    let end_6 = _e112.min(_e117).min(rt::Scalar(path_37.exit));
                     let _e121 = t_20;
                     let span_9 = (end_6 - _e121).max(rt::Scalar(0f32));
                     let low_1 = <rt::Vec2<i32>>::from_scalars(_e102.x(), _e107.x());
@@ -3278,7 +3349,7 @@ impl<'g> Resources<'g> {
                         let _e143 = cell_15;
                         let _e144 = self.v_height_cell(_e143);
                         let _e145 = t_20;
-                        let _e146 = self.v_gap_to(path_36, _e2, _e141.cast_elem_as_f32(), _e144, _e145);
+                        let _e146 = self.v_gap_to(path_37, _e2, _e141.cast_elem_as_f32(), _e144, _e145);
                         let _e147 = t_20;
                         let _e148 = t_20;
                         let _e151 = reads_16;
@@ -3290,16 +3361,16 @@ impl<'g> Resources<'g> {
                         let _e157 = level_2;
                         let _e160 = level_2;
                         let _e164 = level_2;
-                        let _e168 = self.v_search_texel(path_36, <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e157), (place_3.y() >> _e160)), rt::Scalar(0i32), (_e164.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        let highest = _e168.y();
+                        let _e168 = self.v_search_texel(path_37, <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e157), (place_3.y() >> _e160)), rt::Scalar(0i32), (_e164.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let highest_1 = _e168.y();
                         let _e170 = t_20;
                         let furthest_1 = (_e170 + span_9);
-                        let rounded_1 = (path_36.h.x().abs() + (furthest_1 * (path_36.h.y().abs() + (furthest_1 * path_36.h.z().abs()))));
+                        let rounded_1 = (path_37.h.x().abs() + (furthest_1 * (path_37.h.y().abs() + (furthest_1 * path_37.h.z().abs()))));
                         let _e185 = t_20;
-                        let _e186 = self.v_path_height(path_36, _e185);
+                        let _e186 = self.v_path_height(path_37, _e185);
                         let _e191 = t_20;
-                        let _e192 = self.v_path_slope(path_36, _e191);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e186 - highest) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e192, path_36.h.z());
+                        let _e192 = self.v_path_slope(path_37, _e191);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e186 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e192, path_37.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e202 = self.v_least_at(gap_4, span_9);
                             let _e203 = self.v_quadratic(gap_4, _e202);
@@ -3323,10 +3394,10 @@ impl<'g> Resources<'g> {
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_36.exit))) {
+                    if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_37.exit))) {
                         let _e232 = t_20;
                         let _e234 = reads_16;
-                        return <Found>::new(FOUND_MISS, _e232, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e234);
+                        return <Found>::new(FOUND_MISS, _e232, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e234);
                     }
                     let _e242 = self.v_cell_of((_e2.origin + (_e2.step * end_6)));
                     cell_15 = _e242.cast_elem_as_i32().clamp(low_1, last_1);
@@ -3346,106 +3417,281 @@ impl<'g> Resources<'g> {
         }
         let _e281 = t_20;
         let _e283 = reads_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e281, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e283);
+        return <Found>::new(FOUND_EXHAUSTED, _e281, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e283);
+    }
+    pub(crate) fn texel_extent(
+        &self,
+        texel_2: impl rt::Into<rt::Scalar<i32>>,
+        n_3: impl rt::Into<rt::Scalar<i32>>,
+        level_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_3), rt::into(level_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_texel_extent(
+        &self,
+        texel_2: rt::Scalar<i32>,
+        n_3: rt::Scalar<i32>,
+        level_3: rt::Scalar<u32>,
+    ) -> rt::Vec2<i32> {
+        let mut local_26: rt::Scalar<bool>;
+
+        let _e3 = self.v_wrap_index(texel_2, n_3);
+        let first_5 = ((_e3 >> level_3) << level_3);
+        let last_2 = (first_5 + (rt::Scalar(1i32) << level_3)).min(n_3);
+        if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
+            let _e16 = rt::Scalar(self.surface_settings.wrap);
+            local_26 = _e16.elementwise_eq(WRAP_REPEAT);
+        } else {
+            local_26 = rt::Scalar(true);
+        }
+        let _e20 = local_26;
+        if rt::Scalar::into_branch_condition(_e20) {
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
+        }
+        let _e28 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
+            let period_2 = (rt::Scalar(2i32) * n_3);
+            let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
+            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_3)) {
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
+            }
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_2) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_5) + rt::Scalar(1i32)));
+        }
+        return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
+    }
+    pub(crate) fn search_pyramid_texels(
+        &self,
+        path_38: Path,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_pyramid_texels(path_38, rt::into(params_19)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_pyramid_texels(
+        &self,
+        path_38: Path,
+        params_19: rt::Vec4<f32>,
+    ) -> Found {
+        let mut level_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut texel_3: rt::Vec2<i32>;
+        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_17: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut highest: rt::Scalar<f32>;
+        let mut sinks: rt::Scalar<f32>;
+
+        let _e4 = self.surface_settings.height_size;
+        let n_9 = _e4.cast_elem_as_i32();
+        let _e7 = self.v_height_size();
+        let origin_2 = (path_38.uv * _e7);
+        let _e10 = self.v_height_size();
+        let step_2 = (path_38.duv * _e10);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e14 = level_4;
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(n_9.x().max(n_9.y()))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e21 = level_4;
+                    level_4 = (_e21 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e24 = self.v_cell_of(origin_2);
+        texel_3 = _e24.cast_elem_as_i32();
+        let limit_6 = params_19.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e33 = reads_17;
+                if rt::Scalar::into_branch_condition(_e33.elementwise_lt(limit_6)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e36 = texel_3.x();
+                    let _e38 = self.v_wrap_index(_e36, n_9.x());
+                    let _e40 = texel_3.y();
+                    let _e42 = self.v_wrap_index(_e40, n_9.y());
+                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
+                    highest = rt::Scalar(0f32);
+                    let _e46 = level_4;
+                    if rt::Scalar::into_branch_condition(_e46.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e51 = rt::texture::Read::read_texel((&self.height_map), place_4, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        highest = _e51.x();
+                    } else {
+                        let _e54 = level_4;
+                        let _e57 = level_4;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e54), (place_4.y() >> _e57));
+                        let _e61 = level_4;
+                        let _e65 = self.v_search_texel(path_38, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        highest = _e65.y();
+                    }
+                    let _e67 = reads_17;
+                    reads_17 = (_e67 + rt::Scalar(1u32));
+                    let _e71 = texel_3.x();
+                    let _e73 = level_4;
+                    let _e74 = self.v_texel_extent(_e71, n_9.x(), _e73);
+                    let _e76 = texel_3.y();
+                    let _e78 = level_4;
+                    let _e79 = self.v_texel_extent(_e76, n_9.y(), _e78);
+                    let _e82 = self.v_leaves_texels(origin_2.x(), step_2.x(), _e74);
+                    let _e85 = self.v_leaves_texels(origin_2.y(), step_2.y(), _e79);
+                    let leave_6 = <rt::Vec2<f32>>::from_scalars(_e82, _e85);
+                    let _e92 = t_21;
+                    let end_7 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_38.exit)).max(_e92);
+                    let _e94 = t_21;
+                    let _e95 = self.v_path_height(path_38, _e94);
+                    let _e96 = highest;
+                    let _e98 = t_21;
+                    let _e99 = self.v_path_slope(path_38, _e98);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_38.h.z());
+                    sinks = rt::Scalar(0f32);
+                    if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
+                        let _e108 = t_21;
+                        let _e110 = self.v_first_root(gap_5, (end_7 - _e108));
+                        sinks = _e110;
+                    }
+                    let low_2 = <rt::Vec2<i32>>::from_scalars(_e74.x(), _e79.x());
+                    let last_3 = <rt::Vec2<i32>>::from_scalars((_e74.y() - rt::Scalar(1i32)), (_e79.y() - rt::Scalar(1i32)));
+                    let _e121 = sinks;
+                    if rt::Scalar::into_branch_condition(_e121.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e124 = t_21;
+                        let _e125 = sinks;
+                        t_21 = (_e124 + _e125);
+                        let _e127 = level_4;
+                        if rt::Scalar::into_branch_condition(_e127.elementwise_eq(rt::Scalar(0u32))) {
+                            let _e131 = t_21;
+                            let _e132 = reads_17;
+                            return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e131, rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        }
+                        let _e137 = level_4;
+                        level_4 = (_e137 - rt::Scalar(1u32));
+                        let _e140 = t_21;
+                        let _e143 = self.v_cell_of((origin_2 + (step_2 * _e140)));
+                        texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_3);
+                    } else {
+                        if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_38.exit))) {
+                            let _e149 = t_21;
+                            let _e151 = reads_17;
+                            return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+                        }
+                        let _e157 = self.v_cell_of((origin_2 + (step_2 * end_7)));
+                        texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_3);
+                        if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_7)) {
+                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_2.x().elementwise_gt(rt::Scalar(0f32))));
+                        }
+                        if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_7)) {
+                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e79.y(), step_2.y().elementwise_gt(rt::Scalar(0f32))));
+                        }
+                        t_21 = end_7;
+                    }
+                }
+            }
+        }
+        let _e183 = t_21;
+        let _e185 = reads_17;
+        return <Found>::new(FOUND_EXHAUSTED, _e183, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e185);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_37: Path,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        path_39: Path,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_37, rt::into(params_18)))
+        rt::into(self.v_search_relaxed_cone(path_39, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_37: Path,
-        params_18: rt::Vec4<f32>,
+        path_39: Path,
+        params_20: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
-        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_17: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_26: rt::Scalar<bool>;
+        let mut reads_18: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_27: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_37);
-        let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_2 = path_37.duv.length();
-        let _e11 = self.v_path_slope(path_37, rt::Scalar(0f32));
-        let terms_2 = (path_37.h.x().abs() + (rt::Scalar(path_37.exit) * path_37.h.y().abs()));
+        let _e2 = self.v_grid_of(path_39);
+        let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let aside_2 = path_39.duv.length();
+        let _e11 = self.v_path_slope(path_39, rt::Scalar(0f32));
+        let terms_2 = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * path_39.h.y().abs()));
         let _e32 = self.v_height_size();
-        let far_7 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_37.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e32);
+        let far_7 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_39.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e32);
         let _e35 = self.v_cell_of(_e2.origin);
         cell_16 = _e35;
-        let limit_6 = params_18.x().cast_elem_as_u32();
+        let limit_7 = params_20.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e47 = reads_17;
-                if rt::Scalar::into_branch_condition(_e47.elementwise_lt(limit_6)) {
+                let _e47 = reads_18;
+                if rt::Scalar::into_branch_condition(_e47.elementwise_lt(limit_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e49 = cell_16;
                     let _e50 = self.v_cell_leave(_e2, _e49);
-                    let end_7 = _e50.x().min(_e50.y()).min(rt::Scalar(path_37.exit));
-                    let _e56 = t_21;
-                    let span_10 = (end_7 - _e56).max(rt::Scalar(0f32));
+                    let end_8 = _e50.x().min(_e50.y()).min(rt::Scalar(path_39.exit));
+                    let _e56 = t_22;
+                    let span_10 = (end_8 - _e56).max(rt::Scalar(0f32));
                     let _e60 = cell_16;
                     let _e61 = cell_16;
                     let _e63 = self.v_height_cell(_e61.cast_elem_as_i32());
-                    let _e64 = t_21;
-                    let _e65 = self.v_gap_to(path_37, _e2, _e60, _e63, _e64);
-                    let _e66 = reads_17;
-                    reads_17 = (_e66 + rt::Scalar(1u32));
+                    let _e64 = t_22;
+                    let _e65 = self.v_gap_to(path_39, _e2, _e60, _e63, _e64);
+                    let _e66 = reads_18;
+                    reads_18 = (_e66 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e65.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e72 = near_6;
-                        let _e73 = t_21;
+                        let _e73 = t_22;
                         if rt::Scalar::into_branch_condition(_e72.elementwise_lt(_e73)) {
                             let _e77 = near_gap_4;
-                            local_26 = _e77.elementwise_gt(rt::Scalar(0f32));
+                            local_27 = _e77.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_26 = rt::Scalar(false);
+                            local_27 = rt::Scalar(false);
                         }
-                        let _e81 = local_26;
+                        let _e81 = local_27;
                         if rt::Scalar::into_branch_condition(_e81) {
                             let _e82 = near_6;
-                            let _e83 = t_21;
+                            let _e83 = t_22;
                             let _e84 = near_gap_4;
-                            let _e86 = reads_17;
-                            let _e87 = self.v_entered_once(path_37, _e2, _e82, _e83, _e84, _e65.x(), _e86);
+                            let _e86 = reads_18;
+                            let _e87 = self.v_entered_once(path_39, _e2, _e82, _e83, _e84, _e65.x(), _e86);
                             return _e87;
                         }
-                        let _e88 = t_21;
-                        let _e89 = t_21;
-                        let _e92 = reads_17;
+                        let _e88 = t_22;
+                        let _e89 = t_22;
+                        let _e92 = reads_18;
                         let _e93 = self.v_found_in_cell(_e65, _e88, span_10, _e89.elementwise_eq(rt::Scalar(0f32)), _e92);
                         return _e93;
                     }
-                    let _e94 = t_21;
+                    let _e94 = t_22;
                     start = _e94;
                     gap = _e65.x();
-                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e101 = t_21;
-                        let _e102 = t_21;
-                        let _e105 = reads_17;
+                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e101 = t_22;
+                        let _e102 = t_22;
+                        let _e105 = reads_18;
                         let _e106 = self.v_found_in_cell(_e65, _e101, span_10, _e102.elementwise_eq(rt::Scalar(0f32)), _e105);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e106.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e106;
                         }
-                        let _e110 = t_21;
-                        start = _e110.max(end_7);
+                        let _e110 = t_22;
+                        start = _e110.max(end_8);
                         gap = rt::Scalar(_e106.far_gap);
                     }
                     let _e113 = start;
-                    if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(path_37.exit))) {
-                        let _e117 = t_21;
-                        let _e119 = reads_17;
-                        return <Found>::new(FOUND_MISS, _e117, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e119);
+                    if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(path_39.exit))) {
+                        let _e117 = t_22;
+                        let _e119 = reads_18;
+                        return <Found>::new(FOUND_MISS, _e117, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e119);
                     }
                     let _e123 = start;
                     near_6 = _e123;
@@ -3455,9 +3701,9 @@ impl<'g> Resources<'g> {
                     let _e127 = cell_16;
                     let _e130 = start;
                     let _e133 = self.v_nearest_corner(((_e2.origin - _e127) + (_e2.step * _e130)));
-                    let _e135 = self.v_cone_slope(path_37, (_e125 + _e133));
-                    let _e136 = reads_17;
-                    reads_17 = (_e136 + rt::Scalar(1u32));
+                    let _e135 = self.v_cone_slope(path_39, (_e125 + _e133));
+                    let _e136 = reads_18;
+                    reads_18 = (_e136 + rt::Scalar(1u32));
                     let _e139 = start;
                     next_4 = _e139;
                     if rt::Scalar::into_branch_condition(_e135.elementwise_ge(rt::Scalar(0f32))) {
@@ -3470,132 +3716,132 @@ impl<'g> Resources<'g> {
                             next_4 = (_e159 + (room.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e169 = next_4;
-                        let _e170 = t_21;
-                        local_27 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_37.exit))));
+                        let _e170 = t_22;
+                        local_28 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_39.exit))));
                     } else {
-                        local_27 = rt::Scalar(false);
+                        local_28 = rt::Scalar(false);
                     }
-                    let _e178 = local_27;
+                    let _e178 = local_28;
                     if rt::Scalar::into_branch_condition(_e178) {
-                        let _e180 = t_21;
+                        let _e180 = t_22;
                         let _e182 = gap;
-                        let _e183 = reads_17;
-                        return <Found>::new(FOUND_ABOVE, _e180, rt::Scalar(path_37.exit), _e182, rt::Scalar(0f32), _e183);
+                        let _e183 = reads_18;
+                        return <Found>::new(FOUND_ABOVE, _e180, rt::Scalar(path_39.exit), _e182, rt::Scalar(0f32), _e183);
                     }
                     let _e186 = next_4;
-                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_37.exit))) {
-                        let _e190 = self.v_path_gap(path_37, rt::Scalar(path_37.exit));
-                        let _e191 = reads_17;
-                        reads_17 = (_e191 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_39.exit))) {
+                        let _e190 = self.v_path_gap(path_39, rt::Scalar(path_39.exit));
+                        let _e191 = reads_18;
+                        reads_18 = (_e191 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e190.elementwise_le(rt::Scalar(0f32))) {
                             let _e196 = start;
                             let _e198 = gap;
-                            let _e199 = reads_17;
-                            let _e200 = self.v_entered_once(path_37, _e2, _e196, rt::Scalar(path_37.exit), _e198, _e190, _e199);
+                            let _e199 = reads_18;
+                            let _e200 = self.v_entered_once(path_39, _e2, _e196, rt::Scalar(path_39.exit), _e198, _e190, _e199);
                             return _e200;
                         }
                         let _e202 = start;
-                        let _e204 = reads_17;
-                        return <Found>::new(FOUND_MISS, _e202, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e204);
+                        let _e204 = reads_18;
+                        return <Found>::new(FOUND_MISS, _e202, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e204);
                     }
                     let _e208 = cell_16;
                     let _e209 = next_4;
-                    let _e210 = self.v_cell_after(_e2, _e208, _e50, forward_5, _e209);
+                    let _e210 = self.v_cell_after(_e2, _e208, _e50, forward_6, _e209);
                     cell_16 = _e210;
                     let _e211 = next_4;
-                    t_21 = _e211;
+                    t_22 = _e211;
                 }
             }
         }
-        let _e213 = t_21;
-        let _e215 = reads_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e213, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e215);
+        let _e213 = t_22;
+        let _e215 = reads_18;
+        return <Found>::new(FOUND_EXHAUSTED, _e213, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e215);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_38: Path,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        path_40: Path,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_38, rt::into(params_19)))
+        rt::into(self.v_search_relaxed_cone_resting(path_40, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_38: Path,
-        params_19: rt::Vec4<f32>,
+        path_40: Path,
+        params_21: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
-        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_18: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_28: rt::Scalar<bool>;
+        let mut reads_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_29: rt::Scalar<bool>;
         let mut next_5: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_38);
-        let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_40);
+        let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_17 = _e9;
-        let limit_7 = params_19.x().cast_elem_as_u32();
+        let limit_8 = params_21.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e21 = reads_18;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(limit_7)) {
+                let _e21 = reads_19;
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(limit_8)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e23 = cell_17;
                     let _e25 = self.v_height_cell(_e23.cast_elem_as_i32());
-                    let _e26 = reads_18;
-                    reads_18 = (_e26 + rt::Scalar(1u32));
+                    let _e26 = reads_19;
+                    reads_19 = (_e26 + rt::Scalar(1u32));
                     let _e29 = cell_17;
                     let _e30 = self.v_cell_leave(_e2, _e29);
-                    let end_8 = _e30.x().min(_e30.y()).min(rt::Scalar(path_38.exit));
-                    let _e36 = t_22;
-                    let span_11 = (end_8 - _e36).max(rt::Scalar(0f32));
+                    let end_9 = _e30.x().min(_e30.y()).min(rt::Scalar(path_40.exit));
+                    let _e36 = t_23;
+                    let span_11 = (end_9 - _e36).max(rt::Scalar(0f32));
                     let _e40 = cell_17;
-                    let _e41 = t_22;
-                    let _e42 = self.v_gap_to(path_38, _e2, _e40, _e25, _e41);
+                    let _e41 = t_23;
+                    let _e42 = self.v_gap_to(path_40, _e2, _e40, _e25, _e41);
                     if rt::Scalar::into_branch_condition(_e42.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e46 = near_7;
-                        let _e47 = t_22;
+                        let _e47 = t_23;
                         if rt::Scalar::into_branch_condition(_e46.elementwise_lt(_e47)) {
                             let _e51 = near_gap_5;
-                            local_28 = _e51.elementwise_gt(rt::Scalar(0f32));
+                            local_29 = _e51.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_28 = rt::Scalar(false);
+                            local_29 = rt::Scalar(false);
                         }
-                        let _e55 = local_28;
+                        let _e55 = local_29;
                         if rt::Scalar::into_branch_condition(_e55) {
                             let _e56 = near_7;
-                            let _e57 = t_22;
+                            let _e57 = t_23;
                             let _e58 = near_gap_5;
-                            let _e60 = reads_18;
-                            let _e61 = self.v_entered_once(path_38, _e2, _e56, _e57, _e58, _e42.x(), _e60);
+                            let _e60 = reads_19;
+                            let _e61 = self.v_entered_once(path_40, _e2, _e56, _e57, _e58, _e42.x(), _e60);
                             return _e61;
                         }
-                        let _e62 = t_22;
-                        let _e63 = t_22;
-                        let _e66 = reads_18;
+                        let _e62 = t_23;
+                        let _e63 = t_23;
+                        let _e66 = reads_19;
                         let _e67 = self.v_found_in_cell(_e42, _e62, span_11, _e63.elementwise_eq(rt::Scalar(0f32)), _e66);
                         return _e67;
                     }
-                    let _e68 = t_22;
-                    let _e69 = t_22;
-                    let _e72 = reads_18;
+                    let _e68 = t_23;
+                    let _e69 = t_23;
+                    let _e72 = reads_19;
                     let _e73 = self.v_found_in_cell(_e42, _e68, span_11, _e69.elementwise_eq(rt::Scalar(0f32)), _e72);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e73.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e73;
                     }
-                    let _e77 = t_22;
-                    let start_1 = _e77.max(end_8);
-                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_38.exit))) {
-                        let _e82 = t_22;
-                        let _e84 = reads_18;
-                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                    let _e77 = t_23;
+                    let start_1 = _e77.max(end_9);
+                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_40.exit))) {
+                        let _e82 = t_23;
+                        let _e84 = reads_19;
+                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
                     }
                     near_7 = start_1;
                     near_gap_5 = rt::Scalar(_e73.far_gap);
@@ -3603,219 +3849,224 @@ impl<'g> Resources<'g> {
                     let _e95 = self.v_nearest_corner(((_e2.origin - _e90) + (_e2.step * start_1)));
                     let _e96 = self.v_corner_height(_e25, _e95);
                     next_5 = start_1;
-                    let _e98 = self.v_path_height(path_38, start_1);
+                    let _e98 = self.v_path_height(path_40, start_1);
                     if rt::Scalar::into_branch_condition(_e98.elementwise_gt(_e96)) {
                         let _e100 = cell_17;
-                        let texel_4 = (_e100 + _e95);
-                        let _e102 = self.v_cone_slope(path_38, texel_4);
-                        let _e103 = reads_18;
-                        reads_18 = (_e103 + rt::Scalar(1u32));
+                        let texel_6 = (_e100 + _e95);
+                        let _e102 = self.v_cone_slope(path_40, texel_6);
+                        let _e103 = reads_19;
+                        reads_19 = (_e103 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e102.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e108 = self.v_stays_inside(path_38, _e2, texel_4, _e96, _e102, start_1);
+                            let _e108 = self.v_stays_inside(path_40, _e2, texel_6, _e96, _e102, start_1);
                             next_5 = (start_1 + _e108);
                         }
                     }
                     let _e110 = next_5;
-                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(path_38.exit))) {
-                        let _e114 = self.v_path_gap(path_38, rt::Scalar(path_38.exit));
-                        let _e115 = reads_18;
-                        reads_18 = (_e115 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(path_40.exit))) {
+                        let _e114 = self.v_path_gap(path_40, rt::Scalar(path_40.exit));
+                        let _e115 = reads_19;
+                        reads_19 = (_e115 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e114.elementwise_le(rt::Scalar(0f32))) {
                             let _e121 = near_gap_5;
-                            let _e122 = reads_18;
-                            let _e123 = self.v_entered_once(path_38, _e2, start_1, rt::Scalar(path_38.exit), _e121, _e114, _e122);
+                            let _e122 = reads_19;
+                            let _e123 = self.v_entered_once(path_40, _e2, start_1, rt::Scalar(path_40.exit), _e121, _e114, _e122);
                             return _e123;
                         }
-                        let _e126 = reads_18;
-                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
+                        let _e126 = reads_19;
+                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
                     }
                     let _e130 = cell_17;
                     let _e131 = next_5;
-                    let _e132 = self.v_cell_after(_e2, _e130, _e30, forward_6, _e131);
+                    let _e132 = self.v_cell_after(_e2, _e130, _e30, forward_7, _e131);
                     cell_17 = _e132;
                     let _e133 = next_5;
-                    t_22 = _e133;
+                    t_23 = _e133;
                 }
             }
         }
-        let _e135 = t_22;
-        let _e137 = reads_18;
-        return <Found>::new(FOUND_EXHAUSTED, _e135, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
+        let _e135 = t_23;
+        let _e137 = reads_19;
+        return <Found>::new(FOUND_EXHAUSTED, _e135, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_39: Path,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        path_41: Path,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_39, rt::into(params_20)))
+        rt::into(self.v_search_sphere(path_41, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_39: Path,
-        params_20: rt::Vec4<f32>,
+        path_41: Path,
+        params_22: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
-        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_19: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_20: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_6: rt::Scalar<f32>;
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_39);
-        let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_39, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_39, rt::Scalar(path_39.exit));
+        let _e2 = self.v_grid_of(path_41);
+        let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_path_slope(path_41, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_41, rt::Scalar(path_41.exit));
         let climb = _e9.abs().max(_e12.abs());
-        let speed_1 = (<rt::Vec3<f32>>::new_21(path_39.duv, climb).length() * rt::Scalar(1.000001f32));
-        let far_8 = (path_39.uv.abs() + (path_39.duv.abs() * rt::Scalar(path_39.exit)));
-        let height_terms = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * (path_39.h.y().abs() + (rt::Scalar(path_39.exit) * path_39.h.z().abs()))));
+        let speed_2 = (<rt::Vec3<f32>>::new_21(path_41.duv, climb).length() * rt::Scalar(1.000001f32));
+        let far_8 = (path_41.uv.abs() + (path_41.duv.abs() * rt::Scalar(path_41.exit)));
+        let height_terms = (path_41.h.x().abs() + (rt::Scalar(path_41.exit) * (path_41.h.y().abs() + (rt::Scalar(path_41.exit) * path_41.h.z().abs()))));
         let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_8.x() + far_8.y()) + height_terms) + rt::Scalar(1f32)));
         let _e51 = self.v_cell_of(_e2.origin);
         cell_18 = _e51;
-        let limit_8 = params_20.x().cast_elem_as_u32();
+        let limit_9 = params_22.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e59 = reads_19;
-                if rt::Scalar::into_branch_condition(_e59.elementwise_lt(limit_8)) {
+                let _e59 = reads_20;
+                if rt::Scalar::into_branch_condition(_e59.elementwise_lt(limit_9)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e61 = cell_18;
                     let _e62 = self.v_cell_leave(_e2, _e61);
-                    let end_9 = _e62.x().min(_e62.y()).min(rt::Scalar(path_39.exit));
-                    let _e68 = t_23;
-                    let span_12 = (end_9 - _e68).max(rt::Scalar(0f32));
-                    let _e72 = t_23;
-                    let _e73 = self.v_path_uv(path_39, _e72);
-                    let _e74 = t_23;
-                    let _e75 = self.v_path_height(path_39, _e74);
-                    let _e77 = self.v_distance_at(path_39, _e73, _e75, params_20.z());
+                    let end_10 = _e62.x().min(_e62.y()).min(rt::Scalar(path_41.exit));
+                    let _e68 = t_24;
+                    let span_12 = (end_10 - _e68).max(rt::Scalar(0f32));
+                    let _e72 = t_24;
+                    let _e73 = self.v_path_uv(path_41, _e72);
+                    let _e74 = t_24;
+                    let _e75 = self.v_path_height(path_41, _e74);
+                    let _e77 = self.v_distance_at(path_41, _e73, _e75, params_22.z());
                     let free = (_e77 - lost_4);
-                    let _e79 = reads_19;
-                    reads_19 = (_e79 + rt::Scalar(2u32));
-                    let _e82 = t_23;
+                    let _e79 = reads_20;
+                    reads_20 = (_e79 + rt::Scalar(2u32));
+                    let _e82 = t_24;
                     next_6 = _e82;
                     if rt::Scalar::into_branch_condition(free.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e86 = t_23;
-                        next_6 = (_e86 + (free / speed_1));
+                        let _e86 = t_24;
+                        next_6 = (_e86 + (free / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_22.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e92 = next_6;
-                        let _e93 = t_23;
-                        if rt::Scalar::into_branch_condition((!(_e92 - _e93).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_39.exit))))) {
-                            let _e101 = t_23;
-                            let _e103 = reads_19;
-                            return <Found>::new(FOUND_ABOVE, _e101, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e103);
+                        let _e93 = t_24;
+                        if rt::Scalar::into_branch_condition((!(_e92 - _e93).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_41.exit))))) {
+                            let _e101 = t_24;
+                            let _e103 = reads_20;
+                            return <Found>::new(FOUND_ABOVE, _e101, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e103);
                         }
                     } else {
                         let _e107 = next_6;
-                        if rt::Scalar::into_branch_condition((!_e107.elementwise_lt(end_9))) {
-                            let _e112 = t_23;
-                            local_29 = (!end_9.elementwise_gt(_e112));
+                        if rt::Scalar::into_branch_condition((!_e107.elementwise_lt(end_10))) {
+                            let _e112 = t_24;
+                            local_30 = (!end_10.elementwise_gt(_e112));
                         } else {
-                            local_29 = rt::Scalar(true);
+                            local_30 = rt::Scalar(true);
                         }
-                        let _e116 = local_29;
+                        let _e116 = local_30;
                         if rt::Scalar::into_branch_condition(_e116) {
-                            let _e117 = reads_19;
-                            reads_19 = (_e117 + rt::Scalar(1u32));
+                            let _e117 = reads_20;
+                            reads_20 = (_e117 + rt::Scalar(1u32));
                             let _e120 = cell_18;
                             let _e121 = cell_18;
                             let _e123 = self.v_height_cell(_e121.cast_elem_as_i32());
-                            let _e124 = t_23;
-                            let _e125 = self.v_gap_to(path_39, _e2, _e120, _e123, _e124);
-                            let _e126 = t_23;
-                            let _e127 = t_23;
-                            let _e130 = reads_19;
+                            let _e124 = t_24;
+                            let _e125 = self.v_gap_to(path_41, _e2, _e120, _e123, _e124);
+                            let _e126 = t_24;
+                            let _e127 = t_24;
+                            let _e130 = reads_20;
                             let _e131 = self.v_found_in_cell(_e125, _e126, span_12, _e127.elementwise_eq(rt::Scalar(0f32)), _e130);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e131.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e131;
                             }
-                            let _e135 = t_23;
-                            next_6 = _e135.max(end_9);
+                            let _e135 = t_24;
+                            next_6 = _e135.max(end_10);
                         }
                     }
                     let _e137 = next_6;
-                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(path_39.exit))) {
-                        let _e141 = t_23;
-                        let _e143 = reads_19;
-                        return <Found>::new(FOUND_MISS, _e141, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(path_41.exit))) {
+                        let _e141 = t_24;
+                        let _e143 = reads_20;
+                        return <Found>::new(FOUND_MISS, _e141, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
                     }
                     let _e147 = cell_18;
                     let _e148 = next_6;
-                    let _e149 = self.v_cell_after(_e2, _e147, _e62, forward_7, _e148);
+                    let _e149 = self.v_cell_after(_e2, _e147, _e62, forward_8, _e148);
                     cell_18 = _e149;
                     let _e150 = next_6;
-                    t_23 = _e150;
+                    t_24 = _e150;
                 }
             }
         }
-        let _e152 = t_23;
-        let _e154 = reads_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e152, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e154);
+        let _e152 = t_24;
+        let _e154 = reads_20;
+        return <Found>::new(FOUND_EXHAUSTED, _e152, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e154);
     }
-    pub(crate) fn search_stage(&self, path_40: Path) -> Found {
-        rt::into(self.v_search_stage(path_40))
+    pub(crate) fn search_stage(&self, path_42: Path) -> Found {
+        rt::into(self.v_search_stage(path_42))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_40: Path) -> Found {
+    fn v_search_stage(&self, path_42: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_search_none(path_40, _e10);
+                let _e11 = self.v_search_none(path_42, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_search_linear(path_40, _e16);
+                let _e17 = self.v_search_linear(path_42, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_search_cells(path_40, _e22);
+                let _e23 = self.v_search_cells(path_42, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_search_frustum(path_40, _e28);
+                let _e29 = self.v_search_frustum(path_42, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_search_cone(path_40, _e34);
+                let _e35 = self.v_search_cone(path_42, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_search_pyramid(path_40, _e40);
+                let _e41 = self.v_search_pyramid(path_42, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[1usize].params;
-                let _e47 = self.v_search_dilation_erosion(path_40, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_42, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[1usize].params;
-                let _e53 = self.v_search_sphere(path_40, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_42, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[1usize].params;
-                let _e59 = self.v_search_cone_moved(path_40, _e58);
+                let _e59 = self.v_search_sphere(path_42, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[1usize].params;
-                let _e65 = self.v_search_relaxed_cone(path_40, _e64);
+                let _e65 = self.v_search_cone_moved(path_42, _e64);
                 return _e65;
             }
-            _ => {
+            10u32 => {
                 let _e70 = self.surface_settings.choices[1usize].params;
-                let _e71 = self.v_search_relaxed_cone_resting(path_40, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_42, _e70);
                 return _e71;
+            }
+            _ => {
+                let _e76 = self.surface_settings.choices[1usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_42, _e76);
+                return _e77;
             }
         }
     }
@@ -3824,14 +4075,14 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(&self, pixel_2: PixelIn, at_4: Entered, hit_1: Hit) -> PixelOut {
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(at_4.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_30 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
+            local_31 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_30 = rt::Scalar(true);
+            local_31 = rt::Scalar(true);
         }
-        let _e13 = local_30;
+        let _e13 = local_31;
         if rt::Scalar::into_branch_condition(_e13) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
         }
@@ -3853,18 +4104,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane(
         &self,
         pixel_3: PixelIn,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_3, rt::into(params_21)))
+        rt::into(self.v_surface_plane(pixel_3, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_3: PixelIn,
-        params_21: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
@@ -3872,14 +4123,14 @@ impl<'g> Resources<'g> {
         let a_4 = pixel_3.a.position;
         let e1_ = (pixel_3.b.position - a_4);
         let e2_ = (pixel_3.c.position - a_4);
-        let n_8 = e1_.cross(e2_);
-        let nn = n_8.dot(n_8);
-        let toward_3 = n_8.dot(pixel_3.direction);
-        let distance = (n_8.dot((a_4 - pixel_3.origin)) / toward_3);
+        let n_10 = e1_.cross(e2_);
+        let nn = n_10.dot(n_10);
+        let toward_3 = n_10.dot(pixel_3.direction);
+        let distance = (n_10.dot((a_4 - pixel_3.origin)) / toward_3);
         let point_5 = (pixel_3.origin + (pixel_3.direction * distance));
         let from_a = (point_5 - a_4);
-        let wb = (from_a.cross(e2_).dot(n_8) / nn);
-        let wc = (e1_.cross(from_a).dot(n_8) / nn);
+        let wb = (from_a.cross(e2_).dot(n_10) / nn);
+        let wc = (e1_.cross(from_a).dot(n_10) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
         let uv_12 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
         let tangent = (((pixel_3.a.tangent * wa) + (pixel_3.b.tangent * wb)) + (pixel_3.c.tangent * wc));
@@ -3895,11 +4146,11 @@ impl<'g> Resources<'g> {
         let area_1 = ((tt * bb) - (tb * tb));
         let descent = (rt::Scalar(0f32) - normal_3.dot(direction));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_31 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
+            local_32 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_31 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e107 = local_31;
+        let _e107 = local_32;
         if rt::Scalar::into_branch_condition(_e107) {
             valid = rt::Scalar(0u32);
         }
@@ -3944,9 +4195,9 @@ impl<'g> Resources<'g> {
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_42 = <Path>::new((uv_12 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_44 = <Path>::new((uv_12 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_42, point_5, uv_12, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_44, point_5, uv_12, tangent, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_4: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_4))
@@ -3962,13 +4213,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn trace(&self, path_41: Path) -> Hit {
-        rt::into(self.v_trace(path_41))
+    pub(crate) fn trace(&self, path_43: Path) -> Hit {
+        rt::into(self.v_trace(path_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_41: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_41);
-        let _e2 = self.v_refine_stage(path_41, _e1);
+    fn v_trace(&self, path_43: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_43);
+        let _e2 = self.v_refine_stage(path_43, _e1);
         return _e2;
     }
     pub(crate) fn shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {

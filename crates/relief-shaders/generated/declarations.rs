@@ -118,6 +118,13 @@ pub const MODULES: &[Module] = &[
 // of level k holds the greatest height over 2^k by 2^k dual cells; on level 0 the cell's own patch is looked
 // at, as `cells` does. `params.x` caps the reads.
 "# },
+    Module { path: "search/pyramid_texels", head: r#"// Pyramidal displacement mapping as published: the maximum pyramid of the texels, each a level column.
+//
+// Oh, Ki and Lee 2006, section 3.2 and Figure 13. Where the ray is above a node it goes on to the node's
+// height and down a level, or to the node's edge; where it is not, down a level. It never goes up again, so
+// that from the first texel on it goes from texel to texel. `params.x` caps the reads. Columns are not the
+// bilinear surface: `half-texel` goes on from their hit.
+"# },
     Module { path: "search/relaxed_cone", head: r#"// Relaxed cone stepping: over cones that a view ray leaves after at most one entry into the surface.
 //
 // Policarpo and Oliveira 2007; Szirmay-Kalos and Umenhoffer 2008, section 4.4.3. The cone of the nearest
@@ -145,6 +152,11 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4.2.2. `params.x` is the number of halvings. Without a search it
 // starts with the whole path and may find any crossing.
+"# },
+    Module { path: "refine/half_texel", head: r#"// Half a texel before and behind the hit of a texel's column: between the two the gap is taken to be linear.
+//
+// Oh, Ki and Lee 2006, section 3.3 and Figure 16. Two reads. Where both places are on the same side of the
+// surface the sizes of the gaps say nothing, and the answer is wrong, as published.
 "# },
     Module { path: "refine/none", head: r#"// No refinement: what the search found is the hit.
 //
@@ -2474,6 +2486,112 @@ fn leaves_extent(origin: f32, step: f32, extent: vec2i) -> f32 {
 }"#,
     },
     Declaration {
+        module: "search/pyramid_texels",
+        name: "texel_extent",
+        sampling: None,
+        uses: &["WRAP_MIRROR", "WRAP_REPEAT", "surface_settings", "wrap_index"],
+        text: r#"// Along an axis of n texels, the first texel of the node of a level that a texel is in, and the one after its
+// last; 1 texel beside a clamped map.
+fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
+    let place = wrap_index(texel, n);
+    let first = (place >> level) << level;
+    let last = min(first + (1 << level), n);
+    if (texel == place || surface_settings.wrap == WRAP_REPEAT) {
+        return vec2i(texel - place + first, texel - place + last);
+    }
+    if (surface_settings.wrap == WRAP_MIRROR) {
+        let period = 2 * n;
+        let folded = ((texel % period) + period) % period;
+        if (folded < n) {
+            return vec2i(texel - place + first, texel - place + last);
+        }
+        return vec2i(texel + place - last + 1, texel + place - first + 1);
+    }
+    return vec2i(texel, texel + 1);
+}"#,
+    },
+    Declaration {
+        module: "search/pyramid_texels",
+        name: "leaves_texels",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// When the path leaves an extent along an axis.
+fn leaves_texels(origin: f32, step: f32, extent: vec2i) -> f32 {
+    if (step > 0.0) {
+        return (f32(extent.y) - origin) / step;
+    }
+    if (step < 0.0) {
+        return (f32(extent.x) - origin) / step;
+    }
+    return NEVER;
+}"#,
+    },
+    Declaration {
+        module: "search/pyramid_texels",
+        name: "search_pyramid_texels",
+        sampling: None,
+        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "NEVER", "Path", "cell_of", "first_root", "height_map", "height_size", "leaves_texels", "path_height", "path_slope", "search_texel", "surface_settings", "texel_extent", "wrap_index"],
+        text: r#"fn search_pyramid_texels(path: Path, params: vec4f) -> Found {
+    let n = vec2i(surface_settings.height_size);
+    let origin = path.uv * height_size();
+    let step = path.duv * height_size();
+    var level = 0u;
+    while ((1 << level) < max(n.x, n.y)) {
+        level = level + 1u;
+    }
+    var texel = vec2i(cell_of(origin));
+    var t = 0.0;
+    var reads = 0u;
+    let limit = u32(params.x);
+    while (reads < limit) {
+        let place = vec2i(wrap_index(texel.x, n.x), wrap_index(texel.y, n.y));
+        var highest = 0.0;
+        if (level == 0u) {
+            highest = textureLoad(height_map, place, 0).x;
+        } else {
+            let node = vec2i(place.x >> level, place.y >> level);
+            highest = search_texel(path, node, 0, i32(level) - 1).y;
+        }
+        reads = reads + 1u;
+        let columns = texel_extent(texel.x, n.x, level);
+        let rows = texel_extent(texel.y, n.y, level);
+        let leave = vec2f(
+            leaves_texels(origin.x, step.x, columns),
+            leaves_texels(origin.y, step.y, rows),
+        );
+        let end = max(min(min(leave.x, leave.y), path.exit), t);
+        let gap = vec3f(path_height(path, t) - highest, path_slope(path, t), path.h.z);
+        var sinks = 0.0;
+        if (gap.x > 0.0) {
+            sinks = first_root(gap, end - t);
+        }
+        let low = vec2i(columns.x, rows.x);
+        let last = vec2i(columns.y - 1, rows.y - 1);
+        if (sinks < NEVER) {
+            t = t + sinks;
+            if (level == 0u) {
+                return Found(FOUND_BELOW, 0.0, t, 0.0, 0.0, reads);
+            }
+            level = level - 1u;
+            texel = clamp(vec2i(cell_of(origin + step * t)), low, last);
+        } else {
+            if (end >= path.exit) {
+                return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            }
+            texel = clamp(vec2i(cell_of(origin + step * end)), low, last);
+            if (leave.x <= end) {
+                texel.x = select(low.x - 1, columns.y, step.x > 0.0);
+            }
+            if (leave.y <= end) {
+                texel.y = select(low.y - 1, rows.y, step.y > 0.0);
+            }
+            t = end;
+        }
+    }
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+}"#,
+    },
+    Declaration {
         module: "search/relaxed_cone",
         name: "search_relaxed_cone",
         sampling: None,
@@ -2724,6 +2842,32 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         return miss(reads);
     }
     return hit_on_path(path, 0.5 * (near + far), 0u, reads);
+}"#,
+    },
+    Declaration {
+        module: "refine/half_texel",
+        name: "refine_half_texel",
+        sampling: None,
+        uses: &["FOUND_BELOW", "Found", "Hit", "Path", "height_size", "hit_on_path", "path_gap", "refine_none"],
+        text: r#"fn refine_half_texel(path: Path, found: Found, params: vec4f) -> Hit {
+    if (found.status != FOUND_BELOW) {
+        return refine_none(path, found, params);
+    }
+    let speed = length(path.duv * height_size());
+    // A path along the normal stays over one place.
+    if (!(speed * path.exit > 0.5)) {
+        return refine_none(path, found, params);
+    }
+    let half = 0.5 / speed;
+    let backward = max(found.far - half, 0.0);
+    let forward = min(found.far + half, path.exit);
+    let before = abs(path_gap(path, backward));
+    let behind = abs(path_gap(path, forward));
+    var part = 0.5;
+    if (before + behind > 0.0) {
+        part = before / (before + behind);
+    }
+    return hit_on_path(path, backward + (forward - backward) * part, 0u, found.reads + 2u);
 }"#,
     },
     Declaration {

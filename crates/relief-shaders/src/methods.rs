@@ -117,6 +117,22 @@ pub const METHODS: &[Method] = &[
         "the same first hit over the nodes of a pyramid that bounds the surface",
     ),
     survey(
+        "pyramidal",
+        "pyramid-texels",
+        "none",
+        DEFAULTS,
+        "4.3.3",
+        "pyramidal displacement mapping: texels as level columns",
+    ),
+    survey(
+        "pyramidal-bilinear",
+        "pyramid-texels",
+        "half-texel",
+        DEFAULTS,
+        "4.3.3",
+        "pyramidal displacement mapping with its half-texel interpolation",
+    ),
+    survey(
         "sphere-tracing",
         "sphere",
         "patch",

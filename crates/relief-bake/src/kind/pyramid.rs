@@ -6,7 +6,7 @@
 //! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art", section 4.3.3.
 //!
 //! Those take the extremes of *texels*, which does not bound the surface between texel centres: level 0 here
-//! is taken over dual cells. The pyramids themselves are [`relief_core::MinPyramid`] and
+//! is taken over dual cells, unless the parameter `over` asks for what was published. The pyramids themselves are [`relief_core::MinPyramid`] and
 //! [`relief_core::MaxPyramid`]; see there for which cells a node covers where a side is no power of two, and
 //! for cells outside of the map.
 //!
@@ -22,6 +22,7 @@
 //! exact, and over the cells of one node it is attained, at a texel. With `bits`, heights are decoded from so
 //! many bits first, and each node is one of them: stored in as many bits it is still exact.
 
+use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
 use relief_core::{HeightMap, MaxPyramid, MinPyramid, Rounding};
 
@@ -39,14 +40,28 @@ pub const KIND: Kind = Kind {
     },
     params: PARAMS,
     guarantee: "The bilinear surface over the cells of a node is nowhere below its min and nowhere above its max; both \
-        are attained. Exact in f32 and in as many bits as the heights have.",
+        are attained. Exact in f32 and in as many bits as the heights have. Over texels, as published, nothing is promised \
+        between their centres.",
     is_picture: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
     bake,
 };
 
-const PARAMS: &[Param] = &[BITS];
+const PARAMS: &[Param] = &[OVER, BITS];
+
+/// Place of the parameter `over`.
+const OVER_PLACE: usize = 0;
+
+const OVER: Param = Param {
+    name: "over",
+    summary: "what the finest level is: 0 dual cells, which bound the surface, 1 texels, as published, which do not",
+    unit: "",
+    min: 0.0,
+    max: 1.0,
+    default: 0.0,
+    integer: true,
+};
 
 /// Both pyramids of a map, 8/3 of its size in all.
 ///
@@ -71,10 +86,75 @@ fn shape([width, height]: [u32; 2]) -> Shape {
     shape
 }
 
-fn bake(source: &BakeInput, _: &Settings, progress: &Progress, sink: &mut dyn Sink) -> Result<(), BakeError> {
+/// One level of the extremes of squares of texels: least, greatest, and how many in a row.
+struct TexelLevel {
+    least: Vec<f32>,
+    greatest: Vec<f32>,
+    width: usize,
+}
+
+impl TexelLevel {
+    /// The level above: half the size, rounded up.
+    fn halved(&self) -> Self {
+        let width = self.width.div_ceil(2);
+        let height = (self.least.len() / self.width).div_ceil(2);
+        let halved = |nodes: &[f32], pick: fn(f32, f32) -> f32| -> Vec<f32> {
+            let mut above = vec![0.0; width * height];
+            let pairs = above.par_chunks_mut(width).zip(nodes.par_chunks(2 * self.width));
+            pairs.for_each(|(above, rows)| {
+                let (top, rest) = rows.split_at(self.width);
+                let bottom = if rest.is_empty() { top } else { rest };
+                for (node, (a, b)) in above.iter_mut().zip(top.chunks(2).zip(bottom.chunks(2))) {
+                    let all = a.iter().chain(b).copied();
+                    *node = all.reduce(pick).unwrap_or(0.0);
+                }
+            });
+            above
+        };
+        Self { least: halved(&self.least, f32::min), greatest: halved(&self.greatest, f32::max), width }
+    }
+}
+
+/// The texels and the extremes of their squares, level by level.
+fn bake_over_texels(map: &HeightMap, progress: &Progress, sink: &mut dyn Sink) -> Result<(), BakeError> {
+    sink.begin(&texture(
+        map,
+        "texels: texel (i, j) of level 0 is the height (i, j), and does not bound the surface",
+    ))?;
+    let texels = || map.texels().to_vec();
+    let mut level = TexelLevel { least: texels(), greatest: texels(), width: map.width() as usize };
+    loop {
+        sink.slice(&[&level.least, &level.greatest])?;
+        if level.least.len() == 1 {
+            return Ok(());
+        }
+        level = level.halved();
+        progress.at(1.0 - level.least.len() as f32 / map.texels().len() as f32)?;
+    }
+}
+
+fn bake(
+    source: &BakeInput,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    if settings.count(OVER_PLACE) == 1 {
+        return bake_over_texels(source.map, progress, sink);
+    }
     let (min, max) = pyramids(source.map, progress)?;
-    let Shape { name, size, mips, .. } = shape([source.map.width(), source.map.height()]);
-    sink.begin(&Texture {
+    let cells = "dual cells: texel (i, j) of level 0 lies between the heights (i, j) and (i + 1, j + 1)";
+    sink.begin(&texture(source.map, cells))?;
+    for level in 0..max.levels() {
+        sink.slice(&[min.nodes(level), max.nodes(level)])?;
+    }
+    Ok(())
+}
+
+/// The texture of a map's extremes.
+fn texture(map: &HeightMap, texels: &str) -> Texture {
+    let Shape { name, size, mips, .. } = shape([map.width(), map.height()]);
+    Texture {
         name,
         size,
         mips,
@@ -83,16 +163,8 @@ fn bake(source: &BakeInput, _: &Settings, progress: &Progress, sink: &mut dyn Si
             Channel { name: "max", unit: "heights", range: [0.0, 1.0], rounding: Rounding::Up },
         ],
         notes: vec![
-            (
-                "texels",
-                "dual cells: texel (i, j) of level 0 lies between the heights (i, j) and (i + 1, j + 1)"
-                    .to_owned(),
-            ),
+            ("texels", texels.to_owned()),
             ("mips", "each level has half the size of the one before, rounded up".to_owned()),
         ],
-    })?;
-    for level in 0..max.levels() {
-        sink.slice(&[min.nodes(level), max.nodes(level)])?;
     }
-    Ok(())
 }

@@ -7,6 +7,7 @@ use relief_core::registry::Entry;
 use crate::SURVEY;
 
 mod binary;
+mod half_texel;
 mod none;
 mod offset;
 mod offset_limited;
@@ -27,6 +28,7 @@ pub const ENTRIES: &[Entry] = &[
     secant::ENTRY,
     true_secant::ENTRY,
     patch::ENTRY,
+    half_texel::ENTRY,
 ];
 
 /// What a refinement takes that narrows an interval or corrects a point on the way.

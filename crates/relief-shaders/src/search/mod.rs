@@ -13,6 +13,7 @@ mod frustum;
 mod linear;
 mod none;
 mod pyramid;
+mod pyramid_texels;
 mod relaxed_cone;
 mod relaxed_cone_resting;
 mod sphere;
@@ -25,6 +26,7 @@ pub const ENTRIES: &[Entry] = &[
     frustum::ENTRY,
     cone::ENTRY,
     pyramid::ENTRY,
+    pyramid_texels::ENTRY,
     dilation_erosion::ENTRY,
     sphere::ENTRY,
     cone_moved::ENTRY,
