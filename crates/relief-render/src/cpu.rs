@@ -8,7 +8,8 @@ use glam::Vec3;
 use rayon::prelude::*;
 use relief_core::HeightMap;
 use relief_core::exact::FastTracer;
-use relief_shaders::cpu::{Corner, Entered, Frame, Hit, PixelIn, PixelOut, Program, Triangle};
+use relief_shaders::cpu::{Corner, Entered, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec4};
+use relief_shaders::{LightRayState, MAX_LIGHTS};
 
 use crate::camera::Ray;
 use crate::job::{Job, JobSurface, Rendering, uncovered};
@@ -175,6 +176,9 @@ struct Ready<'a> {
     base: Arc<RayCaster>,
     sides: Sides,
     tracer: Option<Arc<FastTracer>>,
+    /// Whether the tracer serves shadows, too.
+    traces_shadows: bool,
+    lights: u32,
 }
 
 impl<'a> Ready<'a> {
@@ -185,7 +189,15 @@ impl<'a> Ready<'a> {
         tracer: Option<Arc<FastTracer>>,
     ) -> Self {
         let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
-        Self { program: surface.program(frame), triangles: &surface.triangles, base, sides, tracer }
+        Self {
+            program: surface.program(frame),
+            triangles: &surface.triangles,
+            base,
+            sides,
+            tracer,
+            traces_shadows: surface.selection.has_exact_shadows(),
+            lights: frame.light_count,
+        }
     }
 
     /// What a point of the picture shows of the surface: the first base polygon along the ray whose relief is
@@ -213,6 +225,29 @@ impl<'a> Ready<'a> {
         let at: Entered = self.program.surface(pixel);
         let hit =
             if at.valid == 1 { tracer.trace(&(&at.path).into()).hit } else { relief_core::Hit::miss(0) };
-        self.program.shade_hit(pixel, at, Hit::from(&hit))
+        let hit = Hit::from(&hit);
+        let visible = match self.traces_shadows {
+            true => self.visible_lights(tracer, at, hit),
+            false => self.program.visible_lights(at, hit),
+        };
+        self.program.shade_hit(pixel, at, hit, visible)
+    }
+
+    /// What of the lights arrives at a hit: rays that the shaders make, traced by the tracer.
+    fn visible_lights(&self, tracer: &FastTracer, at: Entered, hit: Hit) -> [Vec4<f32>; MAX_LIGHTS] {
+        let mut visible = [Vec4::from([0.0; 4]); MAX_LIGHTS];
+        if hit.found == 0 {
+            return visible;
+        }
+        for (visible, light) in visible.iter_mut().zip(0..self.lights) {
+            let ray = self.program.ray_to_light(at, hit, light);
+            let is_lit = if ray.state == LightRayState::Open as u32 {
+                !tracer.trace(&(&ray.path).into()).hit.found
+            } else {
+                ray.state == LightRayState::Lit as u32
+            };
+            visible.x = f32::from(u8::from(is_lit));
+        }
+        visible
     }
 }

@@ -237,6 +237,23 @@ impl Hit {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A ray from a hit toward a light.
+pub struct LightRay {
+    /// One of LIGHT_RAY_*.
+    pub state: u32,
+    /// For an open one, the way that is to be searched.
+    pub path: Path,
+}
+impl LightRay {
+    pub fn new(
+        state: impl rt::Into<u32>,
+        path: impl rt::Into<Path>,
+    ) -> Self {
+        Self { state: rt::into(state), path: rt::into(path) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// What is known of a baked map.
 pub struct MapSettings {
     /// 1 where its texels are codes of 8 bits: the value of code c is low + step c.
@@ -326,7 +343,7 @@ impl PixelOut {
 /// What belongs to a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
-    pub choices: [Choice; 4],
+    pub choices: [Choice; 6],
     /// For each slot of baked maps.
     pub maps: [MapSettings; 5],
     pub diffuse: rt::Vec4<f32>,
@@ -344,7 +361,7 @@ pub struct SurfaceSettings {
 }
 impl SurfaceSettings {
     pub fn new(
-        choices: impl rt::Into<[Choice; 4]>,
+        choices: impl rt::Into<[Choice; 6]>,
         maps: impl rt::Into<[MapSettings; 5]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
@@ -363,17 +380,22 @@ impl SurfaceSettings {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Unit direction toward a light, and the factor on its colour at that distance.
+/// A light as a point of the surface sees it.
 pub struct Toward {
+    /// Unit direction toward it.
     pub direction: rt::Vec3<f32>,
+    /// The factor on its colour at that distance.
     pub falloff: f32,
+    /// Metres to it; more than any other number for one that is infinitely far away.
+    pub distance: f32,
 }
 impl Toward {
     pub fn new(
         direction: impl rt::Into<rt::Vec3<f32>>,
         falloff: impl rt::Into<f32>,
+        distance: impl rt::Into<f32>,
     ) -> Self {
-        Self { direction: rt::into(direction), falloff: rt::into(falloff) }
+        Self { direction: rt::into(direction), falloff: rt::into(falloff), distance: rt::into(distance) }
     }
 }
 #[allow(non_upper_case_globals)]
@@ -391,6 +413,12 @@ pub const FOUND_STARTED_BELOW: rt::Scalar<u32> = rt::Scalar(5u32);
 #[allow(non_upper_case_globals)]
 pub const FOUND_UNBRACKETED: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
+pub const LIGHT_RAY_DARK: rt::Scalar<u32> = rt::Scalar(1u32);
+#[allow(non_upper_case_globals)]
+pub const LIGHT_RAY_LIT: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const LIGHT_RAY_OPEN: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
 pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(5u32);
 #[allow(non_upper_case_globals)]
 pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
@@ -403,7 +431,7 @@ pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
-pub const STAGES: rt::Scalar<u32> = rt::Scalar(4u32);
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -676,10 +704,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_5 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_12 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_5.x())) + (by * at_5.y())) + ((twist * at_5.x()) * at_5.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_5.x() * grid_1.step.y()) + (at_5.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_12.x())) + (by * at_12.y())) + ((twist * at_12.x()) * at_12.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_12.x() * grid_1.step.y()) + (at_12.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -1345,6 +1373,17 @@ impl<'g> Resources<'g> {
         let _e20 = self.v_path_height(path_14, inside);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_4);
     }
+    pub(crate) fn hit_position(&self, at: Entered, hit: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_hit_position(at, hit))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_hit_position(&self, at: Entered, hit: Hit) -> rt::Vec3<f32> {
+        let aside = (hit.uv - at.uv);
+        let _e17 = rt::Scalar(self.surface_settings.bias_m);
+        let _e20 = rt::Scalar(self.surface_settings.scale_m);
+        let _e22 = self.v_height_at(hit.uv);
+        return (((at.point + (at.tangent * aside.x())) + (at.bitangent * aside.y())) + (at.normal * (_e17 + (_e20 * _e22))));
+    }
     pub(crate) fn inside_unit(
         &self,
         x0_: impl rt::Into<rt::Scalar<f32>>,
@@ -1445,13 +1484,94 @@ impl<'g> Resources<'g> {
         let leave_5 = _e5.select(_e7, grid_6.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_5.x().min(leave_5.y());
     }
-    pub(crate) fn normal_at(&self, uv_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_8)))
+    pub(crate) fn near_uv(&self, uv_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_at(&self, uv_8: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_near_uv(&self, uv_8: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
+            return (uv_8 - uv_8.floor());
+        }
+        let _e10 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
+            return (uv_8 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_8).floor()));
+        }
+        return uv_8;
+    }
+    pub(crate) fn light_ray(&self, at_1: Entered, hit_1: Hit, light: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_1, hit_1, light))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_light_ray(&self, at_1: Entered, hit_1: Hit, light: Toward) -> LightRay {
+        let mut exit: rt::Scalar<f32>;
+        let mut interval_1: rt::Vec2<f32>;
+        let mut local_11: rt::Scalar<bool>;
+
+        let metric = at_1.path.metric;
+        let td = at_1.tangent.dot(light.direction);
+        let bd = at_1.bitangent.dot(light.direction);
+        let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
+        let duv = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
+        let _e36 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_4 = (at_1.normal.dot(light.direction) / _e36.max(rt::Scalar(0.000000001f32)));
+        let _e41 = self.v_near_uv(hit_1.uv);
+        let _e42 = self.v_height_at(_e41);
+        let from_hit = <Path>::new(_e41, duv, <rt::Vec3<f32>>::from_scalars(_e42, slope_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), metric, RAY_SHADOW, rt::Scalar(at_1.path.level));
+        if rt::Scalar::into_branch_condition((!slope_4.elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_DARK, from_hit);
+        }
+        exit = ((rt::Scalar(1f32) - _e42) / slope_4).min(rt::Scalar(light.distance));
+        let _e64 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e64.elementwise_eq(WRAP_CLAMP)) {
+            let _e69 = exit;
+            let _e72 = self.v_inside_unit(_e41.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e69));
+            interval_1 = _e72;
+            let _e76 = interval_1;
+            let _e77 = self.v_inside_unit(_e41.y(), duv.y(), _e76);
+            interval_1 = _e77;
+            let _e79 = interval_1.y();
+            exit = _e79;
+        }
+        let _e80 = exit;
+        if rt::Scalar::into_branch_condition((!_e80.elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_LIT, from_hit);
+        }
+        let _e86 = self.v_grid_of(from_hit);
+        let _e88 = self.v_cell_of(_e86.origin);
+        let _e89 = self.v_cell_leave(_e86, _e88);
+        let _e93 = exit;
+        let end = _e89.x().min(_e89.y()).min(_e93).max(rt::Scalar(0f32));
+        let _e98 = self.v_height_cell(_e88.cast_elem_as_i32());
+        let _e100 = self.v_gap_to(from_hit, _e86, _e88, _e98, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition((!_e100.y().elementwise_lt(rt::Scalar(0f32)))) {
+            local_11 = (_e100.y() + (_e100.z() * end)).elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_11 = rt::Scalar(true);
+        }
+        let _e114 = local_11;
+        if rt::Scalar::into_branch_condition(_e114) {
+            return <LightRay>::new(LIGHT_RAY_DARK, from_hit);
+        }
+        let _e117 = exit;
+        if rt::Scalar::into_branch_condition(end.elementwise_ge(_e117)) {
+            return <LightRay>::new(LIGHT_RAY_LIT, from_hit);
+        }
+        let start_1 = (_e41 + (duv * end));
+        let gap_1 = (end * (_e100.y() + (_e100.z() * end)));
+        let _e128 = self.v_height_at(start_1);
+        let above_3 = ((_e128 + gap_1) + rt::Scalar(0.0000009536743f32));
+        let _e134 = exit;
+        let path_45 = <Path>::new(start_1, duv, <rt::Vec3<f32>>::from_scalars(above_3, slope_4, rt::Scalar(0f32)), (_e134 - end), rt::Scalar(0f32), metric, RAY_SHADOW, rt::Scalar(at_1.path.level));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_45);
+    }
+    pub(crate) fn normal_at(&self, uv_9: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_at(&self, uv_9: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.surface_settings.normal_size;
-        let _e4 = self.v_texels_around(uv_8, _e3);
+        let _e4 = self.v_texels_around(uv_9, _e3);
         let _e13 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -1461,78 +1581,78 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_from_map(
         &self,
-        at: Entered,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        at_2: Entered,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_map(at, rt::into(uv_9)))
+        rt::into(self.v_normal_from_map(at_2, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_map(
         &self,
-        at: Entered,
-        uv_9: rt::Vec2<f32>,
+        at_2: Entered,
+        uv_10: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_normal_at(uv_9);
-        let along_u = at.tangent.normalize();
-        let along_v = at.bitangent.normalize();
-        return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at.normal * _e2.z())).normalize();
+        let _e2 = self.v_normal_at(uv_10);
+        let along_u = at_2.tangent.normalize();
+        let along_v = at_2.bitangent.normalize();
+        return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at_2.normal * _e2.z())).normalize();
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_1: Entered,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        at_3: Entered,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_1, rt::into(uv_10)))
+        rt::into(self.v_normal_from_height(at_3, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_1: Entered,
-        uv_10: rt::Vec2<f32>,
+        at_3: Entered,
+        uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size();
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e2.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e2.y()));
-        let _e14 = self.v_height_at((uv_10 + du));
-        let _e16 = self.v_height_at((uv_10 - du));
+        let _e14 = self.v_height_at((uv_11 + du));
+        let _e16 = self.v_height_at((uv_11 - du));
         let _e23 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u = ((_e14 - _e16) * ((rt::Scalar(0.5f32) * _e2.x()) * _e23));
-        let _e27 = self.v_height_at((uv_10 + dv));
-        let _e29 = self.v_height_at((uv_10 - dv));
+        let _e27 = self.v_height_at((uv_11 + dv));
+        let _e29 = self.v_height_at((uv_11 - dv));
         let _e36 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = ((_e27 - _e29) * ((rt::Scalar(0.5f32) * _e2.y()) * _e36));
-        let along_u_1 = (at_1.tangent + (at_1.normal * slope_u));
-        let along_v_1 = (at_1.bitangent + (at_1.normal * slope_v));
+        let along_u_1 = (at_3.tangent + (at_3.normal * slope_u));
+        let along_v_1 = (at_3.bitangent + (at_3.normal * slope_v));
         let across = along_v_1.cross(along_u_1).normalize();
-        return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_1.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_3.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn mesostructure_normal(
         &self,
-        at_2: Entered,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        at_4: Entered,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_mesostructure_normal(at_2, rt::into(uv_11)))
+        rt::into(self.v_mesostructure_normal(at_4, rt::into(uv_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normal(
         &self,
-        at_2: Entered,
-        uv_11: rt::Vec2<f32>,
+        at_4: Entered,
+        uv_12: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e7 = self.v_normal_from_map(at_2, uv_11);
+            let _e7 = self.v_normal_from_map(at_4, uv_12);
             return _e7;
         }
-        let _e8 = self.v_normal_from_height(at_2, uv_11);
+        let _e8 = self.v_normal_from_height(at_4, uv_12);
         return _e8;
     }
-    pub(crate) fn nearest_corner(&self, at_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_3)))
+    pub(crate) fn nearest_corner(&self, at_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_3: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_3.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_5: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_5.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn node_extent(
         &self,
@@ -1551,7 +1671,7 @@ impl<'g> Resources<'g> {
         n_2: rt::Scalar<i32>,
         level_1: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_11: rt::Scalar<bool>;
+        let mut local_12: rt::Scalar<bool>;
 
         let first_2 = ((image.x() >> level_1) << level_1);
         let side_1 = (rt::Scalar(1i32) << level_1);
@@ -1565,11 +1685,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_1.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_11 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_12 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_11 = rt::Scalar(false);
+            local_12 = rt::Scalar(false);
         }
-        let _e43 = local_11;
+        let _e43 = local_12;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_2, cell_9.elementwise_ge(n_2)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_9.elementwise_ge(n_2)));
         }
@@ -1589,8 +1709,8 @@ impl<'g> Resources<'g> {
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let m = path_15.metric;
-        let area = ((m.x() * m.z()) - (m.y() * m.y()));
-        let squared_1 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area);
+        let area_1 = ((m.x() * m.z()) - (m.y() * m.y()));
+        let squared_1 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area_1);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
     }
     pub(crate) fn path_slope(
@@ -1651,22 +1771,63 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_pixel_direction(point_1);
         return <PixelIn>::new(_e5, _e6, side, a_1, b_1, c_4);
     }
+    pub(crate) fn toward_light(
+        &self,
+        light_1: Light,
+        position: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Toward {
+        rt::into(self.v_toward_light(light_1, rt::into(position)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_toward_light(
+        &self,
+        light_1: Light,
+        position: rt::Vec3<f32>,
+    ) -> Toward {
+        if rt::Scalar::into_branch_condition(light_1.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+            let toward_2 = (light_1.place.xyz() - position);
+            let squared_2 = toward_2.dot(toward_2);
+            return <Toward>::new(toward_2.normalize(), (rt::Scalar(1f32) / squared_2.max(rt::Scalar(0.000001f32))), squared_2.sqrt());
+        }
+        return <Toward>::new(light_1.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32));
+    }
+    pub(crate) fn ray_to_light(
+        &self,
+        at_6: Entered,
+        hit_2: Hit,
+        number: impl rt::Into<rt::Scalar<u32>>,
+    ) -> LightRay {
+        rt::into(self.v_ray_to_light(at_6, hit_2, rt::into(number)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ray_to_light(
+        &self,
+        at_6: Entered,
+        hit_2: Hit,
+        number: rt::Scalar<u32>,
+    ) -> LightRay {
+        let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
+        let _e7 = self.v_hit_position(at_6, hit_2);
+        let _e8 = self.v_toward_light(_e6, _e7);
+        let _e9 = self.v_light_ray(at_6, hit_2, _e8);
+        return _e9;
+    }
     pub(crate) fn starting_point(&self, path_17: Path, found_1: Found) -> f32 {
         rt::into(self.v_starting_point(path_17, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_17: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_12: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_17.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_12 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_13 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_12 = rt::Scalar(true);
+            local_13 = rt::Scalar(true);
         }
-        let _e16 = local_12;
+        let _e16 = local_13;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -1714,7 +1875,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut reads_5: rt::Scalar<u32>;
-        let mut local_13: rt::Scalar<bool>;
+        let mut local_14: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -1729,11 +1890,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_19, _e18);
-            local_13 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_14 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_13 = rt::Scalar(true);
+            local_14 = rt::Scalar(true);
         }
-        let _e23 = local_13;
+        let _e23 = local_14;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -1862,7 +2023,7 @@ impl<'g> Resources<'g> {
         found_6: Found,
         params_4: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit: Hit;
+        let mut hit_3: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_6.reads));
@@ -1874,12 +2035,12 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_path_height(path_22, _e8);
         let rise_m = ((_e10 - _e11) * path_22.metric.w());
         let _e26 = self.v_hit_on_path(path_22, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_6.reads) + rt::Scalar(1u32)));
-        hit = _e26;
-        let _e29 = rt::Scalar(hit.found);
+        hit_3 = _e26;
+        let _e29 = rt::Scalar(hit_3.found);
         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit.height) = _e10;
+            rt::Scalar(hit_3.height) = _e10;
         }
-        let _e33 = hit;
+        let _e33 = hit_3;
         return _e33;
     }
     pub(crate) fn refine_patch(
@@ -1900,7 +2061,7 @@ impl<'g> Resources<'g> {
         let mut t_10: rt::Scalar<f32>;
         let mut cell_10: rt::Vec2<f32>;
         let mut reads_6: rt::Scalar<u32>;
-        let mut local_14: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_7.reads));
@@ -1932,9 +2093,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e40 = cell_10;
                     let _e41 = self.v_cell_leave(_e22, _e40);
-                    let end = _e41.x().min(_e41.y()).min(rt::Scalar(found_7.far));
+                    let end_1 = _e41.x().min(_e41.y()).min(rt::Scalar(found_7.far));
                     let _e47 = t_10;
-                    let span_4 = (end - _e47).max(rt::Scalar(0f32));
+                    let span_4 = (end_1 - _e47).max(rt::Scalar(0f32));
                     let _e51 = cell_10;
                     let _e52 = t_10;
                     let _e53 = self.v_cell_gap(path_23, _e22, _e51, _e52);
@@ -1953,13 +2114,13 @@ impl<'g> Resources<'g> {
                         let _e71 = self.v_hit_on_path(path_23, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
-                    if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_7.far))) {
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(found_7.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_14 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
+                            local_15 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_14 = rt::Scalar(true);
+                            local_15 = rt::Scalar(true);
                         }
-                        let _e84 = local_14;
+                        let _e84 = local_15;
                         if rt::Scalar::into_branch_condition(_e84) {
                             let _e87 = reads_6;
                             let _e88 = self.v_hit_on_path(path_23, rt::Scalar(found_7.far), rt::Scalar(0u32), _e87);
@@ -1973,7 +2134,7 @@ impl<'g> Resources<'g> {
                     let _e92 = self.v_cell_next(_e22, _e91, _e41);
                     cell_10 = _e92;
                     let _e93 = t_10;
-                    t_10 = _e93.max(end);
+                    t_10 = _e93.max(end_1);
                 }
             }
         }
@@ -2334,25 +2495,6 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn toward_light(
-        &self,
-        light: Light,
-        position: impl rt::Into<rt::Vec3<f32>>,
-    ) -> Toward {
-        rt::into(self.v_toward_light(light, rt::into(position)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_toward_light(
-        &self,
-        light: Light,
-        position: rt::Vec3<f32>,
-    ) -> Toward {
-        if rt::Scalar::into_branch_condition(light.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_2 = (light.place.xyz() - position);
-            return <Toward>::new(toward_2.normalize(), (rt::Scalar(1f32) / toward_2.dot(toward_2).max(rt::Scalar(0.000001f32))));
-        }
-        return <Toward>::new(light.place.xyz().normalize(), rt::Scalar(1f32));
-    }
     pub(crate) fn whole_power(
         &self,
         base: impl rt::Into<rt::Scalar<f32>>,
@@ -2459,8 +2601,9 @@ impl<'g> Resources<'g> {
         normal_2: impl rt::Into<rt::Vec3<f32>>,
         view_2: impl rt::Into<rt::Vec3<f32>>,
         color_3: impl rt::Into<rt::Vec3<f32>>,
+        visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_3)))
+        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_3), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
@@ -2469,38 +2612,40 @@ impl<'g> Resources<'g> {
         normal_2: rt::Vec3<f32>,
         view_2: rt::Vec3<f32>,
         color_3: rt::Vec3<f32>,
+        visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        let mut light_1: rt::Vec3<f32>;
+        let mut light_2: rt::Vec3<f32>;
         let mut k_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e6 = self.surface_settings.diffuse;
-        let diffuse = (_e6.xyz() * color_3);
-        let _e11 = self.frame.ambient;
-        light_1 = (_e11.xyz() * diffuse);
+        let _e7 = self.surface_settings.diffuse;
+        let diffuse = (_e7.xyz() * color_3);
+        let _e12 = self.frame.ambient;
+        light_2 = (_e12.xyz() * diffuse);
         'naga_break: loop {
             'naga_continue: {
-                let _e17 = k_4;
-                let _e20 = rt::Scalar(self.frame.light_count);
-                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(_e20)) {
+                let _e18 = k_4;
+                let _e21 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(_e21)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = k_4;
-                    let _e26 = self.frame.lights[rt::Scalar::into_array_index(_e24)];
-                    let _e27 = self.v_toward_light(_e26, position_1);
-                    let _e29 = self.v_shade_stage(normal_2, view_2, _e27.direction, diffuse);
-                    let _e30 = light_1;
-                    let _e33 = k_4;
-                    let _e36 = self.frame.lights[rt::Scalar::into_array_index(_e33)].color;
-                    light_1 = (_e30 + ((_e29 * _e36.xyz()) * rt::Scalar(_e27.falloff)));
-                    let _e42 = k_4;
-                    k_4 = (_e42 + rt::Scalar(1u32));
+                    let _e25 = k_4;
+                    let _e27 = self.frame.lights[rt::Scalar::into_array_index(_e25)];
+                    let _e28 = self.v_toward_light(_e27, position_1);
+                    let _e30 = self.v_shade_stage(normal_2, view_2, _e28.direction, diffuse);
+                    let _e31 = light_2;
+                    let _e34 = k_4;
+                    let _e37 = self.frame.lights[rt::Scalar::into_array_index(_e34)].color;
+                    let _e41 = k_4;
+                    light_2 = (_e31 + ((_e30 * _e37.xyz()) * (rt::Scalar(_e28.falloff) * visible[rt::Scalar::into_array_index(_e41)].x())));
+                    let _e47 = k_4;
+                    k_4 = (_e47 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e45 = light_1;
-        return _e45;
+        let _e50 = light_2;
+        return _e50;
     }
     pub(crate) fn search_cells(
         &self,
@@ -2533,14 +2678,14 @@ impl<'g> Resources<'g> {
                 {
                     let _e14 = cell_11;
                     let _e15 = self.v_cell_leave(_e2, _e14);
-                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_29.exit));
+                    let end_2 = _e15.x().min(_e15.y()).min(rt::Scalar(path_29.exit));
                     let _e21 = cell_11;
                     let _e22 = t_14;
                     let _e23 = self.v_cell_gap(path_29, _e2, _e21, _e22);
                     let _e24 = reads_10;
                     reads_10 = (_e24 + rt::Scalar(1u32));
                     let _e27 = t_14;
-                    let span_5 = (end_1 - _e27).max(rt::Scalar(0f32));
+                    let span_5 = (end_2 - _e27).max(rt::Scalar(0f32));
                     let _e31 = t_14;
                     let _e32 = reads_10;
                     let _e35 = reads_10;
@@ -2548,7 +2693,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e36;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_29.exit))) {
+                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(path_29.exit))) {
                         let _e43 = t_14;
                         let _e47 = reads_10;
                         return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_29.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
@@ -2557,7 +2702,7 @@ impl<'g> Resources<'g> {
                     let _e50 = self.v_cell_next(_e2, _e49, _e15);
                     cell_11 = _e50;
                     let _e51 = t_14;
-                    t_14 = _e51.max(end_1);
+                    t_14 = _e51.max(end_2);
                 }
             }
         }
@@ -2587,7 +2732,7 @@ impl<'g> Resources<'g> {
         t_15: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_15: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
         let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_1 = (rt::Scalar(path_30.exit) - t_15);
@@ -2602,25 +2747,25 @@ impl<'g> Resources<'g> {
             most = _e34.min((height_1 / (rt::Scalar(0f32) - rise_2)));
         }
         let _e39 = most;
-        let end_2 = (t_15 + _e39);
+        let end_3 = (t_15 + _e39);
         let _e51 = self.v_height_size();
-        let far_4 = (((grid_7.origin.abs() + (grid_7.step.abs() * end_2)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
-        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_30.h.x().abs() + (end_2 * (path_30.h.y().abs() + (end_2 * path_30.h.z().abs())))));
+        let far_4 = (((grid_7.origin.abs() + (grid_7.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
+        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_30.h.x().abs() + (end_3 * (path_30.h.y().abs() + (end_3 * path_30.h.z().abs())))));
         let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_4.x() + far_4.y())));
-        let gap_1 = (height_1 - (rt::Scalar(2f32) * lost_1));
+        let gap_2 = (height_1 - (rt::Scalar(2f32) * lost_1));
         let _e83 = self.v_height_size();
-        let aside = (((grid_7.origin - offset) + (grid_7.step * t_15)) / _e83);
-        let c_5 = (((slope_1 * aside.length()) - gap_1) * ((slope_1 * aside.length()) + gap_1));
-        if rt::Scalar::into_branch_condition((!gap_1.elementwise_le(rt::Scalar(0f32)))) {
-            local_15 = c_5.elementwise_ge(rt::Scalar(0f32));
+        let aside_1 = (((grid_7.origin - offset) + (grid_7.step * t_15)) / _e83);
+        let c_5 = (((slope_1 * aside_1.length()) - gap_2) * ((slope_1 * aside_1.length()) + gap_2));
+        if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
+            local_16 = c_5.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_15 = rt::Scalar(true);
+            local_16 = rt::Scalar(true);
         }
-        let _e100 = local_15;
+        let _e100 = local_16;
         if rt::Scalar::into_branch_condition(_e100) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_1 * slope_1) * aside.dot(path_30.duv)) - (gap_1 * rise_2));
+        let b_3 = (((slope_1 * slope_1) * aside_1.dot(path_30.duv)) - (gap_2 * rise_2));
         let a_3 = (((slope_1 * slope_1) * path_30.duv.dot(path_30.duv)) - (rise_2 * rise_2));
         let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
@@ -2638,7 +2783,7 @@ impl<'g> Resources<'g> {
         leave_3 = _e133.min(_e134);
         let _e137 = leave_3;
         let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_1 * (aside + (path_30.duv * _e137)).length()) + lost_1).elementwise_le((height_1 + (rise_2 * _e143)))) {
+        if rt::Scalar::into_branch_condition(((slope_1 * (aside_1 + (path_30.duv * _e137)).length()) + lost_1).elementwise_le((height_1 + (rise_2 * _e143)))) {
             let _e147 = leave_3;
             return _e147;
         }
@@ -2683,13 +2828,13 @@ impl<'g> Resources<'g> {
                     reads_11 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_12;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_3 = _e29.x().min(_e29.y()).min(rt::Scalar(path_31.exit));
+                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_31.exit));
                     let _e35 = t_16;
-                    let span_6 = (end_3 - _e35).max(rt::Scalar(0f32));
+                    let span_6 = (end_4 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_12;
                     let _e43 = t_16;
-                    let at_6 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let _e46 = self.v_nearest_corner(at_6);
+                    let at_13 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let _e46 = self.v_nearest_corner(at_13);
                     let _e47 = self.v_corner_height(_e24, _e46);
                     let _e48 = t_16;
                     next_1 = _e48;
@@ -2709,7 +2854,7 @@ impl<'g> Resources<'g> {
                         }
                     }
                     let _e65 = next_1;
-                    if rt::Scalar::into_branch_condition(_e65.elementwise_lt(end_3)) {
+                    if rt::Scalar::into_branch_condition(_e65.elementwise_lt(end_4)) {
                         let _e67 = cell_12;
                         let _e68 = t_16;
                         let _e69 = self.v_gap_to(path_31, _e2, _e67, _e24, _e68);
@@ -2720,7 +2865,7 @@ impl<'g> Resources<'g> {
                             return _e72;
                         }
                         let _e76 = t_16;
-                        next_1 = _e76.max(end_3);
+                        next_1 = _e76.max(end_4);
                     }
                     let _e78 = next_1;
                     if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_31.exit))) {
@@ -2759,9 +2904,9 @@ impl<'g> Resources<'g> {
         let mut near_gap_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_16: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
 
-        let aside_1 = path_32.duv.length();
+        let aside_2 = path_32.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_5;
@@ -2777,11 +2922,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
                         let _e24 = t_17;
                         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(rt::Scalar(0f32))) {
-                            local_16 = _e18.elementwise_lt(rt::Scalar(0f32));
+                            local_17 = _e18.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_16 = rt::Scalar(false);
+                            local_17 = rt::Scalar(false);
                         }
-                        let _e32 = local_16;
+                        let _e32 = local_17;
                         if rt::Scalar::into_branch_condition(_e32) {
                             let _e34 = reads_12;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e18, _e18, _e34);
@@ -2812,7 +2957,7 @@ impl<'g> Resources<'g> {
                     let terms_1 = (path_32.h.x().abs() + (rt::Scalar(path_32.exit) * (path_32.h.y().abs() + (rt::Scalar(path_32.exit) * path_32.h.z().abs()))));
                     let far_5 = (((path_32.uv.abs() + (path_32.duv.abs() * rt::Scalar(path_32.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e48);
                     let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_5.x()) + far_5.y()));
-                    let closing_2 = (((_e48 * aside_1) - rise_3) * rt::Scalar(1.000001f32));
+                    let closing_2 = (((_e48 * aside_2) - rise_3) * rt::Scalar(1.000001f32));
                     if rt::Scalar::into_branch_condition(closing_2.elementwise_le(rt::Scalar(0f32))) {
                         let _e105 = t_17;
                         let _e107 = reads_12;
@@ -2856,10 +3001,10 @@ impl<'g> Resources<'g> {
         let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_2: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_17: rt::Scalar<bool>;
         let mut local_18: rt::Scalar<bool>;
         let mut local_19: rt::Scalar<bool>;
         let mut local_20: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_33);
         let _e5 = self.surface_settings.height_size;
@@ -2878,9 +3023,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = cell_13;
                     let _e26 = self.v_cell_leave(_e2, _e25);
-                    let end_4 = _e26.x().min(_e26.y()).min(rt::Scalar(path_33.exit));
+                    let end_5 = _e26.x().min(_e26.y()).min(rt::Scalar(path_33.exit));
                     let _e32 = t_18;
-                    let span_7 = (end_4 - _e32).max(rt::Scalar(0f32));
+                    let span_7 = (end_5 - _e32).max(rt::Scalar(0f32));
                     let _e36 = t_18;
                     next_2 = _e36;
                     looks = params_14.y().elementwise_gt(rt::Scalar(0.5f32));
@@ -2889,11 +3034,11 @@ impl<'g> Resources<'g> {
                     let _e48 = cell_13.y();
                     let _e51 = self.v_image_of(_e48.cast_elem_as_i32(), n_7.y());
                     if rt::Scalar::into_branch_condition((!_e46.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_17 = _e51.y().elementwise_eq(rt::Scalar(2i32));
+                        local_18 = _e51.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_17 = rt::Scalar(true);
+                        local_18 = rt::Scalar(true);
                     }
-                    let _e62 = local_17;
+                    let _e62 = local_18;
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
@@ -2911,50 +3056,50 @@ impl<'g> Resources<'g> {
                         let _e99 = self.v_path_height(path_33, _e98);
                         let _e105 = t_18;
                         let _e106 = self.v_path_slope(path_33, _e105);
-                        let gap_2 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e106, path_33.h.z());
-                        if rt::Scalar::into_branch_condition(gap_2.x().elementwise_gt(rt::Scalar(0f32))) {
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e106, path_33.h.z());
+                        if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e113 = t_18;
                             safe_ = _e113;
                             let _e114 = t_18;
                             next_2 = (_e114 + reach);
-                            let _e116 = self.v_least_at(gap_2, reach);
-                            let _e117 = self.v_quadratic(gap_2, _e116);
+                            let _e116 = self.v_least_at(gap_3, reach);
+                            let _e117 = self.v_quadratic(gap_3, _e116);
                             if rt::Scalar::into_branch_condition(_e117.elementwise_le(rt::Scalar(0f32))) {
                                 let _e120 = t_18;
-                                let _e121 = self.v_first_root(gap_2, reach);
+                                let _e121 = self.v_first_root(gap_3, reach);
                                 next_2 = (_e120 + _e121.min(reach));
                             }
                         }
                         let _e124 = looks;
                         if rt::Scalar::into_branch_condition((!_e124)) {
                             let _e128 = next_2;
-                            local_18 = _e128.elementwise_lt(end_4);
-                        } else {
-                            local_18 = rt::Scalar(false);
-                        }
-                        let _e131 = local_18;
-                        if rt::Scalar::into_branch_condition(_e131) {
-                            let _e134 = self.v_path_height(path_33, end_4);
-                            local_19 = _e134.elementwise_lt(_e70.x());
+                            local_19 = _e128.elementwise_lt(end_5);
                         } else {
                             local_19 = rt::Scalar(false);
                         }
-                        let _e138 = local_19;
+                        let _e131 = local_19;
+                        if rt::Scalar::into_branch_condition(_e131) {
+                            let _e134 = self.v_path_height(path_33, end_5);
+                            local_20 = _e134.elementwise_lt(_e70.x());
+                        } else {
+                            local_20 = rt::Scalar(false);
+                        }
+                        let _e138 = local_20;
                         if rt::Scalar::into_branch_condition(_e138) {
                             let _e139 = safe_;
                             let _e140 = reads_13;
-                            let _e141 = self.v_bracket_between(path_33, _e139, end_4, _e140);
+                            let _e141 = self.v_bracket_between(path_33, _e139, end_5, _e140);
                             return _e141;
                         }
                     }
                     let _e142 = next_2;
-                    if rt::Scalar::into_branch_condition((!_e142.elementwise_lt(end_4))) {
+                    if rt::Scalar::into_branch_condition((!_e142.elementwise_lt(end_5))) {
                         let _e147 = t_18;
-                        local_20 = (!end_4.elementwise_gt(_e147));
+                        local_21 = (!end_5.elementwise_gt(_e147));
                     } else {
-                        local_20 = rt::Scalar(true);
+                        local_21 = rt::Scalar(true);
                     }
-                    let _e151 = local_20;
+                    let _e151 = local_21;
                     if rt::Scalar::into_branch_condition(_e151) {
                         let _e152 = looks;
                         if rt::Scalar::into_branch_condition(_e152) {
@@ -2974,7 +3119,7 @@ impl<'g> Resources<'g> {
                             }
                         }
                         let _e171 = t_18;
-                        next_2 = _e171.max(end_4);
+                        next_2 = _e171.max(end_5);
                     }
                     let _e173 = next_2;
                     if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_33.exit))) {
@@ -3017,17 +3162,17 @@ impl<'g> Resources<'g> {
         span_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let rise_4 = (slope_2 * speed.abs());
-        let gap_3 = ((above_1.x() + (slope_2 * left)) - lost);
-        if rt::Scalar::into_branch_condition(gap_3.elementwise_le(rt::Scalar(0f32))) {
+        let gap_4 = ((above_1.x() + (slope_2 * left)) - lost);
+        if rt::Scalar::into_branch_condition(gap_4.elementwise_le(rt::Scalar(0f32))) {
             return rt::Scalar(0f32);
         }
         let closing_3 = ((rise_4 - above_1.y()) + (rt::Scalar(0.0000009536743f32) * (rise_4 + above_1.y().abs())));
         if rt::Scalar::into_branch_condition(above_1.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_3, (rt::Scalar(0f32) - closing_3), above_1.z()), span_3);
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_4, (rt::Scalar(0f32) - closing_3), above_1.z()), span_3);
             return _e30;
         }
         if rt::Scalar::into_branch_condition(closing_3.elementwise_gt(rt::Scalar(0f32))) {
-            return (gap_3 / closing_3);
+            return (gap_4 / closing_3);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
@@ -3049,7 +3194,7 @@ impl<'g> Resources<'g> {
         let mut reads_14: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_3: rt::Scalar<f32>;
         let mut slope_3: rt::Scalar<f32>;
-        let mut local_21: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_34);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -3072,31 +3217,31 @@ impl<'g> Resources<'g> {
                     reads_14 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_14;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_5 = _e29.x().min(_e29.y()).min(rt::Scalar(path_34.exit));
+                    let end_6 = _e29.x().min(_e29.y()).min(rt::Scalar(path_34.exit));
                     let _e35 = t_19;
-                    let span_8 = (end_5 - _e35).max(rt::Scalar(0f32));
+                    let span_8 = (end_6 - _e35).max(rt::Scalar(0f32));
                     let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
                     let _e46 = t_19;
                     let _e47 = self.v_path_height(path_34, _e46);
                     let _e49 = t_19;
                     let _e50 = self.v_path_slope(path_34, _e49);
-                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_34.h.z());
+                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_34.h.z());
                     let _e57 = t_19;
                     let _e61 = t_19;
                     let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_34.h.x().abs() + (_e57 * (path_34.h.y().abs() + (_e61 * path_34.h.z().abs())))));
                     let _e71 = t_19;
-                    next_3 = _e71.max(end_5);
+                    next_3 = _e71.max(end_6);
                     slope_3 = rt::Scalar(-1f32);
-                    let _e76 = self.v_least_at(above_3, span_8);
-                    let _e77 = self.v_quadratic(above_3, _e76);
+                    let _e76 = self.v_least_at(above_4, span_8);
+                    let _e77 = self.v_quadratic(above_4, _e76);
                     if rt::Scalar::into_branch_condition(_e77.elementwise_gt(of_heights_1)) {
-                        local_21 = above_3.x().elementwise_gt(of_heights_1);
+                        local_22 = above_4.x().elementwise_gt(of_heights_1);
                     } else {
-                        local_21 = rt::Scalar(false);
+                        local_22 = rt::Scalar(false);
                     }
-                    let _e84 = local_21;
+                    let _e84 = local_22;
                     if rt::Scalar::into_branch_condition(_e84) {
-                        if rt::Scalar::into_branch_condition(end_5.elementwise_lt(rt::Scalar(path_34.exit))) {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_34.exit))) {
                             let _e87 = cell_14;
                             let _e89 = self.v_frustum_slope(path_34, _e87.cast_elem_as_i32(), forward_5);
                             slope_3 = _e89;
@@ -3119,8 +3264,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
                         let _e111 = cell_14;
                         let _e114 = t_19;
-                        let at_7 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_2 = at_7.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_7), forward_5);
+                        let at_14 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_2 = at_14.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_14), forward_5);
                         let _e126 = t_19;
                         let far_6 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e134 = slope_3;
@@ -3128,9 +3273,9 @@ impl<'g> Resources<'g> {
                         let _e140 = t_19;
                         let rest_3 = (rt::Scalar(path_34.exit) - _e140);
                         let _e142 = slope_3;
-                        let _e147 = self.v_stays_above(above_3, _e142, left_2.x(), _e2.step.x(), lost_3.x(), rest_3);
+                        let _e147 = self.v_stays_above(above_4, _e142, left_2.x(), _e2.step.x(), lost_3.x(), rest_3);
                         let _e148 = slope_3;
-                        let _e153 = self.v_stays_above(above_3, _e148, left_2.y(), _e2.step.y(), lost_3.y(), rest_3);
+                        let _e153 = self.v_stays_above(above_4, _e148, left_2.y(), _e2.step.y(), lost_3.y(), rest_3);
                         let _e154 = next_3;
                         let _e155 = t_19;
                         next_3 = _e154.max((_e155 + _e147.min(_e153)));
@@ -3257,10 +3402,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_16: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_22: rt::Scalar<bool>;
         let mut local_23: rt::Scalar<bool>;
         let mut local_24: rt::Scalar<bool>;
         let mut local_25: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_37);
         let _e5 = self.surface_settings.height_size;
@@ -3307,24 +3452,24 @@ impl<'g> Resources<'g> {
                         let _e75 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e75.elementwise_ne((place_3.x() >> above_level)))) {
                             let _e83 = parent.y();
-                            local_23 = _e83.elementwise_ne((place_3.y() >> above_level));
+                            local_24 = _e83.elementwise_ne((place_3.y() >> above_level));
                         } else {
-                            local_23 = rt::Scalar(true);
+                            local_24 = rt::Scalar(true);
                         }
-                        let _e88 = local_23;
-                        local_22 = _e88;
+                        let _e88 = local_24;
+                        local_23 = _e88;
                     } else {
-                        local_22 = rt::Scalar(false);
+                        local_23 = rt::Scalar(false);
                     }
-                    let left_3 = local_22;
+                    let left_3 = local_23;
                     if rt::Scalar::into_branch_condition(left_3) {
                         let _e93 = level_2;
                         let _e94 = top;
-                        local_24 = _e93.elementwise_lt(_e94);
+                        local_25 = _e93.elementwise_lt(_e94);
                     } else {
-                        local_24 = rt::Scalar(false);
+                        local_25 = rt::Scalar(false);
                     }
-                    let _e97 = local_24;
+                    let _e97 = local_25;
                     if rt::Scalar::into_branch_condition(_e97) {
                         level_2 = above_level;
                     }
@@ -3336,9 +3481,9 @@ impl<'g> Resources<'g> {
                     let _e107 = self.v_node_extent(_e104, _e61, n_8.y(), _e106);
                     let _e112 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e102);
                     let _e117 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e107);
-                    let end_6 = _e112.min(_e117).min(rt::Scalar(path_37.exit));
+                    let end_7 = _e112.min(_e117).min(rt::Scalar(path_37.exit));
                     let _e121 = t_20;
-                    let span_9 = (end_6 - _e121).max(rt::Scalar(0f32));
+                    let span_9 = (end_7 - _e121).max(rt::Scalar(0f32));
                     let low_1 = <rt::Vec2<i32>>::from_scalars(_e102.x(), _e107.x());
                     let last_1 = <rt::Vec2<i32>>::from_scalars((_e102.y() - rt::Scalar(1i32)), (_e107.y() - rt::Scalar(1i32)));
                     let _e135 = reads_16;
@@ -3370,19 +3515,19 @@ impl<'g> Resources<'g> {
                         let _e186 = self.v_path_height(path_37, _e185);
                         let _e191 = t_20;
                         let _e192 = self.v_path_slope(path_37, _e191);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e186 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e192, path_37.h.z());
-                        if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e202 = self.v_least_at(gap_4, span_9);
-                            let _e203 = self.v_quadratic(gap_4, _e202);
-                            local_25 = _e203.elementwise_le(rt::Scalar(0f32));
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e186 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e192, path_37.h.z());
+                        if rt::Scalar::into_branch_condition((!gap_5.x().elementwise_le(rt::Scalar(0f32)))) {
+                            let _e202 = self.v_least_at(gap_5, span_9);
+                            let _e203 = self.v_quadratic(gap_5, _e202);
+                            local_26 = _e203.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_25 = rt::Scalar(true);
+                            local_26 = rt::Scalar(true);
                         }
-                        let _e207 = local_25;
+                        let _e207 = local_26;
                         if rt::Scalar::into_branch_condition(_e207) {
-                            if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
+                            if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e211 = t_20;
-                                let _e212 = self.v_first_root(gap_4, span_9);
+                                let _e212 = self.v_first_root(gap_5, span_9);
                                 t_20 = (_e211 + _e212.min(span_9));
                             }
                             let _e217 = t_20;
@@ -3394,24 +3539,24 @@ impl<'g> Resources<'g> {
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_37.exit))) {
+                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_37.exit))) {
                         let _e232 = t_20;
                         let _e234 = reads_16;
                         return <Found>::new(FOUND_MISS, _e232, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e234);
                     }
-                    let _e242 = self.v_cell_of((_e2.origin + (_e2.step * end_6)));
+                    let _e242 = self.v_cell_of((_e2.origin + (_e2.step * end_7)));
                     cell_15 = _e242.cast_elem_as_i32().clamp(low_1, last_1);
-                    if rt::Scalar::into_branch_condition(_e112.elementwise_le(end_6)) {
+                    if rt::Scalar::into_branch_condition(_e112.elementwise_le(end_7)) {
                         cell_15.set_x((low_1.x() - rt::Scalar(1i32)).select(_e102.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_6)) {
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_7)) {
                         cell_15.set_y((low_1.y() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e268 = level_2;
                     let _e273 = level_2;
                     parent = <rt::Vec2<i32>>::from_scalars((place_3.x() >> (_e268 + rt::Scalar(1u32))), (place_3.y() >> (_e273 + rt::Scalar(1u32))));
                     let _e278 = t_20;
-                    t_20 = _e278.max(end_6);
+                    t_20 = _e278.max(end_7);
                 }
             }
         }
@@ -3434,18 +3579,18 @@ impl<'g> Resources<'g> {
         n_3: rt::Scalar<i32>,
         level_3: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_26: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_3);
         let first_5 = ((_e3 >> level_3) << level_3);
         let last_2 = (first_5 + (rt::Scalar(1i32) << level_3)).min(n_3);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_26 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_27 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_26 = rt::Scalar(true);
+            local_27 = rt::Scalar(true);
         }
-        let _e20 = local_26;
+        let _e20 = local_27;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
         }
@@ -3540,17 +3685,17 @@ impl<'g> Resources<'g> {
                     let _e85 = self.v_leaves_texels(origin_2.y(), step_2.y(), _e79);
                     let leave_6 = <rt::Vec2<f32>>::from_scalars(_e82, _e85);
                     let _e92 = t_21;
-                    let end_7 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_38.exit)).max(_e92);
+                    let end_8 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_38.exit)).max(_e92);
                     let _e94 = t_21;
                     let _e95 = self.v_path_height(path_38, _e94);
                     let _e96 = highest;
                     let _e98 = t_21;
                     let _e99 = self.v_path_slope(path_38, _e98);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_38.h.z());
+                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_38.h.z());
                     sinks = rt::Scalar(0f32);
-                    if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
+                    if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e108 = t_21;
-                        let _e110 = self.v_first_root(gap_5, (end_7 - _e108));
+                        let _e110 = self.v_first_root(gap_6, (end_8 - _e108));
                         sinks = _e110;
                     }
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e74.x(), _e79.x());
@@ -3572,20 +3717,20 @@ impl<'g> Resources<'g> {
                         let _e143 = self.v_cell_of((origin_2 + (step_2 * _e140)));
                         texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_3);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_38.exit))) {
+                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_38.exit))) {
                             let _e149 = t_21;
                             let _e151 = reads_17;
                             return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                         }
-                        let _e157 = self.v_cell_of((origin_2 + (step_2 * end_7)));
+                        let _e157 = self.v_cell_of((origin_2 + (step_2 * end_8)));
                         texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_3);
-                        if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_7)) {
+                        if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_8)) {
                             texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_2.x().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_7)) {
+                        if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_8)) {
                             texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e79.y(), step_2.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_21 = end_7;
+                        t_21 = end_8;
                     }
                 }
             }
@@ -3612,15 +3757,15 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_18: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_28: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_39);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_2 = path_39.duv.length();
+        let aside_3 = path_39.duv.length();
         let _e11 = self.v_path_slope(path_39, rt::Scalar(0f32));
         let terms_2 = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * path_39.h.y().abs()));
         let _e32 = self.v_height_size();
@@ -3638,9 +3783,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e49 = cell_16;
                     let _e50 = self.v_cell_leave(_e2, _e49);
-                    let end_8 = _e50.x().min(_e50.y()).min(rt::Scalar(path_39.exit));
+                    let end_9 = _e50.x().min(_e50.y()).min(rt::Scalar(path_39.exit));
                     let _e56 = t_22;
-                    let span_10 = (end_8 - _e56).max(rt::Scalar(0f32));
+                    let span_10 = (end_9 - _e56).max(rt::Scalar(0f32));
                     let _e60 = cell_16;
                     let _e61 = cell_16;
                     let _e63 = self.v_height_cell(_e61.cast_elem_as_i32());
@@ -3653,11 +3798,11 @@ impl<'g> Resources<'g> {
                         let _e73 = t_22;
                         if rt::Scalar::into_branch_condition(_e72.elementwise_lt(_e73)) {
                             let _e77 = near_gap_4;
-                            local_27 = _e77.elementwise_gt(rt::Scalar(0f32));
+                            local_28 = _e77.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_27 = rt::Scalar(false);
+                            local_28 = rt::Scalar(false);
                         }
-                        let _e81 = local_27;
+                        let _e81 = local_28;
                         if rt::Scalar::into_branch_condition(_e81) {
                             let _e82 = near_6;
                             let _e83 = t_22;
@@ -3684,7 +3829,7 @@ impl<'g> Resources<'g> {
                             return _e106;
                         }
                         let _e110 = t_22;
-                        start = _e110.max(end_8);
+                        start = _e110.max(end_9);
                         gap = rt::Scalar(_e106.far_gap);
                     }
                     let _e113 = start;
@@ -3707,7 +3852,7 @@ impl<'g> Resources<'g> {
                     let _e139 = start;
                     next_4 = _e139;
                     if rt::Scalar::into_branch_condition(_e135.elementwise_ge(rt::Scalar(0f32))) {
-                        let closing_4 = (((_e135 * aside_2) - _e11) * rt::Scalar(1.000001f32));
+                        let closing_4 = (((_e135 * aside_3) - _e11) * rt::Scalar(1.000001f32));
                         let _e147 = gap;
                         let room = (_e147 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e135 * (far_7.x() + far_7.y())))));
                         next_4 = rt::Scalar(300000000000000000000000000000000000000f32);
@@ -3719,11 +3864,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_20.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e169 = next_4;
                         let _e170 = t_22;
-                        local_28 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_39.exit))));
+                        local_29 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_39.exit))));
                     } else {
-                        local_28 = rt::Scalar(false);
+                        local_29 = rt::Scalar(false);
                     }
-                    let _e178 = local_28;
+                    let _e178 = local_29;
                     if rt::Scalar::into_branch_condition(_e178) {
                         let _e180 = t_22;
                         let _e182 = gap;
@@ -3777,7 +3922,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_19: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
         let mut next_5: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_40);
@@ -3799,9 +3944,9 @@ impl<'g> Resources<'g> {
                     reads_19 = (_e26 + rt::Scalar(1u32));
                     let _e29 = cell_17;
                     let _e30 = self.v_cell_leave(_e2, _e29);
-                    let end_9 = _e30.x().min(_e30.y()).min(rt::Scalar(path_40.exit));
+                    let end_10 = _e30.x().min(_e30.y()).min(rt::Scalar(path_40.exit));
                     let _e36 = t_23;
-                    let span_11 = (end_9 - _e36).max(rt::Scalar(0f32));
+                    let span_11 = (end_10 - _e36).max(rt::Scalar(0f32));
                     let _e40 = cell_17;
                     let _e41 = t_23;
                     let _e42 = self.v_gap_to(path_40, _e2, _e40, _e25, _e41);
@@ -3810,11 +3955,11 @@ impl<'g> Resources<'g> {
                         let _e47 = t_23;
                         if rt::Scalar::into_branch_condition(_e46.elementwise_lt(_e47)) {
                             let _e51 = near_gap_5;
-                            local_29 = _e51.elementwise_gt(rt::Scalar(0f32));
+                            local_30 = _e51.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_29 = rt::Scalar(false);
+                            local_30 = rt::Scalar(false);
                         }
-                        let _e55 = local_29;
+                        let _e55 = local_30;
                         if rt::Scalar::into_branch_condition(_e55) {
                             let _e56 = near_7;
                             let _e57 = t_23;
@@ -3837,19 +3982,19 @@ impl<'g> Resources<'g> {
                         return _e73;
                     }
                     let _e77 = t_23;
-                    let start_1 = _e77.max(end_9);
-                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_40.exit))) {
+                    let start_2 = _e77.max(end_10);
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_40.exit))) {
                         let _e82 = t_23;
                         let _e84 = reads_19;
                         return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
                     }
-                    near_7 = start_1;
+                    near_7 = start_2;
                     near_gap_5 = rt::Scalar(_e73.far_gap);
                     let _e90 = cell_17;
-                    let _e95 = self.v_nearest_corner(((_e2.origin - _e90) + (_e2.step * start_1)));
+                    let _e95 = self.v_nearest_corner(((_e2.origin - _e90) + (_e2.step * start_2)));
                     let _e96 = self.v_corner_height(_e25, _e95);
-                    next_5 = start_1;
-                    let _e98 = self.v_path_height(path_40, start_1);
+                    next_5 = start_2;
+                    let _e98 = self.v_path_height(path_40, start_2);
                     if rt::Scalar::into_branch_condition(_e98.elementwise_gt(_e96)) {
                         let _e100 = cell_17;
                         let texel_6 = (_e100 + _e95);
@@ -3857,8 +4002,8 @@ impl<'g> Resources<'g> {
                         let _e103 = reads_19;
                         reads_19 = (_e103 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e102.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e108 = self.v_stays_inside(path_40, _e2, texel_6, _e96, _e102, start_1);
-                            next_5 = (start_1 + _e108);
+                            let _e108 = self.v_stays_inside(path_40, _e2, texel_6, _e96, _e102, start_2);
+                            next_5 = (start_2 + _e108);
                         }
                     }
                     let _e110 = next_5;
@@ -3869,11 +4014,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e114.elementwise_le(rt::Scalar(0f32))) {
                             let _e121 = near_gap_5;
                             let _e122 = reads_19;
-                            let _e123 = self.v_entered_once(path_40, _e2, start_1, rt::Scalar(path_40.exit), _e121, _e114, _e122);
+                            let _e123 = self.v_entered_once(path_40, _e2, start_2, rt::Scalar(path_40.exit), _e121, _e114, _e122);
                             return _e123;
                         }
                         let _e126 = reads_19;
-                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
+                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
                     }
                     let _e130 = cell_17;
                     let _e131 = next_5;
@@ -3905,7 +4050,7 @@ impl<'g> Resources<'g> {
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_20: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_6: rt::Scalar<f32>;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_41);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -3929,9 +4074,9 @@ impl<'g> Resources<'g> {
                 {
                     let _e61 = cell_18;
                     let _e62 = self.v_cell_leave(_e2, _e61);
-                    let end_10 = _e62.x().min(_e62.y()).min(rt::Scalar(path_41.exit));
+                    let end_11 = _e62.x().min(_e62.y()).min(rt::Scalar(path_41.exit));
                     let _e68 = t_24;
-                    let span_12 = (end_10 - _e68).max(rt::Scalar(0f32));
+                    let span_12 = (end_11 - _e68).max(rt::Scalar(0f32));
                     let _e72 = t_24;
                     let _e73 = self.v_path_uv(path_41, _e72);
                     let _e74 = t_24;
@@ -3956,13 +4101,13 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e107 = next_6;
-                        if rt::Scalar::into_branch_condition((!_e107.elementwise_lt(end_10))) {
+                        if rt::Scalar::into_branch_condition((!_e107.elementwise_lt(end_11))) {
                             let _e112 = t_24;
-                            local_30 = (!end_10.elementwise_gt(_e112));
+                            local_31 = (!end_11.elementwise_gt(_e112));
                         } else {
-                            local_30 = rt::Scalar(true);
+                            local_31 = rt::Scalar(true);
                         }
-                        let _e116 = local_30;
+                        let _e116 = local_31;
                         if rt::Scalar::into_branch_condition(_e116) {
                             let _e117 = reads_20;
                             reads_20 = (_e117 + rt::Scalar(1u32));
@@ -3979,7 +4124,7 @@ impl<'g> Resources<'g> {
                                 return _e131;
                             }
                             let _e135 = t_24;
-                            next_6 = _e135.max(end_10);
+                            next_6 = _e135.max(end_11);
                         }
                     }
                     let _e137 = next_6;
@@ -4070,36 +4215,33 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn shade_hit(&self, pixel_2: PixelIn, at_4: Entered, hit_1: Hit) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_2, at_4, hit_1))
+    pub(crate) fn shade_hit(&self, pixel_2: PixelIn, at_7: Entered, hit_4: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_2, at_7, hit_4, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_2: PixelIn, at_4: Entered, hit_1: Hit) -> PixelOut {
-        let mut local_31: rt::Scalar<bool>;
+    fn v_shade_hit(&self, pixel_2: PixelIn, at_7: Entered, hit_4: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        let mut local_32: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_4.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_31 = rt::Scalar(hit_1.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_7.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_32 = rt::Scalar(hit_4.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_31 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e13 = local_31;
-        if rt::Scalar::into_branch_condition(_e13) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_1.reads));
+        let _e14 = local_32;
+        if rt::Scalar::into_branch_condition(_e14) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_4.reads));
         }
-        let _e41 = self.v_height_at(hit_1.uv);
-        let aside_3 = (hit_1.uv - at_4.uv);
-        let _e57 = rt::Scalar(self.surface_settings.bias_m);
-        let _e60 = rt::Scalar(self.surface_settings.scale_m);
-        let position_2 = (((at_4.point + (at_4.tangent * aside_3.x())) + (at_4.bitangent * aside_3.y())) + (at_4.normal * (_e57 + (_e60 * _e41))));
-        let _e66 = self.v_mesostructure_normal(at_4, hit_1.uv);
-        let view_3 = (pixel_2.origin - position_2).normalize();
-        let _e71 = self.v_color_or_white(hit_1.uv);
-        let _e72 = self.v_reflected_light(position_2, _e66, view_3, _e71);
-        let _e77 = self.frame.forward;
-        let depth = (position_2 - pixel_2.origin).dot(_e77.xyz());
-        let _e81 = self.v_height_size();
-        let _e87 = self.v_cell_of(((hit_1.uv * _e81) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e72, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_1.exhausted), hit_1.uv, _e41, position_2, _e66, depth, rt::Scalar(hit_1.t), _e87.cast_elem_as_i32(), rt::Scalar(hit_1.reads));
+        let _e42 = self.v_height_at(hit_4.uv);
+        let _e43 = self.v_hit_position(at_7, hit_4);
+        let _e45 = self.v_mesostructure_normal(at_7, hit_4.uv);
+        let view_3 = (pixel_2.origin - _e43).normalize();
+        let _e50 = self.v_color_or_white(hit_4.uv);
+        let _e51 = self.v_reflected_light(_e43, _e45, view_3, _e50, visible_1);
+        let _e56 = self.frame.forward;
+        let depth = (_e43 - pixel_2.origin).dot(_e56.xyz());
+        let _e60 = self.v_height_size();
+        let _e66 = self.v_cell_of(((hit_4.uv * _e60) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_4.exhausted), hit_4.uv, _e42, _e43, _e45, depth, rt::Scalar(hit_4.t), _e66.cast_elem_as_i32(), rt::Scalar(hit_4.reads));
     }
     pub(crate) fn surface_plane(
         &self,
@@ -4115,10 +4257,10 @@ impl<'g> Resources<'g> {
         params_23: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
-        let mut interval_1: rt::Vec2<f32>;
+        let mut interval_2: rt::Vec2<f32>;
 
         let a_4 = pixel_3.a.position;
         let e1_ = (pixel_3.b.position - a_4);
@@ -4132,7 +4274,7 @@ impl<'g> Resources<'g> {
         let wb = (from_a.cross(e2_).dot(n_10) / nn);
         let wc = (e1_.cross(from_a).dot(n_10) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_12 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
+        let uv_13 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
         let tangent = (((pixel_3.a.tangent * wa) + (pixel_3.b.tangent * wb)) + (pixel_3.c.tangent * wc));
         let bitangent = (((pixel_3.a.bitangent * wa) + (pixel_3.b.bitangent * wb)) + (pixel_3.c.bitangent * wc));
         let normal_3 = ((((pixel_3.a.normal * wa) + (pixel_3.b.normal * wb)) + (pixel_3.c.normal * wc)).normalize() * rt::Scalar(pixel_3.side));
@@ -4141,25 +4283,25 @@ impl<'g> Resources<'g> {
         let tt = tangent.dot(tangent);
         let tb = tangent.dot(bitangent);
         let bb = bitangent.dot(bitangent);
-        let td = tangent.dot(direction);
-        let bd = bitangent.dot(direction);
-        let area_1 = ((tt * bb) - (tb * tb));
+        let td_1 = tangent.dot(direction);
+        let bd_1 = bitangent.dot(direction);
+        let area_2 = ((tt * bb) - (tb * tb));
         let descent = (rt::Scalar(0f32) - normal_3.dot(direction));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_32 = (!area_1.elementwise_gt(rt::Scalar(0f32)));
+            local_33 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_32 = rt::Scalar(true);
+            local_33 = rt::Scalar(true);
         }
-        let _e107 = local_32;
+        let _e107 = local_33;
         if rt::Scalar::into_branch_condition(_e107) {
             valid = rt::Scalar(0u32);
         }
-        let duv = (<rt::Vec2<f32>>::from_scalars(((td * bb) - (bd * tb)), ((bd * tt) - (td * tb))) / rt::Vec2::splat_from_scalar(area_1));
+        let duv_1 = (<rt::Vec2<f32>>::from_scalars(((td_1 * bb) - (bd_1 * tb)), ((bd_1 * tt) - (td_1 * tb))) / rt::Vec2::splat_from_scalar(area_2));
         let _e120 = rt::Scalar(self.surface_settings.scale_m);
         let scale = _e120.max(rt::Scalar(0.000000001f32));
         let _e125 = rt::Scalar(self.surface_settings.bias_m);
         let base_height = ((rt::Scalar(0f32) - _e125) / scale);
-        let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
+        let slope_5 = ((rt::Scalar(0f32) - descent) / scale);
         let eye = ((rt::Scalar(0f32) - distance) * along);
         let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
         enter = top_5.max(eye);
@@ -4171,14 +4313,14 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
             let _e157 = enter;
             let _e158 = leave_4;
-            let _e160 = self.v_inside_unit(uv_12.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
-            interval_1 = _e160;
-            let _e164 = interval_1;
-            let _e165 = self.v_inside_unit(uv_12.y(), duv.y(), _e164);
-            interval_1 = _e165;
-            let _e167 = interval_1.x();
+            let _e160 = self.v_inside_unit(uv_13.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
+            interval_2 = _e160;
+            let _e164 = interval_2;
+            let _e165 = self.v_inside_unit(uv_13.y(), duv_1.y(), _e164);
+            interval_2 = _e165;
+            let _e167 = interval_2.x();
             enter = _e167;
-            let _e169 = interval_1.y();
+            let _e169 = interval_2.y();
             leave_4 = _e169;
         }
         let _e170 = leave_4;
@@ -4188,16 +4330,16 @@ impl<'g> Resources<'g> {
         }
         let _e175 = enter;
         let _e178 = enter;
-        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
+        let entry_height = (base_height + (slope_5 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
         let _e182 = enter;
         let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e188 = enter;
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_44 = <Path>::new((uv_12 + (duv * _e188)), duv, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_46 = <Path>::new((uv_13 + (duv_1 * _e188)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_44, point_5, uv_12, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_46, point_5, uv_13, tangent, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_4: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_4))
@@ -4222,20 +4364,202 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_43, _e1);
         return _e2;
     }
+    pub(crate) fn shadow_none(
+        &self,
+        at_8: Entered,
+        hit_5: Hit,
+        light_3: Toward,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_none(at_8, hit_5, light_3, rt::into(params_24)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_none(
+        &self,
+        at_8: Entered,
+        hit_5: Hit,
+        light_3: Toward,
+        params_24: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        return rt::Scalar(1f32);
+    }
+    pub(crate) fn shadow_search_stage(&self, path_44: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_44))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_search_stage(&self, path_44: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            0u32 => {
+                let _e10 = self.surface_settings.choices[5usize].params;
+                let _e11 = self.v_search_none(path_44, _e10);
+                return _e11;
+            }
+            1u32 => {
+                let _e16 = self.surface_settings.choices[5usize].params;
+                let _e17 = self.v_search_linear(path_44, _e16);
+                return _e17;
+            }
+            2u32 => {
+                let _e22 = self.surface_settings.choices[5usize].params;
+                let _e23 = self.v_search_cells(path_44, _e22);
+                return _e23;
+            }
+            3u32 => {
+                let _e28 = self.surface_settings.choices[5usize].params;
+                let _e29 = self.v_search_frustum(path_44, _e28);
+                return _e29;
+            }
+            4u32 => {
+                let _e34 = self.surface_settings.choices[5usize].params;
+                let _e35 = self.v_search_cone(path_44, _e34);
+                return _e35;
+            }
+            5u32 => {
+                let _e40 = self.surface_settings.choices[5usize].params;
+                let _e41 = self.v_search_pyramid(path_44, _e40);
+                return _e41;
+            }
+            6u32 => {
+                let _e46 = self.surface_settings.choices[5usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_44, _e46);
+                return _e47;
+            }
+            7u32 => {
+                let _e52 = self.surface_settings.choices[5usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_44, _e52);
+                return _e53;
+            }
+            8u32 => {
+                let _e58 = self.surface_settings.choices[5usize].params;
+                let _e59 = self.v_search_sphere(path_44, _e58);
+                return _e59;
+            }
+            9u32 => {
+                let _e64 = self.surface_settings.choices[5usize].params;
+                let _e65 = self.v_search_cone_moved(path_44, _e64);
+                return _e65;
+            }
+            10u32 => {
+                let _e70 = self.surface_settings.choices[5usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_44, _e70);
+                return _e71;
+            }
+            _ => {
+                let _e76 = self.surface_settings.choices[5usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_44, _e76);
+                return _e77;
+            }
+        }
+    }
+    pub(crate) fn shadow_ray(
+        &self,
+        at_9: Entered,
+        hit_6: Hit,
+        light_4: Toward,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_ray(at_9, hit_6, light_4, rt::into(params_25)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_ray(
+        &self,
+        at_9: Entered,
+        hit_6: Hit,
+        light_4: Toward,
+        params_25: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_light_ray(at_9, hit_6, light_4);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.state).elementwise_eq(LIGHT_RAY_LIT)) {
+            return rt::Scalar(1f32);
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.state).elementwise_eq(LIGHT_RAY_DARK)) {
+            return rt::Scalar(0f32);
+        }
+        let _e14 = self.v_shadow_search_stage(_e4.path);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), rt::Scalar(_e14.status).elementwise_eq(FOUND_MISS));
+    }
+    pub(crate) fn shadow_stage(&self, at_10: Entered, hit_7: Hit, light_5: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_10, hit_7, light_5))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_stage(&self, at_10: Entered, hit_7: Hit, light_5: Toward) -> rt::Scalar<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[4usize].params;
+                let _e13 = self.v_shadow_none(at_10, hit_7, light_5, _e12);
+                return _e13;
+            }
+            _ => {
+                let _e18 = self.surface_settings.choices[4usize].params;
+                let _e19 = self.v_shadow_ray(at_10, hit_7, light_5, _e18);
+                return _e19;
+            }
+        }
+    }
+    pub(crate) fn visible_lights(&self, at_11: Entered, hit_8: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_11, hit_8))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_visible_lights(&self, at_11: Entered, hit_8: Hit) -> [rt::Vec4<f32>; 8] {
+        let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
+        let mut local_34: rt::Scalar<bool>;
+        let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_11.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_34 = rt::Scalar(hit_8.found).elementwise_eq(rt::Scalar(0u32));
+        } else {
+            local_34 = rt::Scalar(true);
+        }
+        let _e14 = local_34;
+        if rt::Scalar::into_branch_condition(_e14) {
+            let _e15 = visible_2;
+            return _e15;
+        }
+        let _e16 = self.v_hit_position(at_11, hit_8);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = k_7;
+                let _e22 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e26 = k_7;
+                    let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
+                    let _e29 = self.v_toward_light(_e28, _e16);
+                    let _e30 = self.v_shadow_stage(at_11, hit_8, _e29);
+                    let _e31 = k_7;
+                    visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+                    let _e37 = k_7;
+                    k_7 = (_e37 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e40 = visible_2;
+        return _e40;
+    }
     pub(crate) fn shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {
         rt::into(self.v_shade_pixel(pixel_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {
+        let mut hit_9: Hit;
+
         let _e1 = self.v_surface_stage(pixel_5);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(0u32))) {
-            let _e6 = self.v_miss(rt::Scalar(0u32));
-            let _e7 = self.v_shade_hit(pixel_5, _e1, _e6);
-            return _e7;
+        let _e3 = self.v_miss(rt::Scalar(0u32));
+        hit_9 = _e3;
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
+            let _e9 = self.v_trace(_e1.path);
+            hit_9 = _e9;
         }
-        let _e9 = self.v_trace(_e1.path);
-        let _e10 = self.v_shade_hit(pixel_5, _e1, _e9);
-        return _e10;
+        let _e10 = hit_9;
+        let _e11 = hit_9;
+        let _e12 = self.v_visible_lights(_e1, _e11);
+        let _e13 = self.v_shade_hit(pixel_5, _e1, _e10, _e12);
+        return _e13;
     }
 }
 

@@ -27,6 +27,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/light", head: r#"// Lights, as a point of the surface sees them.
 "# },
+    Module { path: "shared/light_ray", head: r#"// Rays from a hit toward a light, through the relief of the same surface.
+"# },
     Module { path: "shared/maps", head: r#"// The one module that reads baked maps.
 //
 // Slices, azimuths, directions and the faces of a cube are layers. A map of 8 bits holds codes: they are
@@ -206,6 +208,12 @@ pub const MODULES: &[Module] = &[
 //
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so
 // that the power is a product of squares and has the same bits everywhere.
+"# },
+    Module { path: "shadow/none", head: r#"// No shadows: all of a light arrives.
+"# },
+    Module { path: "shadow/ray", head: r#"// A ray from the hit to the light, through the relief of the same surface.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 6.
 "# },
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.
@@ -459,6 +467,27 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "LIGHT_RAY_LIT",
+        sampling: None,
+        uses: &[],
+        text: r#"const LIGHT_RAY_LIT = 0u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "LIGHT_RAY_DARK",
+        sampling: None,
+        uses: &[],
+        text: r#"const LIGHT_RAY_DARK = 1u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "LIGHT_RAY_OPEN",
+        sampling: None,
+        uses: &[],
+        text: r#"const LIGHT_RAY_OPEN = 2u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "SLOT_SEARCH",
         sampling: None,
         uses: &[],
@@ -532,7 +561,7 @@ pub const DECLARATIONS: &[Declaration] = &[
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 4u;"#,
+        text: r#"const STAGES = 6u;"#,
     },
     Declaration {
         module: "constants",
@@ -1148,26 +1177,91 @@ const NEAREST_LIGHT = 0.000001;"#,
     },
     Declaration {
         module: "shared/light",
-        name: "Toward",
-        sampling: None,
-        uses: &[],
-        text: r#"// Unit direction toward a light, and the factor on its colour at that distance.
-struct Toward {
-    direction: vec3f,
-    falloff: f32,
-}"#,
-    },
-    Declaration {
-        module: "shared/light",
         name: "toward_light",
         sampling: None,
-        uses: &["Light", "NEAREST_LIGHT", "Toward"],
+        uses: &["Light", "NEAREST_LIGHT", "NEVER", "Toward"],
         text: r#"fn toward_light(light: Light, position: vec3f) -> Toward {
     if (light.place.w > 0.5) {
         let toward = light.place.xyz - position;
-        return Toward(normalize(toward), 1.0 / max(dot(toward, toward), NEAREST_LIGHT));
+        let squared = dot(toward, toward);
+        return Toward(normalize(toward), 1.0 / max(squared, NEAREST_LIGHT), sqrt(squared));
     }
-    return Toward(normalize(light.place.xyz), 1.0);
+    return Toward(normalize(light.place.xyz), 1.0, NEVER);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_ray",
+        name: "near_uv",
+        sampling: None,
+        uses: &["WRAP_MIRROR", "WRAP_REPEAT", "surface_settings"],
+        text: r#"// The same place of the map, as near to its origin as can be: where the relief is tiled many times, texture
+// coordinates have few bits left.
+fn near_uv(uv: vec2f) -> vec2f {
+    if (surface_settings.wrap == WRAP_REPEAT) {
+        return uv - floor(uv);
+    }
+    if (surface_settings.wrap == WRAP_MIRROR) {
+        return uv - 2.0 * floor(0.5 * uv);
+    }
+    return uv;
+}"#,
+    },
+    Declaration {
+        module: "shared/light_ray",
+        name: "light_ray",
+        sampling: None,
+        uses: &["Entered", "Hit", "LEAST_SCALE_M", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "Path", "RAY_SHADOW", "ROUNDING", "Toward", "WRAP_CLAMP", "cell_leave", "cell_of", "gap_to", "grid_of", "height_at", "height_cell", "inside_unit", "near_uv", "surface_settings"],
+        text: r#"// The ray from a hit to a light. A light below the base plane lights nothing.
+//
+// In the hit's own cell the gap to the surface, s from the hit, is s (c.y + c.z s): the root at the hit is
+// taken out. The path begins where the ray leaves the cell.
+fn light_ray(at: Entered, hit: Hit, light: Toward) -> LightRay {
+    let metric = at.path.metric;
+    let td = dot(at.tangent, light.direction);
+    let bd = dot(at.bitangent, light.direction);
+    let area = metric.x * metric.z - metric.y * metric.y;
+    let duv = vec2f(td * metric.z - bd * metric.y, bd * metric.x - td * metric.y) / area;
+    let slope = dot(at.normal, light.direction) / max(surface_settings.scale_m, LEAST_SCALE_M);
+    let uv = near_uv(hit.uv);
+    let height = height_at(uv);
+    let from_hit = Path(uv, duv, vec3f(height, slope, 0.0), 0.0, 0.0, metric, RAY_SHADOW, at.path.level);
+    if (!(slope > 0.0)) {
+        return LightRay(LIGHT_RAY_DARK, from_hit);
+    }
+    var exit = min((1.0 - height) / slope, light.distance);
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        var interval = inside_unit(uv.x, duv.x, vec2f(0.0, exit));
+        interval = inside_unit(uv.y, duv.y, interval);
+        exit = interval.y;
+    }
+    if (!(exit > 0.0)) {
+        return LightRay(LIGHT_RAY_LIT, from_hit);
+    }
+    let grid = grid_of(from_hit);
+    let cell = cell_of(grid.origin);
+    let leave = cell_leave(grid, cell);
+    let end = max(min(min(leave.x, leave.y), exit), 0.0);
+    let c = gap_to(from_hit, grid, cell, height_cell(vec2i(cell)), 0.0);
+    if (c.y < 0.0 || c.y + c.z * end < 0.0) {
+        return LightRay(LIGHT_RAY_DARK, from_hit);
+    }
+    if (end >= exit) {
+        return LightRay(LIGHT_RAY_LIT, from_hit);
+    }
+    let start = uv + duv * end;
+    let gap = end * (c.y + c.z * end);
+    let above = height_at(start) + gap + ROUNDING;
+    let path = Path(
+        start,
+        duv,
+        vec3f(above, slope, 0.0),
+        exit - end,
+        0.0,
+        metric,
+        RAY_SHADOW,
+        at.path.level,
+    );
+    return LightRay(LIGHT_RAY_OPEN, path);
 }"#,
     },
     Declaration {
@@ -1445,17 +1539,23 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "reflected_light",
         sampling: None,
-        uses: &["frame", "shade_stage", "surface_settings", "toward_light"],
+        uses: &["MAX_LIGHTS", "frame", "shade_stage", "surface_settings", "toward_light"],
         text: r#"// The light that a point reflects along `view`, toward the eye, in linear RGB: the ambient part, and light by
-// light what the shading makes of it.
-fn reflected_light(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) -> vec3f {
+// light what the shading makes of it, as far as it arrives.
+fn reflected_light(
+    position: vec3f,
+    normal: vec3f,
+    view: vec3f,
+    color: vec3f,
+    visible: array<vec4f, MAX_LIGHTS>,
+) -> vec3f {
     let diffuse = surface_settings.diffuse.xyz * color;
     var light = frame.ambient.xyz * diffuse;
     var k = 0u;
     while (k < frame.light_count) {
         let toward = toward_light(frame.lights[k], position);
         let reflected = shade_stage(normal, view, toward.direction, diffuse);
-        light = light + reflected * frame.lights[k].color.xyz * toward.falloff;
+        light = light + reflected * frame.lights[k].color.xyz * (toward.falloff * visible[k].x);
         k = k + 1u;
     }
     return light;
@@ -1463,11 +1563,54 @@ fn reflected_light(position: vec3f, normal: vec3f, view: vec3f, color: vec3f) ->
     },
     Declaration {
         module: "shared/pixel",
+        name: "hit_position",
+        sampling: None,
+        uses: &["Entered", "Hit", "height_at", "surface_settings"],
+        text: r#"// A hit in the world: on the surface, whatever the height of the path there.
+fn hit_position(at: Entered, hit: Hit) -> vec3f {
+    let aside = hit.uv - at.uv;
+    return at.point + at.tangent * aside.x + at.bitangent * aside.y
+        + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv));
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "ray_to_light",
+        sampling: None,
+        uses: &["Entered", "Hit", "LightRay", "frame", "hit_position", "light_ray", "toward_light"],
+        text: r#"// The ray from a hit to the light of that number.
+fn ray_to_light(at: Entered, hit: Hit, number: u32) -> LightRay {
+    return light_ray(at, hit, toward_light(frame.lights[number], hit_position(at, hit)));
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "visible_lights",
+        sampling: None,
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "frame", "hit_position", "shadow_stage", "toward_light"],
+        text: r#"// The part of each light that arrives at a hit, from 0 to 1, as the first of four numbers.
+fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
+    var visible = array<vec4f, MAX_LIGHTS>();
+    if (at.valid == 0u || hit.found == 0u) {
+        return visible;
+    }
+    let position = hit_position(at, hit);
+    var k = 0u;
+    while (k < frame.light_count) {
+        let part = shadow_stage(at, hit, toward_light(frame.lights[k], position));
+        visible[k] = vec4f(part, 0.0, 0.0, 0.0);
+        k = k + 1u;
+    }
+    return visible;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "mesostructure_normal", "reflected_light", "surface_settings"],
-        text: r#"// What a pixel shows of a hit.
-fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "hit_position", "mesostructure_normal", "reflected_light"],
+        text: r#"// What a pixel shows of a hit, at which these parts of the lights arrive.
+fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
     if (at.valid == 0u || hit.found == 0u) {
         return PixelOut(
             vec4f(0.0, 0.0, 0.0, 0.0),
@@ -1484,12 +1627,10 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
         );
     }
     let height = height_at(hit.uv);
-    let aside = hit.uv - at.uv;
-    let position = at.point + at.tangent * aside.x + at.bitangent * aside.y
-        + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height);
+    let position = hit_position(at, hit);
     let normal = mesostructure_normal(at, hit.uv);
     let view = normalize(pixel.origin - position);
-    let color = reflected_light(position, normal, view, color_or_white(hit.uv));
+    let color = reflected_light(position, normal, view, color_or_white(hit.uv), visible);
     let depth = dot(position - pixel.origin, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size() - vec2f(0.5, 0.5));
     return PixelOut(
@@ -1511,13 +1652,14 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit) -> PixelOut {
         module: "shared/pixel",
         name: "shade_pixel",
         sampling: None,
-        uses: &["PixelIn", "PixelOut", "miss", "shade_hit", "surface_stage", "trace"],
+        uses: &["PixelIn", "PixelOut", "miss", "shade_hit", "surface_stage", "trace", "visible_lights"],
         text: r#"fn shade_pixel(pixel: PixelIn) -> PixelOut {
     let at = surface_stage(pixel);
-    if (at.valid == 0u) {
-        return shade_hit(pixel, at, miss(0u));
+    var hit = miss(0u);
+    if (at.valid == 1u) {
+        hit = trace(at.path);
     }
-    return shade_hit(pixel, at, trace(at.path));
+    return shade_hit(pixel, at, hit, visible_lights(at, hit));
 }"#,
     },
     Declaration {
@@ -1833,6 +1975,34 @@ struct Entered {
     tangent: vec3f,
     bitangent: vec3f,
     normal: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "Toward",
+        sampling: None,
+        uses: &[],
+        text: r#"// A light as a point of the surface sees it.
+struct Toward {
+    // Unit direction toward it.
+    direction: vec3f,
+    // The factor on its colour at that distance.
+    falloff: f32,
+    // Metres to it; more than any other number for one that is infinitely far away.
+    distance: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "LightRay",
+        sampling: None,
+        uses: &["Path"],
+        text: r#"// A ray from a hit toward a light.
+struct LightRay {
+    // One of LIGHT_RAY_*.
+    state: u32,
+    // For an open one, the way that is to be searched.
+    path: Path,
 }"#,
     },
     Declaration {
@@ -3144,6 +3314,32 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
 }"#,
     },
     Declaration {
+        module: "shadow/none",
+        name: "shadow_none",
+        sampling: None,
+        uses: &["Entered", "Hit", "Toward"],
+        text: r#"fn shadow_none(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    return 1.0;
+}"#,
+    },
+    Declaration {
+        module: "shadow/ray",
+        name: "shadow_ray",
+        sampling: None,
+        uses: &["Entered", "FOUND_MISS", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "Toward", "light_ray", "shadow_search_stage"],
+        text: r#"fn shadow_ray(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    let ray = light_ray(at, hit, light);
+    if (ray.state == LIGHT_RAY_LIT) {
+        return 1.0;
+    }
+    if (ray.state == LIGHT_RAY_DARK) {
+        return 0.0;
+    }
+    let found = shadow_search_stage(ray.path);
+    return select(0.0, 1.0, found.status == FOUND_MISS);
+}"#,
+    },
+    Declaration {
         module: "roots/probe",
         name: "probe_main",
         sampling: None,
@@ -3203,7 +3399,7 @@ fn resolve_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/shade",
         name: "shade_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "numbered_pixel", "pass_settings", "records", "shade_hit", "surface_stage", "traced_hit", "traced_what"],
+        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "numbered_pixel", "pass_settings", "records", "shade_hit", "surface_stage", "traced_hit", "traced_what", "visible_lights"],
         text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
 fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(traced_what);
@@ -3222,7 +3418,8 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let row = pass_settings.first_row + id.y;
     let point = vec2f(vec2u(id.x, row)) + vec2f(0.5, 0.5) + pass_settings.offset;
     let pixel = numbered_pixel(u32(abs(what.x)) - 1u, side, point);
-    let out = shade_hit(pixel, surface_stage(pixel), hit);
+    let at = surface_stage(pixel);
+    let out = shade_hit(pixel, at, hit, visible_lights(at, hit));
     let place = id.y * size.x + id.x;
     if (records[place].hit == 1u && records[place].depth <= out.depth) {
         return;

@@ -138,39 +138,39 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 448;
+    const SIZE: usize = 512;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
-        self.maps.write(&mut bytes[128..]);
-        self.diffuse.write(&mut bytes[368..]);
-        self.specular.write(&mut bytes[384..]);
-        self.height_size.write(&mut bytes[400..]);
-        self.color_size.write(&mut bytes[408..]);
-        self.normal_size.write(&mut bytes[416..]);
-        self.wrap.write(&mut bytes[424..]);
-        self.shininess.write(&mut bytes[428..]);
-        self.has_color.write(&mut bytes[432..]);
-        self.has_normal.write(&mut bytes[436..]);
-        self.scale_m.write(&mut bytes[440..]);
-        self.bias_m.write(&mut bytes[444..]);
+        self.maps.write(&mut bytes[192..]);
+        self.diffuse.write(&mut bytes[432..]);
+        self.specular.write(&mut bytes[448..]);
+        self.height_size.write(&mut bytes[464..]);
+        self.color_size.write(&mut bytes[472..]);
+        self.normal_size.write(&mut bytes[480..]);
+        self.wrap.write(&mut bytes[488..]);
+        self.shininess.write(&mut bytes[492..]);
+        self.has_color.write(&mut bytes[496..]);
+        self.has_normal.write(&mut bytes[500..]);
+        self.scale_m.write(&mut bytes[504..]);
+        self.bias_m.write(&mut bytes[508..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
-            maps: Shared::read(&bytes[128..]),
-            diffuse: Shared::read(&bytes[368..]),
-            specular: Shared::read(&bytes[384..]),
-            height_size: Shared::read(&bytes[400..]),
-            color_size: Shared::read(&bytes[408..]),
-            normal_size: Shared::read(&bytes[416..]),
-            wrap: Shared::read(&bytes[424..]),
-            shininess: Shared::read(&bytes[428..]),
-            has_color: Shared::read(&bytes[432..]),
-            has_normal: Shared::read(&bytes[436..]),
-            scale_m: Shared::read(&bytes[440..]),
-            bias_m: Shared::read(&bytes[444..]),
+            maps: Shared::read(&bytes[192..]),
+            diffuse: Shared::read(&bytes[432..]),
+            specular: Shared::read(&bytes[448..]),
+            height_size: Shared::read(&bytes[464..]),
+            color_size: Shared::read(&bytes[472..]),
+            normal_size: Shared::read(&bytes[480..]),
+            wrap: Shared::read(&bytes[488..]),
+            shininess: Shared::read(&bytes[492..]),
+            has_color: Shared::read(&bytes[496..]),
+            has_normal: Shared::read(&bytes[500..]),
+            scale_m: Shared::read(&bytes[504..]),
+            bias_m: Shared::read(&bytes[508..]),
         }
     }
 }

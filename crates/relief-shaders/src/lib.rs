@@ -1,8 +1,8 @@
 //! Per-pixel displacement mapping as shaders: stages, each variant written once in WESL, linked to plain WGSL
 //! for GPUs and translated to Rust for CPUs.
 //!
-//! * [`STAGES`] is the table of the stages; [`surface`], [`search`], [`refine`] and [`shade`] list their
-//!   variants, one file each beside its shader.
+//! * [`STAGES`] is the table of the stages; [`surface`], [`search`], [`refine`], [`shade`] and [`shadow`]
+//!   list their variants, one file each beside its shader.
 //! * [`METHODS`] names pairs of search and refinement.
 //! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.
@@ -14,22 +14,25 @@ pub mod cpu;
 #[rustfmt::skip]
 #[allow(clippy::all)]
 mod generated;
+mod light_ray;
 mod maps;
 mod methods;
 pub mod refine;
 pub mod search;
 mod selection;
 pub mod shade;
+pub mod shadow;
 mod slots;
 mod stages;
 pub mod surface;
 pub mod wgsl;
 
+pub use light_ray::LightRayState;
 pub use maps::{MapError, MapNeed, MapProblem, SlotMaps};
 pub use methods::{METHODS, Method, method};
 pub use selection::{Choice, Selection, SelectionError};
 pub use slots::MapSlot;
-pub use stages::{REFINE, SEARCH, STAGES, Stage, stage};
+pub use stages::{REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, stage};
 
 /// The most lights of a picture: the length of the shaders' array of lights.
 pub const MAX_LIGHTS: usize = 8;
@@ -59,11 +62,11 @@ mod tests {
 
     #[test]
     fn every_file_is_listed_and_every_entry_has_its_files() {
-        for Stage { key, entries, .. } in &STAGES {
+        for Stage { key, folder, entries, .. } in &STAGES {
             let listed: BTreeSet<String> = entries.iter().map(|entry| entry.name.replace('-', "_")).collect();
             assert_eq!(listed.len(), entries.len(), "{key}: a name stands twice");
-            assert_eq!(stems(key, "rs"), listed, "{key}: Rust files and list differ");
-            assert_eq!(stems(key, "wesl"), listed, "{key}: shader files and list differ");
+            assert_eq!(stems(folder, "rs"), listed, "{key}: Rust files and list differ");
+            assert_eq!(stems(folder, "wesl"), listed, "{key}: shader files and list differ");
         }
     }
 

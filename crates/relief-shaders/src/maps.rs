@@ -166,8 +166,8 @@ impl Selection {
     /// The baked maps that the chosen variants read.
     pub fn map_needs(&self) -> Vec<MapNeed> {
         let mut needs = Vec::new();
-        for (stage, choice) in STAGES.iter().zip(&self.choices) {
-            if let Some(slot) = stage.slot {
+        for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
+            if let Some(slot) = stage.slot.filter(|_| self.uses(place)) {
                 let reader = (stage.title, choice.entry.name);
                 needs.extend(choice.entry.maps.iter().map(|input| MapNeed {
                     slot,

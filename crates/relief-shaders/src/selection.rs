@@ -4,7 +4,7 @@ use relief_core::FoundState;
 use relief_core::registry::{self, Entry, Guarantee, Guarantees, MAX_PARAMS, Param, RayClass, UnknownName};
 
 use crate::Method;
-use crate::stages::{REFINE, SEARCH, STAGES, Stage, entry_place, stage};
+use crate::stages::{REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, entry_place, stage};
 
 /// A stage's variant, and its parameters.
 #[derive(Clone, Copy, Debug)]
@@ -74,20 +74,30 @@ pub enum SelectionError {
         /// The rays.
         rays: &'static str,
     },
-    /// The refinement makes nothing better that the search gives.
+    /// A variant makes nothing of what the search before it gives.
     #[error(
-        "the refinement '{refine}' makes nothing of what the search '{search}' gives: it takes {takes}, not {gives}"
+        "the {} '{}' makes nothing of what the {} '{}' gives: it takes {}, not {}",
+        title(.taker.0), .taker.1, title(.giver.0), .giver.1, named(.takes), named(.gives)
     )]
     Pair {
-        /// The search.
-        search: &'static str,
-        /// The refinement.
-        refine: &'static str,
+        /// The key of the search's stage, and its name.
+        giver: (&'static str, &'static str),
+        /// The key of the stage that is to go on from there, and what is chosen for it.
+        taker: (&'static str, &'static str),
         /// How the search ends.
-        gives: String,
-        /// What the refinement takes.
-        takes: String,
+        gives: &'static [FoundState],
+        /// What the other takes.
+        takes: &'static [FoundState],
     },
+}
+
+/// What messages call a variant of the stage of that key.
+fn title(key: &str) -> &str {
+    stage(key).map_or(key, |(_, stage)| stage.title)
+}
+
+fn named(states: &[FoundState]) -> String {
+    states.iter().map(|state| state.description()).collect::<Vec<_>>().join(" or ")
 }
 
 /// How settings may begin: the keys of the stages of which a variant has parameters.
@@ -164,7 +174,8 @@ impl Selection {
     }
 
     /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default
-    /// parameters.
+    /// parameters. A shadow that sends rays is given the search that is chosen so far, with its parameters, or
+    /// where that is of no use for shadows `cells`, until another `shadow-search` is chosen.
     ///
     /// # Errors
     ///
@@ -173,6 +184,13 @@ impl Selection {
         let (place, stage) = stage(key).ok_or_else(|| SelectionError::NoStage(key.to_owned()))?;
         let number = registry::find(stage.title, stage.entries, name)?;
         self.choices[place] = Choice::new(stage, number);
+        if place == SHADOW && self.uses(SHADOW_SEARCH) {
+            self.choices[SHADOW_SEARCH] = self.choices[SEARCH];
+            let promised = self.choices[SEARCH].promises().shadow;
+            if promised == Guarantee::Impossible || self.check_taken(SHADOW_SEARCH, SHADOW).is_err() {
+                self.choices[SHADOW_SEARCH] = Choice::new(&STAGES[SHADOW_SEARCH], CELLS);
+            }
+        }
         Ok(())
     }
 
@@ -200,7 +218,8 @@ impl Selection {
     ///
     /// When one cannot.
     pub fn check(&self) -> Result<(), SelectionError> {
-        for (stage, choice) in STAGES.iter().zip(&self.choices) {
+        let used = STAGES.iter().zip(&self.choices).enumerate().filter(|(place, _)| self.uses(*place));
+        for (_, (stage, choice)) in used {
             let (entry, promises) = (choice.entry, choice.promises());
             let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
             if let Some(rays) = stage.rays.iter().find(impossible) {
@@ -208,7 +227,8 @@ impl Selection {
                 return Err(SelectionError::Impossible { stage, key, entry, rays });
             }
         }
-        self.check_pair()
+        self.check_pair()?;
+        if self.uses(SHADOW_SEARCH) { self.check_taken(SHADOW_SEARCH, SHADOW) } else { Ok(()) }
     }
 
     /// Whether the refinement makes something of what the search gives.
@@ -217,15 +237,23 @@ impl Selection {
     ///
     /// When it does not.
     pub fn check_pair(&self) -> Result<(), SelectionError> {
-        let (search, refine) = (self.search(), self.refine());
-        if search.states.iter().any(|state| refine.states.contains(state)) {
+        self.check_taken(SEARCH, REFINE)
+    }
+
+    /// Whether a stage is asked for anything: the search for shadows is not, where no shadow sends rays.
+    pub(crate) fn uses(&self, stage: usize) -> bool {
+        stage != SHADOW_SEARCH || !self.choices[SHADOW].entry.states.is_empty()
+    }
+
+    /// Whether the variant of the stage `taker` makes something of what the search of the stage `giver` gives.
+    fn check_taken(&self, giver: usize, taker: usize) -> Result<(), SelectionError> {
+        let [search, other] = [giver, taker].map(|place| self.choices[place].entry);
+        if search.states.iter().any(|state| other.states.contains(state)) {
             return Ok(());
         }
-        let named = |states: &[FoundState]| {
-            states.iter().map(|state| state.description()).collect::<Vec<_>>().join(" or ")
-        };
-        let (gives, takes) = (named(search.states), named(refine.states));
-        Err(SelectionError::Pair { search: search.name, refine: refine.name, gives, takes })
+        let [giver, taker] =
+            [(giver, search.name), (taker, other.name)].map(|(place, name)| (STAGES[place].key, name));
+        Err(SelectionError::Pair { giver, taker, gives: search.states, takes: other.states })
     }
 
     /// The chosen search.
@@ -244,6 +272,12 @@ impl Selection {
         search.min(refine)
     }
 
+    /// Whether shadows are those of rays through the exact search without a baked map.
+    pub fn has_exact_shadows(&self) -> bool {
+        let [shadow, search] = [SHADOW, SHADOW_SEARCH].map(|stage| self.choices[stage].number as usize);
+        shadow == RAY && search == CELLS
+    }
+
     /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
     pub fn is_exact(&self) -> bool {
         let numbers = [SEARCH, REFINE].map(|stage| self.choices[stage].number as usize);
@@ -253,6 +287,9 @@ impl Selection {
 
 /// The number of the search `cells`.
 const CELLS: usize = entry_place(STAGES[SEARCH].entries, "cells");
+
+/// The number of the shadow `ray`.
+const RAY: usize = entry_place(STAGES[SHADOW].entries, "ray");
 
 /// The number of the refinement `patch`.
 const PATCH: usize = entry_place(STAGES[REFINE].entries, "patch");
@@ -291,6 +328,35 @@ mod tests {
             assert_eq!(exact.guarantee(rays), Guarantee::Exact);
             assert_eq!(sampled.guarantee(rays), Guarantee::Approximate);
             assert_eq!(stepped.guarantee(rays), Guarantee::Approximate);
+        }
+    }
+
+    #[test]
+    fn a_shadow_takes_the_search_of_the_view_where_that_can_and_cells_else() {
+        let with_shadow = |method: &str| {
+            let mut selection = Selection::method(method).expect("a method");
+            selection.choose("shadow", "ray").expect("a shadow");
+            selection
+        };
+        for (method, search) in
+            [("cone", "cone"), ("relief", "linear"), ("relaxed", "cells"), ("parallax", "cells")]
+        {
+            let selection = with_shadow(method);
+            assert_eq!(selection.choices[SHADOW_SEARCH].entry.name, search, "{method}");
+            assert_eq!(selection.check(), Ok(()), "{method}");
+        }
+        // The map is needed in both slots, and in none without a shadow.
+        let slots =
+            |selection: &Selection| selection.map_needs().iter().map(|need| need.slot).collect::<Vec<_>>();
+        let mut selection = with_shadow("cone");
+        assert_eq!(slots(&selection), [crate::MapSlot::Search, crate::MapSlot::ShadowSearch]);
+        assert!(with_shadow("exact").has_exact_shadows() && !selection.has_exact_shadows());
+        selection.choose("shadow", "none").expect("a shadow");
+        assert_eq!(slots(&selection), [crate::MapSlot::Search]);
+        for refused in ["none", "relaxed-cone"] {
+            let mut selection = with_shadow("exact");
+            selection.choose("shadow-search", refused).expect("a search");
+            assert!(selection.check().is_err(), "{refused}");
         }
     }
 

@@ -4,17 +4,18 @@
 use relief_core::registry::{Entry, RayClass};
 
 use crate::slots::MapSlot;
-use crate::{refine, search, shade, surface};
+use crate::{refine, search, shade, shadow, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
-/// A variant is a pair of files in the stage's folder, which has the name of its key: the shader, and the
-/// registry entry beside it. The shader's function is called by the key and the variant's name, as in
-/// `search_linear`. It takes the stage's inputs, and after them the variant's parameters, a `vec4f`.
+/// A variant is a pair of files in the stage's folder: the shader, and the registry entry beside it. The
+/// shader's function is called by the folder and the variant's name, as in `search_linear`. It takes the stage's inputs, and after them the variant's parameters, a `vec4f`.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
     /// The key in settings and scenes, as in `search.steps`.
     pub key: &'static str,
+    /// The folder of its variants, with which their functions' names begin; two stages may have the same.
+    pub folder: &'static str,
     /// What messages call one variant.
     pub title: &'static str,
     /// What tables call all of them.
@@ -33,9 +34,10 @@ pub struct Stage {
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub const STAGES: [Stage; 4] = [
+pub const STAGES: [Stage; 6] = [
     Stage {
         key: "surface",
+        folder: "surface",
         title: "surface",
         plural: "surfaces",
         entries: surface::ENTRIES,
@@ -46,6 +48,7 @@ pub const STAGES: [Stage; 4] = [
     },
     Stage {
         key: "search",
+        folder: "search",
         title: "search",
         plural: "searches",
         entries: search::ENTRIES,
@@ -56,6 +59,7 @@ pub const STAGES: [Stage; 4] = [
     },
     Stage {
         key: "refine",
+        folder: "refine",
         title: "refinement",
         plural: "refinements",
         entries: refine::ENTRIES,
@@ -66,6 +70,7 @@ pub const STAGES: [Stage; 4] = [
     },
     Stage {
         key: "shade",
+        folder: "shade",
         title: "shading",
         plural: "shadings",
         entries: shade::ENTRIES,
@@ -74,6 +79,28 @@ pub const STAGES: [Stage; 4] = [
         slot: None,
         rays: &[],
     },
+    Stage {
+        key: "shadow",
+        folder: "shadow",
+        title: "shadow",
+        plural: "shadows",
+        entries: shadow::ENTRIES,
+        inputs: &[("at", "Entered"), ("hit", "Hit"), ("light", "Toward")],
+        returns: "f32",
+        slot: Some(MapSlot::Shadow),
+        rays: &[],
+    },
+    Stage {
+        key: "shadow-search",
+        folder: "search",
+        title: "shadow search",
+        plural: "shadow searches",
+        entries: search::ENTRIES,
+        inputs: &[("path", "Path")],
+        returns: "Found",
+        slot: Some(MapSlot::ShadowSearch),
+        rays: &[RayClass::Shadow],
+    },
 ];
 
 /// Place of the stage `search` in [`STAGES`].
@@ -81,6 +108,24 @@ pub const SEARCH: usize = place("search");
 
 /// Place of the stage `refine` in [`STAGES`].
 pub const REFINE: usize = place("refine");
+
+/// Place of the stage `shadow` in [`STAGES`].
+pub const SHADOW: usize = place("shadow");
+
+/// Place of the stage `shadow-search` in [`STAGES`].
+pub const SHADOW_SEARCH: usize = place("shadow-search");
+
+impl Stage {
+    /// The function through which the shaders call it.
+    pub fn function(&self) -> String {
+        format!("{}_stage", self.key.replace('-', "_"))
+    }
+
+    /// A variant's function.
+    pub fn function_of(&self, entry: &Entry) -> String {
+        format!("{}_{}", self.folder, entry.name.replace('-', "_"))
+    }
+}
 
 /// The stage of that key and its place in [`STAGES`].
 pub fn stage(key: &str) -> Option<(usize, &'static Stage)> {

@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 use std::fmt::{self, Write as _};
 use std::str::FromStr;
 
-use relief_core::registry::{Entry, UnknownName};
+use relief_core::registry::UnknownName;
 
 use crate::bindings::{self, Binding};
 use crate::generated::{DECLARATIONS, MODULES};
@@ -157,7 +157,7 @@ pub fn assemble(selection: &Selection, root: Root, sampling: Sampling) -> String
         }
     }
     for (place, stage) in STAGES.iter().enumerate() {
-        if reached.contains(stage_function(stage).as_str()) {
+        if reached.contains(stage.function().as_str()) {
             text.push_str(&call(place, stage, &selection.choices[place]));
         }
     }
@@ -172,9 +172,9 @@ fn reached(selection: &Selection, root: Root, sampling: Sampling) -> BTreeSet<St
         if !reached.insert(name.clone()) {
             continue;
         }
-        if let Some(place) = STAGES.iter().position(|stage| stage_function(stage) == name) {
+        if let Some(place) = STAGES.iter().position(|stage| stage.function() == name) {
             let stage = &STAGES[place];
-            waiting.push(function(stage, selection.choices[place].entry));
+            waiting.push(stage.function_of(selection.choices[place].entry));
             waiting.push("surface_settings".to_owned());
         }
         for declaration in DECLARATIONS.iter().filter(|declaration| declaration.name == name) {
@@ -186,16 +186,6 @@ fn reached(selection: &Selection, root: Root, sampling: Sampling) -> BTreeSet<St
     reached
 }
 
-/// The function through which the others call a stage.
-fn stage_function(stage: &Stage) -> String {
-    format!("{}_stage", stage.key)
-}
-
-/// A variant's function.
-fn function(stage: &Stage, entry: &Entry) -> String {
-    format!("{}_{}", stage.key, entry.name.replace('-', "_"))
-}
-
 /// The call of the variant that is chosen for a stage.
 fn call(place: usize, stage: &Stage, choice: &Choice) -> String {
     let declared: Vec<String> = stage.inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
@@ -204,10 +194,10 @@ fn call(place: usize, stage: &Stage, choice: &Choice) -> String {
         "\n// The {} that is chosen: {}.\nfn {}({}) -> {} {{\n    return {}({}, surface_settings.choices[{place}].params);\n}}\n",
         stage.title,
         choice.entry.summary,
-        stage_function(stage),
+        stage.function(),
         declared.join(", "),
         stage.returns,
-        function(stage, choice.entry),
+        stage.function_of(choice.entry),
         passed.join(", "),
     )
 }
@@ -218,7 +208,7 @@ fn head(selection: &Selection, reached: &BTreeSet<String>, sampling: Sampling) -
         "// Relief: displacement mapping, {sampling} sampling.\n// SPDX-License-Identifier: MIT OR Apache-2.0\n"
     );
     for (place, stage) in STAGES.iter().enumerate() {
-        if reached.contains(stage_function(stage).as_str()) {
+        if reached.contains(stage.function().as_str()) {
             chosen(&mut text, place, stage, &selection.choices[place]);
         }
     }

@@ -34,7 +34,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     writeln!(out, "Methods: pairs of a search and a refinement, for --method\n{}\n", methods_table())?;
     for stage in &STAGES {
         writeln!(out, "{}", heading(stage))?;
-        writeln!(out, "{}\n", entries_table(stage.entries))?;
+        let mut before = STAGES.iter().take_while(|other| other.key != stage.key);
+        match before.find(|other| other.folder == stage.folder) {
+            Some(same) => writeln!(out, "The {} above.\n", same.plural)?,
+            None => writeln!(out, "{}\n", entries_table(stage.entries))?,
+        }
     }
     writeln!(out, "Section: of {}", METHODS[0].publication.paper)?;
     writeln!(out, "Guarantees: for view rays / bent rays / shadow rays")?;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use clap::error::ErrorKind;
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
-use relief_shaders::{REFINE, SEARCH, STAGES, Stage};
+use relief_shaders::{REFINE, SEARCH, SHADOW_SEARCH, STAGES, Stage};
 
 /// The variants that are asked for, by their stages' keys.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +23,12 @@ fn help(place: usize, stage: &Stage) -> String {
         REFINE => Some(STAGES[SEARCH].key),
         _ => None,
     };
+    if place == SHADOW_SEARCH {
+        let of = STAGES[SEARCH].key;
+        return format!(
+            "Search for the rays of shadows, as in --{of} [default: that of the view where it can, else cells]"
+        );
+    }
     match other {
         Some(other) => format!("{title}, together with --{other} in place of a method"),
         None => {

@@ -253,7 +253,7 @@ pub(super) fn of_selection(error: SelectionError) -> ValueError {
             STAGES.iter().find(|stage| stage.title == unknown.kind).map_or("method", |stage| stage.key)
         }
         SelectionError::Impossible { key, .. } => key,
-        SelectionError::Pair { .. } => "refine",
+        SelectionError::Pair { taker: (key, _), .. } => key,
         _ => "set",
     };
     ValueProblem::from(Box::new(error)).of(key)

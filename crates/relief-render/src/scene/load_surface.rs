@@ -9,7 +9,7 @@ use crate::mesh::{Builtin, Mesh, Placement};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
 use relief_io::{Convention, Fill, HeightOptions, Picture};
-use relief_shaders::{REFINE, SEARCH, STAGES, Selection};
+use relief_shaders::{REFINE, SEARCH, SHADOW, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -258,11 +258,15 @@ impl SurfaceSpec {
             (Some(_), _, _) => return Err(ValueProblem::Excludes("search and refine").of("method")),
         };
         let mut selection = selection.map_err(of_selection)?;
-        for (key, name) in &self.stages {
-            selection.choose(key, name).map_err(of_selection)?;
-        }
-        for (key, &value) in &self.set {
-            selection.set(key, value).map_err(of_selection)?;
+        // A shadow takes over the search of the view, with its settings, unless it is told otherwise.
+        for is_of_shadow in [false, true] {
+            let of_part = |key: &&String| key.starts_with(STAGES[SHADOW].key) == is_of_shadow;
+            for key in self.stages.keys().filter(of_part) {
+                selection.choose(key, &self.stages[key]).map_err(of_selection)?;
+            }
+            for key in self.set.keys().filter(of_part) {
+                selection.set(key, self.set[key]).map_err(of_selection)?;
+            }
         }
         Ok(selection)
     }

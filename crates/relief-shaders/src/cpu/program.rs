@@ -1,7 +1,8 @@
 //! The shaders' functions that hosts call.
 
 use super::generated::Resources;
-use super::{Bound, Corner, Entered, Found, Hit, Path, PixelIn, PixelOut, Vec3, Vec4};
+use super::{Bound, Corner, Entered, Found, Hit, LightRay, Path, PixelIn, PixelOut, Vec3, Vec4};
+use crate::MAX_LIGHTS;
 
 /// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact
 /// sampling.
@@ -69,10 +70,28 @@ impl<'a> Program<'a> {
         self.0.shade_pixel(pixel)
     }
 
-    /// A pixel whose hit is known already.
+    /// The part of each light that arrives at a hit, as the first of four numbers.
     #[inline]
-    pub fn shade_hit(&self, pixel: PixelIn, entered: Entered, hit: Hit) -> PixelOut {
-        self.0.shade_hit(pixel, entered, hit)
+    pub fn visible_lights(&self, entered: Entered, hit: Hit) -> [Vec4<f32>; MAX_LIGHTS] {
+        self.0.visible_lights(entered, hit)
+    }
+
+    /// The ray from a hit to the light of that number.
+    #[inline]
+    pub fn ray_to_light(&self, entered: Entered, hit: Hit, light: u32) -> LightRay {
+        self.0.ray_to_light(entered, hit, light)
+    }
+
+    /// A pixel whose hit is known already, and the parts of the lights that arrive there.
+    #[inline]
+    pub fn shade_hit(
+        &self,
+        pixel: PixelIn,
+        entered: Entered,
+        hit: Hit,
+        visible: [Vec4<f32>; MAX_LIGHTS],
+    ) -> PixelOut {
+        self.0.shade_hit(pixel, entered, hit, visible)
     }
 
     /// The colour of a pixel's samples so far with one more, of that weight. The fourth part is how much of

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::{FoundState, RayUse, Wrap};
-use relief_shaders::{MAX_LIGHTS, MapSlot, STAGES, wgsl};
+use relief_shaders::{LightRayState, MAX_LIGHTS, MapSlot, STAGES, wgsl};
 
 /// The module's source.
 pub fn module() -> String {
@@ -20,6 +20,9 @@ pub fn module() -> String {
     }
     for ray in RayUse::ALL {
         constant(&format!("RAY_{}", ray.name()), ray as u32);
+    }
+    for state in LightRayState::ALL {
+        constant(&format!("LIGHT_RAY_{}", state.name()), state as u32);
     }
     for slot in MapSlot::ALL {
         constant(&format!("SLOT_{}", slot.key().to_uppercase()), slot as u32);

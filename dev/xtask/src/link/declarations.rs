@@ -34,7 +34,7 @@ pub fn all(modules: &Modules) -> Result<Vec<Declaration>, String> {
         of_module(path, modules.source(path), &mut all)?;
     }
     let names: BTreeSet<String> = all.iter().map(|declaration| declaration.name.clone()).collect();
-    let stages = STAGES.iter().map(|stage| format!("{}_stage", stage.key));
+    let stages = STAGES.iter().map(|stage| stage.function());
     let known: BTreeSet<String> = names.into_iter().chain(stages).collect();
     for declaration in &mut all {
         let Declaration { name, text, .. } = declaration;
@@ -47,7 +47,7 @@ pub fn all(modules: &Modules) -> Result<Vec<Declaration>, String> {
 /// The order of modules: what is bound, constants, what is shared, the stages in theirs, the roots.
 fn rank(path: &str) -> usize {
     let folder = path.split('/').next().unwrap_or_default();
-    let stage = STAGES.iter().position(|stage| stage.key == folder);
+    let stage = STAGES.iter().position(|stage| stage.folder == folder);
     match (folder, stage) {
         ("bindings", _) => 0,
         ("constants", _) => 1,
@@ -131,7 +131,7 @@ pub fn check(declarations: &[Declaration], linked: &TranslationUnit, fast: bool)
 
 /// Whether that is a function of the dispatch, which the library writes itself.
 fn is_dispatch(name: &str) -> bool {
-    STAGES.iter().any(|stage| name == format!("{}_stage", stage.key))
+    STAGES.iter().any(|stage| name == stage.function())
 }
 
 /// The Rust module that holds the declarations.

@@ -10,23 +10,26 @@ use relief_shaders::{STAGES, Stage};
 
 /// Names and sources of the modules.
 pub fn modules() -> impl Iterator<Item = (String, String)> {
-    STAGES.iter().enumerate().map(|(place, stage)| (format!("dispatch/{}", stage.key), module(place, stage)))
+    STAGES
+        .iter()
+        .enumerate()
+        .map(|(place, stage)| (format!("dispatch/{}", stage.key.replace('-', "_")), module(place, stage)))
 }
 
 fn module(place: usize, stage: &Stage) -> String {
-    let Stage { key, entries, inputs, returns, .. } = stage;
+    let Stage { folder, entries, inputs, returns, .. } = stage;
     let declared: Vec<String> = inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
     let passed: Vec<&str> = inputs.iter().map(|(name, _)| *name).collect();
     let (declared, passed) = (declared.join(", "), passed.join(", "));
     let mut text = String::from(
-        "import package::shared::types::{PixelIn, Entered, Path, Found, Hit};\n\
+        "import package::shared::types::{PixelIn, Entered, Path, Found, Hit, Toward};\n\
          import package::bindings::surface_settings;\n",
     );
     let mut arms = String::new();
     for (number, entry) in entries.iter().enumerate() {
         let stem = entry.name.replace('-', "_");
-        let function = format!("{key}_{stem}");
-        let _ = writeln!(text, "import package::{key}::{stem}::{function};");
+        let function = stage.function_of(entry);
+        let _ = writeln!(text, "import package::{folder}::{stem}::{function};");
         let label =
             if number + 1 == entries.len() { "default".to_owned() } else { format!("case {number}u") };
         let _ = writeln!(
@@ -37,7 +40,8 @@ fn module(place: usize, stage: &Stage) -> String {
     let number = format!("surface_settings.choices[{place}].number");
     let _ = write!(
         text,
-        "\nfn {key}_stage({declared}) -> {returns} {{\n    switch ({number}) {{\n{arms}    }}\n}}\n"
+        "\nfn {}({declared}) -> {returns} {{\n    switch ({number}) {{\n{arms}    }}\n}}\n",
+        stage.function()
     );
     text
 }

@@ -1,0 +1,195 @@
+//! Shadows of rays: nothing shadows itself, and what the exact tracer sees in a light's way is in its way.
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+use relief_core::exact::least_gap;
+use relief_core::{HeightMap, Path, PathMetric, Wrap};
+use relief_maps::Maps;
+use relief_render::gpu::{AdapterChoice, Gpu};
+use relief_render::light::Light;
+use relief_render::material::Material;
+use relief_render::mesh::square;
+use relief_render::render;
+use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_shaders::Selection;
+use relief_shaders::cpu::PixelOut;
+use relief_tests::maps;
+
+/// The relief's depth on the unit square, in metres.
+const SCALE_M: f64 = 0.15;
+
+fn has_adapter() -> bool {
+    match Gpu::new(AdapterChoice::Any) {
+        Ok(_) => true,
+        Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
+            panic!("{error}")
+        }
+        Err(error) => {
+            println!("skipped: {error}");
+            false
+        }
+    }
+}
+
+/// A method with rays for shadows, or without any shadow.
+fn selection(method: &str, shadow: &str) -> Selection {
+    let mut selection = Selection::method(method).expect("a method");
+    selection.choose("shadow", shadow).expect("a shadow");
+    selection
+}
+
+/// The pixels of a map on the unit square under one light, and nothing else that gives light.
+fn pixels(
+    map: &HeightMap,
+    selection: Selection,
+    light: DVec3,
+    size: [u32; 2],
+    backend: BackendChoice,
+) -> Vec<PixelOut> {
+    let map = map.clone().with_displacement(SCALE_M, -SCALE_M).expect("lengths");
+    let material = Material::new(Vec3::ONE, Vec3::ZERO, 1).expect("a material");
+    let surface = Surface::new(square(1).expect("a mesh"), map).with_selection(selection);
+    let light = Light::directional(light, Vec3::ONE).expect("a light");
+    let scene = Scene::builder(surface.with_material(material)).lights(vec![light]).ambient(Vec3::ZERO);
+    let scene = scene.background(Vec3::ZERO).samples(1).size(size[0], size[1]).backend(backend);
+    let scene = scene.build().expect("a scene");
+    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+}
+
+/// Directions toward lights at these degrees above the horizon, all around.
+fn lights(degrees: &[f64], around: u32) -> Vec<DVec3> {
+    let at = |degrees: f64, turn: u32| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let (v, u) = (f64::from(turn) / f64::from(around) * std::f64::consts::TAU + 0.1).sin_cos();
+        DVec3::new(cos * u, sin, cos * v)
+    };
+    degrees.iter().flat_map(|&degrees| (0..around).map(move |turn| at(degrees, turn))).collect()
+}
+
+#[test]
+fn level_and_tilted_ground_has_no_shadow_at_any_light() {
+    let side = 37u32;
+    let last = f64::from(side - 1);
+    // Height at a corner, and rise along u and v over the whole.
+    let ground = [
+        ("level", 0.37, [0.0, 0.0]),
+        ("at the top", 1.0, [0.0, 0.0]),
+        ("tilted", 0.1, [0.8, 0.0]),
+        ("tilted across", 0.05, [0.27, 0.63]),
+    ];
+    for (name, corner, [along_u, along_v]) in ground {
+        let height =
+            |i: u32, j: u32| (corner + (along_u * f64::from(i) + along_v * f64::from(j)) / last) as f32;
+        let map = HeightMap::from_fn(side, side, Wrap::Clamp, height).expect("a map");
+        for method in ["exact", "cone", "frustum", "quadtree", "erosion-dilation", "sphere-tracing"] {
+            let worst = lights(&[0.01, 0.5, 3.0, 10.0, 30.0, 60.0, 90.0], 7).into_par_iter().map(|light| {
+                let of =
+                    |shadow| pixels(&map, selection(method, shadow), light, [40, 30], BackendChoice::Cpu);
+                let (lit, shadowed) = (of("none"), of("ray"));
+                // Beyond the outermost texels' centres the ground is level, so that it stands above tilted
+                // ground's extension: what is near to it, and light that grazes the ground, are left out.
+                let edge = 8.0 / side as f32;
+                let is_inside = |pixel: &PixelOut| {
+                    let is_far = [pixel.uv.x, pixel.uv.y].iter().all(|at| (edge..=1.0 - edge).contains(at));
+                    is_far && (name == "level" || name == "at the top" || pixel.color.x > 0.01)
+                };
+                let inside = lit.iter().zip(&shadowed).filter(|(pixel, _)| is_inside(pixel));
+                let differences = inside.map(|(a, b)| (a.color.x - b.color.x).abs());
+                differences.fold(0.0, f32::max)
+            });
+            let worst = worst.reduce(|| 0.0, f32::max);
+            assert_eq!(worst, 0.0, "{name}, {method}");
+        }
+    }
+}
+
+/// What is in the way of a light from a pixel's hit: how far the ray is below the surface at most, and how
+/// near it comes to it after it has left the hit's own cell.
+fn truth(map: &HeightMap, pixel: &PixelOut, light: DVec3) -> (f64, f64) {
+    let uv = [f64::from(pixel.uv.x), f64::from(pixel.uv.y)];
+    let height = map.height_at(uv[0], uv[1]);
+    let duv = [light.x, light.z];
+    let slope = light.y / SCALE_M;
+    let mut exit = (1.0 - height) / slope;
+    let size = [map.width(), map.height()].map(f64::from);
+    let mut leave = exit;
+    for axis in 0..2 {
+        let place = uv[axis] * size[axis] - 0.5;
+        let speed = duv[axis] * size[axis];
+        let border = if speed > 0.0 { place.floor() + 1.0 } else { place.floor() };
+        if speed != 0.0 {
+            leave = leave.min((border - place) / speed);
+        }
+        if map.wrap() == Wrap::Clamp && duv[axis] != 0.0 {
+            let edge = if duv[axis] > 0.0 { 1.0 } else { 0.0 };
+            exit = exit.min((edge - uv[axis]) / duv[axis]);
+        }
+    }
+    let path =
+        Path { uv, duv, h: [height, slope, 0.0], exit, base: 0.0, ..Path::between([0.0; 3], [1.0; 3]) };
+    let path = Path { metric: PathMetric::unit(SCALE_M), ..path };
+    (-least_gap(map, &path, 0.0, exit), least_gap(map, &path, leave.max(0.0), exit))
+}
+
+#[test]
+fn rays_answer_as_the_exact_tracer_does() {
+    let mut backends = vec![(BackendChoice::Cpu, vec!["exact", "cone", "quadtree"])];
+    if has_adapter() {
+        backends.push((BackendChoice::Gpu, vec!["frustum"]));
+    }
+    for (backend, methods) in backends {
+        for named in &maps::ALL[..4] {
+            for wrap in Wrap::ALL {
+                let map = named.build(wrap);
+                let steepest = (0..i64::from(map.height()))
+                    .flat_map(|j| (0..i64::from(map.width())).map(move |i| (i, j)))
+                    .map(|(i, j)| {
+                        let [h00, h10, h01, h11] = map.cell(i, j).map(f64::from);
+                        [h10 - h00, h01 - h00, h11 - h01, h11 - h10]
+                            .map(f64::abs)
+                            .into_iter()
+                            .fold(0.0, f64::max)
+                    })
+                    .fold(0.0, f64::max);
+                let places = 4.0 * f64::from(map.width().max(map.height())) + 2.0;
+                let slack = 4e-6 + 8.0 * f64::from(f32::EPSILON) * steepest * places;
+                for method in &methods {
+                    let (mut lit, mut dark, mut grazing) = (0, 0, 0);
+                    for light in lights(&[12.0, 35.0], 3) {
+                        let of = |shadow| pixels(&map, selection(method, shadow), light, [120, 90], backend);
+                        for (open, shadowed) in of("none").iter().zip(&of("ray")) {
+                            if open.hit == 0 || open.color.x < 1e-3 {
+                                continue;
+                            }
+                            assert_eq!(open.uv, shadowed.uv);
+                            let is_lit = shadowed.color.x > 0.5 * open.color.x;
+                            let (depth, clearance) = truth(&map, shadowed, light);
+                            if depth > slack {
+                                assert!(
+                                    !is_lit,
+                                    "{} {wrap} {method}: lit {depth} below {open:?}",
+                                    named.name
+                                );
+                                dark += 1;
+                            } else if depth <= 1e-12 && clearance > slack {
+                                assert!(
+                                    is_lit,
+                                    "{} {wrap} {method}: dark, {clearance} clear {open:?}",
+                                    named.name
+                                );
+                                lit += 1;
+                            } else {
+                                grazing += 1;
+                            }
+                        }
+                    }
+                    println!(
+                        "{} {wrap} {method} {backend}: {lit} lit, {dark} dark, {grazing} grazing",
+                        named.name
+                    );
+                    assert!(grazing < (lit + dark) / 10 + 50, "{lit} {dark} {grazing}");
+                }
+            }
+        }
+    }
+}
