@@ -1,7 +1,9 @@
 //! Scenes to pictures, on the backend that was asked for.
 
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
+#[cfg(feature = "gpu")]
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use relief_maps::{Account, Maps, MapsError, Watch};
