@@ -1,8 +1,8 @@
 //! The standard input and output where an argument names them: `-`.
 //!
-//! Readers go back and forth in a file, and nobody wants half a picture in a pipe. So the input is copied to a
-//! temporary file first, and the output is written to one and copied when all is done. Whatever else is said
-//! goes to the standard error then.
+//! Readers go back and forth in a file, and nobody wants half a picture in a pipe. So the input is copied to
+//! a temporary file first, and the output is written to one and copied when all is done. Whatever else is
+//! said goes to the standard error then.
 
 use std::fs::File;
 use std::io::{self, IsTerminal, Read, Write};

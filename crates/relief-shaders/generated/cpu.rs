@@ -932,30 +932,30 @@ impl<'g> Resources<'g> {
         let below_1 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
         return above_2.select(below_1, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
-    pub(crate) fn slice_distance(
+    pub(crate) fn search_texel_between(
         &self,
         path_8: Path,
         uv_4: impl rt::Into<rt::Vec2<f32>>,
-        slice: impl rt::Into<rt::Scalar<i32>>,
-    ) -> f32 {
-        rt::into(self.v_slice_distance(path_8, rt::into(uv_4), rt::into(slice)))
+        layer_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_search_texel_between(path_8, rt::into(uv_4), rt::into(layer_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_slice_distance(
+    fn v_search_texel_between(
         &self,
         path_8: Path,
         uv_4: rt::Vec2<f32>,
-        slice: rt::Scalar<i32>,
-    ) -> rt::Scalar<f32> {
-        let _e3 = self.v_height_size();
-        let _e5 = self.v_texels_around(uv_4, _e3.cast_elem_as_u32());
+        layer_1: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e5 = self.surface_settings.height_size;
+        let _e6 = self.v_texels_around(uv_4, _e5);
         let level_5 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), slice, level_5);
-        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), slice, level_5);
-        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), slice, level_5);
-        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), slice, level_5);
-        let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
-        return _e33.x();
+        let _e14 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), layer_1, level_5);
+        let _e20 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), layer_1, level_5);
+        let _e26 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), layer_1, level_5);
+        let _e32 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), layer_1, level_5);
+        let _e34 = self.v_bilinear(_e14, _e20, _e26, _e32, _e6.part);
+        return _e34;
     }
     pub(crate) fn distance_at(
         &self,
@@ -976,9 +976,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let place_2 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
         let below_2 = place_2.floor();
-        let _e13 = self.v_slice_distance(path_9, uv_5, below_2.cast_elem_as_i32());
-        let _e20 = self.v_slice_distance(path_9, uv_5, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
-        return (_e13 + ((_e20 - _e13) * (place_2 - below_2)));
+        let _e13 = self.v_search_texel_between(path_9, uv_5, below_2.cast_elem_as_i32());
+        let lower = _e13.x();
+        let _e21 = self.v_search_texel_between(path_9, uv_5, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let upper = _e21.x();
+        return (lower + ((upper - lower) * (place_2 - below_2)));
     }
     pub(crate) fn entered_once(
         &self,
@@ -1058,29 +1060,6 @@ impl<'g> Resources<'g> {
         let _e49 = far_gap;
         let _e50 = reads_1;
         return <Found>::new(FOUND_BRACKET, _e46, _e47, _e48, _e49, _e50);
-    }
-    pub(crate) fn filtered_cone(
-        &self,
-        path_11: Path,
-        uv_6: impl rt::Into<rt::Vec2<f32>>,
-    ) -> f32 {
-        rt::into(self.v_filtered_cone(path_11, rt::into(uv_6)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_filtered_cone(
-        &self,
-        path_11: Path,
-        uv_6: rt::Vec2<f32>,
-    ) -> rt::Scalar<f32> {
-        let _e2 = self.v_height_size();
-        let _e4 = self.v_texels_around(uv_6, _e2.cast_elem_as_u32());
-        let level_6 = rt::Scalar(path_11.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar(0i32), level_6);
-        let _e20 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar(0i32), level_6);
-        let _e27 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar(0i32), level_6);
-        let _e34 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), rt::Scalar(0i32), level_6);
-        let _e36 = self.v_bilinear(_e13, _e20, _e27, _e34, _e4.part);
-        return _e36.x();
     }
     pub(crate) fn quadratic(
         &self,
@@ -1245,16 +1224,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_12: Path,
+        path_11: Path,
         cell_7: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_12, rt::into(cell_7), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_11, rt::into(cell_7), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_12: Path,
+        path_11: Path,
         cell_7: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
@@ -1273,18 +1252,18 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e27) {
             return rt::Scalar(-1f32);
         }
-        let _e35 = self.v_search_texel(path_12, <rt::Vec2<i32>>::from_scalars(_e9.x(), _e16.x()), rt::Scalar(0i32), rt::Scalar(path_12.level).cast_elem_as_i32());
+        let _e35 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e9.x(), _e16.x()), rt::Scalar(0i32), rt::Scalar(path_11.level).cast_elem_as_i32());
         let right = forward_1.x().elementwise_eq(_e9.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e16.y().elementwise_eq(rt::Scalar(0i32)));
         return _e35.w().select(_e35.z(), right).select(_e35.y().select(_e35.x(), right), down);
     }
-    pub(crate) fn grid_of(&self, path_13: Path) -> Grid {
-        rt::into(self.v_grid_of(path_13))
+    pub(crate) fn grid_of(&self, path_12: Path) -> Grid {
+        rt::into(self.v_grid_of(path_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_13: Path) -> Grid {
+    fn v_grid_of(&self, path_12: Path) -> Grid {
         let _e1 = self.v_height_size();
-        return <Grid>::new(((path_13.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_13.duv * _e1));
+        return <Grid>::new(((path_12.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e1));
     }
     pub(crate) fn has_interval(&self, found: Found) -> bool {
         rt::into(self.v_has_interval(found))
@@ -1315,13 +1294,13 @@ impl<'g> Resources<'g> {
         let _e26 = local_6;
         return _e26;
     }
-    pub(crate) fn height_and_slope(&self, uv_7: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_7)))
+    pub(crate) fn height_and_slope(&self, uv_6: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_height_and_slope(rt::into(uv_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_and_slope(&self, uv_7: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_height_and_slope(&self, uv_6: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e1 = self.v_height_size();
-        let point_4 = ((uv_7 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let point_4 = ((uv_6 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e7 = self.v_cell_of(point_4);
         let f_1 = (point_4 - _e7);
         let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
@@ -1340,25 +1319,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_14: Path,
+        path_13: Path,
         t_7: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         reads_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_14, rt::into(t_7), rt::into(exhausted), rt::into(reads_4)))
+        rt::into(self.v_hit_on_path(path_13, rt::into(t_7), rt::into(exhausted), rt::into(reads_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_14: Path,
+        path_13: Path,
         t_7: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         reads_4: rt::Scalar<u32>,
     ) -> Hit {
         let mut local_9: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_7.elementwise_gt(rt::Scalar(path_14.exit))) {
-            let _e9 = self.v_path_height(path_14, rt::Scalar(path_14.exit));
+        if rt::Scalar::into_branch_condition(t_7.elementwise_gt(rt::Scalar(path_13.exit))) {
+            let _e9 = self.v_path_height(path_13, rt::Scalar(path_13.exit));
             local_9 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
             local_9 = rt::Scalar(false);
@@ -1368,9 +1347,9 @@ impl<'g> Resources<'g> {
             let _e14 = self.v_miss(reads_4);
             return _e14;
         }
-        let inside = t_7.clamp(rt::Scalar(0f32), rt::Scalar(path_14.exit));
-        let _e19 = self.v_path_uv(path_14, inside);
-        let _e20 = self.v_path_height(path_14, inside);
+        let inside = t_7.clamp(rt::Scalar(0f32), rt::Scalar(path_13.exit));
+        let _e19 = self.v_path_uv(path_13, inside);
+        let _e20 = self.v_path_height(path_13, inside);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_4);
     }
     pub(crate) fn hit_position(&self, at: Entered, hit: Hit) -> rt::Vec3<f32> {
@@ -1440,29 +1419,6 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
-    pub(crate) fn leaves_texels(
-        &self,
-        origin_1: impl rt::Into<rt::Scalar<f32>>,
-        step_1: impl rt::Into<rt::Scalar<f32>>,
-        extent_1: impl rt::Into<rt::Vec2<i32>>,
-    ) -> f32 {
-        rt::into(self.v_leaves_texels(rt::into(origin_1), rt::into(step_1), rt::into(extent_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_leaves_texels(
-        &self,
-        origin_1: rt::Scalar<f32>,
-        step_1: rt::Scalar<f32>,
-        extent_1: rt::Vec2<i32>,
-    ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(step_1.elementwise_gt(rt::Scalar(0f32))) {
-            return ((extent_1.y().cast_elem_as_f32() - origin_1) / step_1);
-        }
-        if rt::Scalar::into_branch_condition(step_1.elementwise_lt(rt::Scalar(0f32))) {
-            return ((extent_1.x().cast_elem_as_f32() - origin_1) / step_1);
-        }
-        return rt::Scalar(300000000000000000000000000000000000000f32);
-    }
     pub(crate) fn leaves_window(
         &self,
         grid_6: Grid,
@@ -1484,20 +1440,20 @@ impl<'g> Resources<'g> {
         let leave_5 = _e5.select(_e7, grid_6.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_5.x().min(leave_5.y());
     }
-    pub(crate) fn near_uv(&self, uv_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_8)))
+    pub(crate) fn near_uv(&self, uv_7: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_near_uv(&self, uv_8: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_7: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_8 - uv_8.floor());
+            return (uv_7 - uv_7.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_8 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_8).floor()));
+            return (uv_7 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_7).floor()));
         }
-        return uv_8;
+        return uv_7;
     }
     pub(crate) fn light_ray(&self, at_1: Entered, hit_1: Hit, light: Toward) -> LightRay {
         rt::into(self.v_light_ray(at_1, hit_1, light))
@@ -1562,16 +1518,16 @@ impl<'g> Resources<'g> {
         let _e128 = self.v_height_at(start_1);
         let above_3 = ((_e128 + gap_1) + rt::Scalar(0.0000009536743f32));
         let _e134 = exit;
-        let path_45 = <Path>::new(start_1, duv, <rt::Vec3<f32>>::from_scalars(above_3, slope_4, rt::Scalar(0f32)), (_e134 - end), rt::Scalar(0f32), metric, RAY_SHADOW, rt::Scalar(at_1.path.level));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_45);
+        let path_44 = <Path>::new(start_1, duv, <rt::Vec3<f32>>::from_scalars(above_3, slope_4, rt::Scalar(0f32)), (_e134 - end), rt::Scalar(0f32), metric, RAY_SHADOW, rt::Scalar(at_1.path.level));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_44);
     }
-    pub(crate) fn normal_at(&self, uv_9: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_9)))
+    pub(crate) fn normal_at(&self, uv_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_at(&self, uv_9: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_normal_at(&self, uv_8: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.surface_settings.normal_size;
-        let _e4 = self.v_texels_around(uv_9, _e3);
+        let _e4 = self.v_texels_around(uv_8, _e3);
         let _e13 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
         let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
@@ -1582,17 +1538,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn normal_from_map(
         &self,
         at_2: Entered,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_map(at_2, rt::into(uv_10)))
+        rt::into(self.v_normal_from_map(at_2, rt::into(uv_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_map(
         &self,
         at_2: Entered,
-        uv_10: rt::Vec2<f32>,
+        uv_9: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_normal_at(uv_10);
+        let _e2 = self.v_normal_at(uv_9);
         let along_u = at_2.tangent.normalize();
         let along_v = at_2.bitangent.normalize();
         return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at_2.normal * _e2.z())).normalize();
@@ -1600,25 +1556,25 @@ impl<'g> Resources<'g> {
     pub(crate) fn normal_from_height(
         &self,
         at_3: Entered,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_3, rt::into(uv_11)))
+        rt::into(self.v_normal_from_height(at_3, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_3: Entered,
-        uv_11: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size();
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e2.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e2.y()));
-        let _e14 = self.v_height_at((uv_11 + du));
-        let _e16 = self.v_height_at((uv_11 - du));
+        let _e14 = self.v_height_at((uv_10 + du));
+        let _e16 = self.v_height_at((uv_10 - du));
         let _e23 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u = ((_e14 - _e16) * ((rt::Scalar(0.5f32) * _e2.x()) * _e23));
-        let _e27 = self.v_height_at((uv_11 + dv));
-        let _e29 = self.v_height_at((uv_11 - dv));
+        let _e27 = self.v_height_at((uv_10 + dv));
+        let _e29 = self.v_height_at((uv_10 - dv));
         let _e36 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = ((_e27 - _e29) * ((rt::Scalar(0.5f32) * _e2.y()) * _e36));
         let along_u_1 = (at_3.tangent + (at_3.normal * slope_u));
@@ -1629,22 +1585,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn mesostructure_normal(
         &self,
         at_4: Entered,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_mesostructure_normal(at_4, rt::into(uv_12)))
+        rt::into(self.v_mesostructure_normal(at_4, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normal(
         &self,
         at_4: Entered,
-        uv_12: rt::Vec2<f32>,
+        uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e7 = self.v_normal_from_map(at_4, uv_12);
+            let _e7 = self.v_normal_from_map(at_4, uv_11);
             return _e7;
         }
-        let _e8 = self.v_normal_from_height(at_4, uv_12);
+        let _e8 = self.v_normal_from_height(at_4, uv_11);
         return _e8;
     }
     pub(crate) fn nearest_corner(&self, at_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
@@ -1697,36 +1653,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_z(
         &self,
-        path_15: Path,
+        path_14: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_15, rt::into(slope)))
+        rt::into(self.v_normal_z(path_14, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_15: Path,
+        path_14: Path,
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m = path_15.metric;
+        let m = path_14.metric;
         let area_1 = ((m.x() * m.z()) - (m.y() * m.y()));
         let squared_1 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area_1);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
     }
     pub(crate) fn path_slope(
         &self,
-        path_16: Path,
+        path_15: Path,
         t_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_16, rt::into(t_8)))
+        rt::into(self.v_path_slope(path_15, rt::into(t_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_16: Path,
+        path_15: Path,
         t_8: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_16.h.y() + ((rt::Scalar(2f32) * t_8) * path_16.h.z()));
+        return (path_15.h.y() + ((rt::Scalar(2f32) * t_8) * path_15.h.z()));
     }
     pub(crate) fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel)))
@@ -1812,15 +1768,15 @@ impl<'g> Resources<'g> {
         let _e9 = self.v_light_ray(at_6, hit_2, _e8);
         return _e9;
     }
-    pub(crate) fn starting_point(&self, path_17: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_17, found_1))
+    pub(crate) fn starting_point(&self, path_16: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_16, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_17: Path, found_1: Found) -> rt::Scalar<f32> {
+    fn v_starting_point(&self, path_16: Path, found_1: Found) -> rt::Scalar<f32> {
         let mut local_13: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_17.base);
+            return rt::Scalar(path_16.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
             local_13 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
@@ -1835,16 +1791,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_18: Path,
+        path_17: Path,
         found_2: Found,
         params: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_18, found_2, rt::into(params)))
+        rt::into(self.v_refine_none(path_17, found_2, rt::into(params)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_18: Path,
+        path_17: Path,
         found_2: Found,
         params: rt::Vec4<f32>,
     ) -> Hit {
@@ -1853,22 +1809,22 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_18, found_2);
-        let _e16 = self.v_hit_on_path(path_18, _e14, exhausted_1, rt::Scalar(found_2.reads));
+        let _e14 = self.v_starting_point(path_17, found_2);
+        let _e16 = self.v_hit_on_path(path_17, _e14, exhausted_1, rt::Scalar(found_2.reads));
         return _e16;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_19: Path,
+        path_18: Path,
         found_3: Found,
         params_1: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_19, found_3, rt::into(params_1)))
+        rt::into(self.v_refine_binary(path_18, found_3, rt::into(params_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_19: Path,
+        path_18: Path,
         found_3: Found,
         params_1: rt::Vec4<f32>,
     ) -> Hit {
@@ -1881,7 +1837,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_3);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_19, found_3, params_1);
+            let _e5 = self.v_refine_none(path_18, found_3, params_1);
             return _e5;
         }
         near_2 = rt::Scalar(found_3.near);
@@ -1889,7 +1845,7 @@ impl<'g> Resources<'g> {
         reads_5 = rt::Scalar(found_3.reads);
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_19, _e18);
+            let _e19 = self.v_path_height(path_18, _e18);
             local_14 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_14 = rt::Scalar(true);
@@ -1909,7 +1865,7 @@ impl<'g> Resources<'g> {
                     let middle_1 = (rt::Scalar(0.5f32) * (_e30 + _e31));
                     let _e35 = reads_5;
                     reads_5 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = self.v_path_gap(path_19, middle_1);
+                    let _e38 = self.v_path_gap(path_18, middle_1);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
                         far_2 = middle_1;
                         crossed = rt::Scalar(true);
@@ -1930,62 +1886,62 @@ impl<'g> Resources<'g> {
         let _e49 = near_2;
         let _e50 = far_2;
         let _e55 = reads_5;
-        let _e56 = self.v_hit_on_path(path_19, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
+        let _e56 = self.v_hit_on_path(path_18, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_20: Path,
+        path_19: Path,
         found_4: Found,
         params_2: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_20, found_4, rt::into(params_2)))
+        rt::into(self.v_refine_half_texel(path_19, found_4, rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_20: Path,
+        path_19: Path,
         found_4: Found,
         params_2: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_20, found_4, params_2);
+            let _e6 = self.v_refine_none(path_19, found_4, params_2);
             return _e6;
         }
         let _e8 = self.v_height_size();
-        let speed_1 = (path_20.duv * _e8).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_20.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e16 = self.v_refine_none(path_20, found_4, params_2);
+        let speed_1 = (path_19.duv * _e8).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_19.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e16 = self.v_refine_none(path_19, found_4, params_2);
             return _e16;
         }
         let half = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_4.far) - half).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_20.exit));
-        let _e27 = self.v_path_gap(path_20, backward);
+        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_19.exit));
+        let _e27 = self.v_path_gap(path_19, backward);
         let before_1 = _e27.abs();
-        let _e29 = self.v_path_gap(path_20, forward_2);
+        let _e29 = self.v_path_gap(path_19, forward_2);
         let behind_1 = _e29.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
             part_1 = (before_1 / (before_1 + behind_1));
         }
         let _e39 = part_1;
-        let _e46 = self.v_hit_on_path(path_20, (backward + ((forward_2 - backward) * _e39)), rt::Scalar(0u32), (rt::Scalar(found_4.reads) + rt::Scalar(2u32)));
+        let _e46 = self.v_hit_on_path(path_19, (backward + ((forward_2 - backward) * _e39)), rt::Scalar(0u32), (rt::Scalar(found_4.reads) + rt::Scalar(2u32)));
         return _e46;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_21: Path,
+        path_20: Path,
         found_5: Found,
         params_3: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_21, found_5, rt::into(params_3)))
+        rt::into(self.v_refine_offset(path_20, found_5, rt::into(params_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_21: Path,
+        path_20: Path,
         found_5: Found,
         params_3: rt::Vec4<f32>,
     ) -> Hit {
@@ -1995,31 +1951,31 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_5.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_21, found_5);
-        let _e9 = self.v_path_uv(path_21, _e8);
+        let _e8 = self.v_starting_point(path_20, found_5);
+        let _e9 = self.v_path_uv(path_20, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_slope(path_21, _e8);
+        let _e11 = self.v_path_slope(path_20, _e8);
         t_9 = _e8;
         if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
-            let _e15 = self.v_path_height(path_21, _e8);
+            let _e15 = self.v_path_height(path_20, _e8);
             t_9 = (_e8 + ((_e10 - _e15) / _e11));
         }
         let _e19 = t_9;
-        let _e29 = self.v_hit_on_path(path_21, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        let _e29 = self.v_hit_on_path(path_20, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
         return _e29;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_22: Path,
+        path_21: Path,
         found_6: Found,
         params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_22, found_6, rt::into(params_4)))
+        rt::into(self.v_refine_offset_limited(path_21, found_6, rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_22: Path,
+        path_21: Path,
         found_6: Found,
         params_4: rt::Vec4<f32>,
     ) -> Hit {
@@ -2029,12 +1985,12 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_6.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_22, found_6);
-        let _e9 = self.v_path_uv(path_22, _e8);
+        let _e8 = self.v_starting_point(path_21, found_6);
+        let _e9 = self.v_path_uv(path_21, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_height(path_22, _e8);
-        let rise_m = ((_e10 - _e11) * path_22.metric.w());
-        let _e26 = self.v_hit_on_path(path_22, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_6.reads) + rt::Scalar(1u32)));
+        let _e11 = self.v_path_height(path_21, _e8);
+        let rise_m = ((_e10 - _e11) * path_21.metric.w());
+        let _e26 = self.v_hit_on_path(path_21, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_6.reads) + rt::Scalar(1u32)));
         hit_3 = _e26;
         let _e29 = rt::Scalar(hit_3.found);
         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
@@ -2045,16 +2001,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_patch(
         &self,
-        path_23: Path,
+        path_22: Path,
         found_7: Found,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_23, found_7, rt::into(params_5)))
+        rt::into(self.v_refine_patch(path_22, found_7, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_23: Path,
+        path_22: Path,
         found_7: Found,
         params_5: rt::Vec4<f32>,
     ) -> Hit {
@@ -2068,14 +2024,14 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_23, rt::Scalar(found_7.near), rt::Scalar(1u32), rt::Scalar(found_7.reads));
+            let _e14 = self.v_hit_on_path(path_22, rt::Scalar(found_7.near), rt::Scalar(1u32), rt::Scalar(found_7.reads));
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_23, rt::Scalar(found_7.near), rt::Scalar(0u32), rt::Scalar(found_7.reads));
+            let _e21 = self.v_hit_on_path(path_22, rt::Scalar(found_7.near), rt::Scalar(0u32), rt::Scalar(found_7.reads));
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_23);
+        let _e22 = self.v_grid_of(path_22);
         t_10 = rt::Scalar(found_7.near);
         let _e27 = t_10;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
@@ -2098,20 +2054,20 @@ impl<'g> Resources<'g> {
                     let span_4 = (end_1 - _e47).max(rt::Scalar(0f32));
                     let _e51 = cell_10;
                     let _e52 = t_10;
-                    let _e53 = self.v_cell_gap(path_23, _e22, _e51, _e52);
+                    let _e53 = self.v_cell_gap(path_22, _e22, _e51, _e52);
                     let _e54 = reads_6;
                     reads_6 = (_e54 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e60 = t_10;
                         let _e62 = reads_6;
-                        let _e63 = self.v_hit_on_path(path_23, _e60, rt::Scalar(0u32), _e62);
+                        let _e63 = self.v_hit_on_path(path_22, _e60, rt::Scalar(0u32), _e62);
                         return _e63;
                     }
                     let _e64 = self.v_first_root(_e53, span_4);
                     if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e67 = t_10;
                         let _e70 = reads_6;
-                        let _e71 = self.v_hit_on_path(path_23, (_e67 + _e64), rt::Scalar(0u32), _e70);
+                        let _e71 = self.v_hit_on_path(path_22, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
                     if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(found_7.far))) {
@@ -2123,7 +2079,7 @@ impl<'g> Resources<'g> {
                         let _e84 = local_15;
                         if rt::Scalar::into_branch_condition(_e84) {
                             let _e87 = reads_6;
-                            let _e88 = self.v_hit_on_path(path_23, rt::Scalar(found_7.far), rt::Scalar(0u32), _e87);
+                            let _e88 = self.v_hit_on_path(path_22, rt::Scalar(found_7.far), rt::Scalar(0u32), _e87);
                             return _e88;
                         }
                         let _e89 = reads_6;
@@ -2140,21 +2096,21 @@ impl<'g> Resources<'g> {
         }
         let _e95 = t_10;
         let _e97 = reads_6;
-        let _e98 = self.v_hit_on_path(path_23, _e95, rt::Scalar(1u32), _e97);
+        let _e98 = self.v_hit_on_path(path_22, _e95, rt::Scalar(1u32), _e97);
         return _e98;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_24: Path,
+        path_23: Path,
         found_8: Found,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_24, found_8, rt::into(params_6)))
+        rt::into(self.v_refine_secant(path_23, found_8, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_24: Path,
+        path_23: Path,
         found_8: Found,
         params_6: rt::Vec4<f32>,
     ) -> Hit {
@@ -2168,7 +2124,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_24, found_8, params_6);
+            let _e5 = self.v_refine_none(path_23, found_8, params_6);
             return _e5;
         }
         near_3 = rt::Scalar(found_8.near);
@@ -2178,10 +2134,10 @@ impl<'g> Resources<'g> {
         reads_7 = rt::Scalar(found_8.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_24, _e19);
+            let _e20 = self.v_path_gap(path_23, _e19);
             near_gap_1 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_24, _e21);
+            let _e22 = self.v_path_gap(path_23, _e21);
             far_gap_1 = _e22;
             let _e23 = reads_7;
             reads_7 = (_e23 + rt::Scalar(2u32));
@@ -2216,7 +2172,7 @@ impl<'g> Resources<'g> {
                     let _e52 = k_1;
                     if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_6.x())) {
                         let _e55 = t_11;
-                        let _e56 = self.v_path_gap(path_24, _e55);
+                        let _e56 = self.v_path_gap(path_23, _e55);
                         let _e57 = reads_7;
                         reads_7 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
@@ -2236,21 +2192,21 @@ impl<'g> Resources<'g> {
         }
         let _e67 = t_11;
         let _e69 = reads_7;
-        let _e70 = self.v_hit_on_path(path_24, _e67, rt::Scalar(0u32), _e69);
+        let _e70 = self.v_hit_on_path(path_23, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
     pub(crate) fn refine_slope(
         &self,
-        path_25: Path,
+        path_24: Path,
         found_9: Found,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_25, found_9, rt::into(params_7)))
+        rt::into(self.v_refine_slope(path_24, found_9, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_25: Path,
+        path_24: Path,
         found_9: Found,
         params_7: rt::Vec4<f32>,
     ) -> Hit {
@@ -2260,38 +2216,38 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_9.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_25, found_9);
-        let _e9 = self.v_path_uv(path_25, _e8);
+        let _e8 = self.v_starting_point(path_24, found_9);
+        let _e9 = self.v_path_uv(path_24, _e8);
         let _e10 = self.v_height_and_slope(_e9);
-        let _e12 = self.v_path_height(path_25, _e8);
+        let _e12 = self.v_path_height(path_24, _e8);
         let rise = (_e10.x() - _e12);
         t_12 = _e8;
         if rt::Scalar::into_branch_condition(params_7.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e18 = self.v_path_slope(path_25, _e8);
-            let closing = (_e18 - ((_e10.y() * path_25.duv.x()) + (_e10.z() * path_25.duv.y())));
+            let _e18 = self.v_path_slope(path_24, _e8);
+            let closing = (_e18 - ((_e10.y() * path_24.duv.x()) + (_e10.z() * path_24.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
                 t_12 = (_e8 + (rise / closing));
             }
         } else {
-            let _e39 = self.v_normal_z(path_25, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_12 = (_e8 - ((rise * path_25.metric.w()) * _e39));
+            let _e39 = self.v_normal_z(path_24, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
+            t_12 = (_e8 - ((rise * path_24.metric.w()) * _e39));
         }
         let _e42 = t_12;
-        let _e52 = self.v_hit_on_path(path_25, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_9.reads) + rt::Scalar(1u32)));
+        let _e52 = self.v_hit_on_path(path_24, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_9.reads) + rt::Scalar(1u32)));
         return _e52;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_26: Path,
+        path_25: Path,
         found_10: Found,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_26, found_10, rt::into(params_8)))
+        rt::into(self.v_refine_slope_iterative(path_25, found_10, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_26: Path,
+        path_25: Path,
         found_10: Found,
         params_8: rt::Vec4<f32>,
     ) -> Hit {
@@ -2303,7 +2259,7 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(rt::Scalar(found_10.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_26, found_10);
+        let _e8 = self.v_starting_point(path_25, found_10);
         t_13 = _e8;
         reads_8 = rt::Scalar(found_10.reads);
         'naga_break: loop {
@@ -2315,28 +2271,28 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e17 = t_13;
-                    let _e18 = self.v_path_uv(path_26, _e17);
+                    let _e18 = self.v_path_uv(path_25, _e17);
                     let _e19 = self.v_height_and_slope(_e18);
                     let _e20 = reads_8;
                     reads_8 = (_e20 + rt::Scalar(1u32));
                     let _e24 = t_13;
-                    let _e25 = self.v_path_height(path_26, _e24);
+                    let _e25 = self.v_path_height(path_25, _e24);
                     let rise_1 = (_e19.x() - _e25);
                     if rt::Scalar::into_branch_condition(params_8.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e30 = t_13;
-                        let _e31 = self.v_path_slope(path_26, _e30);
-                        let closing_1 = (_e31 - ((_e19.y() * path_26.duv.x()) + (_e19.z() * path_26.duv.y())));
+                        let _e31 = self.v_path_slope(path_25, _e30);
+                        let closing_1 = (_e31 - ((_e19.y() * path_25.duv.x()) + (_e19.z() * path_25.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
                             let _e44 = t_13;
                             t_13 = (_e44 + (rise_1 / closing_1));
                         }
                     } else {
                         let _e47 = t_13;
-                        let _e54 = self.v_normal_z(path_26, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_13 = (_e47 - ((rise_1 * path_26.metric.w()) * _e54));
+                        let _e54 = self.v_normal_z(path_25, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
+                        t_13 = (_e47 - ((rise_1 * path_25.metric.w()) * _e54));
                     }
                     let _e57 = t_13;
-                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_26.exit));
+                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_25.exit));
                     let _e61 = k_2;
                     k_2 = (_e61 + rt::Scalar(1f32));
                 }
@@ -2344,21 +2300,21 @@ impl<'g> Resources<'g> {
         }
         let _e64 = t_13;
         let _e71 = reads_8;
-        let _e72 = self.v_hit_on_path(path_26, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
+        let _e72 = self.v_hit_on_path(path_25, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
         return _e72;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_27: Path,
+        path_26: Path,
         found_11: Found,
         params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_27, found_11, rt::into(params_9)))
+        rt::into(self.v_refine_true_secant(path_26, found_11, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_27: Path,
+        path_26: Path,
         found_11: Found,
         params_9: rt::Vec4<f32>,
     ) -> Hit {
@@ -2371,7 +2327,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_11);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_27, found_11, params_9);
+            let _e5 = self.v_refine_none(path_26, found_11, params_9);
             return _e5;
         }
         before = rt::Scalar(found_11.near);
@@ -2381,10 +2337,10 @@ impl<'g> Resources<'g> {
         reads_9 = rt::Scalar(found_11.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_27, _e19);
+            let _e20 = self.v_path_gap(path_26, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_27, _e21);
+            let _e22 = self.v_path_gap(path_26, _e21);
             last_gap = _e22;
             let _e23 = reads_9;
             reads_9 = (_e23 + rt::Scalar(2u32));
@@ -2421,7 +2377,7 @@ impl<'g> Resources<'g> {
                     last = t_25;
                     let _e54 = k_3;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_9.x())) {
-                        let _e57 = self.v_path_gap(path_27, t_25);
+                        let _e57 = self.v_path_gap(path_26, t_25);
                         last_gap = _e57;
                         let _e58 = reads_9;
                         reads_9 = (_e58 + rt::Scalar(1u32));
@@ -2433,64 +2389,64 @@ impl<'g> Resources<'g> {
         }
         let _e64 = last;
         let _e66 = reads_9;
-        let _e67 = self.v_hit_on_path(path_27, _e64, rt::Scalar(0u32), _e66);
+        let _e67 = self.v_hit_on_path(path_26, _e64, rt::Scalar(0u32), _e66);
         return _e67;
     }
-    pub(crate) fn refine_stage(&self, path_28: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_28, found_12))
+    pub(crate) fn refine_stage(&self, path_27: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_27, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_28: Path, found_12: Found) -> Hit {
+    fn v_refine_stage(&self, path_27: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[2usize].params;
-                let _e12 = self.v_refine_none(path_28, found_12, _e11);
+                let _e12 = self.v_refine_none(path_27, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[2usize].params;
-                let _e18 = self.v_refine_offset(path_28, found_12, _e17);
+                let _e18 = self.v_refine_offset(path_27, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[2usize].params;
-                let _e24 = self.v_refine_offset_limited(path_28, found_12, _e23);
+                let _e24 = self.v_refine_offset_limited(path_27, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[2usize].params;
-                let _e30 = self.v_refine_slope(path_28, found_12, _e29);
+                let _e30 = self.v_refine_slope(path_27, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[2usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_28, found_12, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_27, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[2usize].params;
-                let _e42 = self.v_refine_binary(path_28, found_12, _e41);
+                let _e42 = self.v_refine_binary(path_27, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[2usize].params;
-                let _e48 = self.v_refine_secant(path_28, found_12, _e47);
+                let _e48 = self.v_refine_secant(path_27, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[2usize].params;
-                let _e54 = self.v_refine_true_secant(path_28, found_12, _e53);
+                let _e54 = self.v_refine_true_secant(path_27, found_12, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[2usize].params;
-                let _e60 = self.v_refine_patch(path_28, found_12, _e59);
+                let _e60 = self.v_refine_patch(path_27, found_12, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[2usize].params;
-                let _e66 = self.v_refine_half_texel(path_28, found_12, _e65);
+                let _e66 = self.v_refine_half_texel(path_27, found_12, _e65);
                 return _e66;
             }
         }
@@ -2649,22 +2605,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cells(
         &self,
-        path_29: Path,
+        path_28: Path,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_29, rt::into(params_11)))
+        rt::into(self.v_search_cells(path_28, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_29: Path,
+        path_28: Path,
         params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_11: rt::Vec2<f32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e2 = self.v_grid_of(path_29);
+        let _e2 = self.v_grid_of(path_28);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_11 = _e4;
         let limit_1 = params_11.x().cast_elem_as_u32();
@@ -2678,10 +2634,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e14 = cell_11;
                     let _e15 = self.v_cell_leave(_e2, _e14);
-                    let end_2 = _e15.x().min(_e15.y()).min(rt::Scalar(path_29.exit));
+                    let end_2 = _e15.x().min(_e15.y()).min(rt::Scalar(path_28.exit));
                     let _e21 = cell_11;
                     let _e22 = t_14;
-                    let _e23 = self.v_cell_gap(path_29, _e2, _e21, _e22);
+                    let _e23 = self.v_cell_gap(path_28, _e2, _e21, _e22);
                     let _e24 = reads_10;
                     reads_10 = (_e24 + rt::Scalar(1u32));
                     let _e27 = t_14;
@@ -2693,10 +2649,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e36;
                     }
-                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(path_29.exit))) {
+                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(path_28.exit))) {
                         let _e43 = t_14;
                         let _e47 = reads_10;
-                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_29.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
+                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_28.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
                     }
                     let _e49 = cell_11;
                     let _e50 = self.v_cell_next(_e2, _e49, _e15);
@@ -2708,23 +2664,23 @@ impl<'g> Resources<'g> {
         }
         let _e54 = t_14;
         let _e56 = reads_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
+        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
     }
     pub(crate) fn stays_inside(
         &self,
-        path_30: Path,
+        path_29: Path,
         grid_7: Grid,
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_1: impl rt::Into<rt::Scalar<f32>>,
         t_15: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_30, grid_7, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
+        rt::into(self.v_stays_inside(path_29, grid_7, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_30: Path,
+        path_29: Path,
         grid_7: Grid,
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -2735,12 +2691,12 @@ impl<'g> Resources<'g> {
         let mut local_16: rt::Scalar<bool>;
         let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_1 = (rt::Scalar(path_30.exit) - t_15);
-        let _e8 = self.v_path_height(path_30, t_15);
+        let rest_1 = (rt::Scalar(path_29.exit) - t_15);
+        let _e8 = self.v_path_height(path_29, t_15);
         let height_1 = (_e8 - apex);
-        let terms = (path_30.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_30.exit)) * path_30.h.z().abs()));
-        let _e21 = self.v_path_slope(path_30, t_15);
-        let rise_2 = ((_e21 + (path_30.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_29.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_29.exit)) * path_29.h.z().abs()));
+        let _e21 = self.v_path_slope(path_29, t_15);
+        let rise_2 = ((_e21 + (path_29.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_1;
         if rt::Scalar::into_branch_condition(rise_2.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
@@ -2750,7 +2706,7 @@ impl<'g> Resources<'g> {
         let end_3 = (t_15 + _e39);
         let _e51 = self.v_height_size();
         let far_4 = (((grid_7.origin.abs() + (grid_7.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
-        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_30.h.x().abs() + (end_3 * (path_30.h.y().abs() + (end_3 * path_30.h.z().abs())))));
+        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_29.h.x().abs() + (end_3 * (path_29.h.y().abs() + (end_3 * path_29.h.z().abs())))));
         let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_4.x() + far_4.y())));
         let gap_2 = (height_1 - (rt::Scalar(2f32) * lost_1));
         let _e83 = self.v_height_size();
@@ -2765,8 +2721,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e100) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_1 * slope_1) * aside_1.dot(path_30.duv)) - (gap_2 * rise_2));
-        let a_3 = (((slope_1 * slope_1) * path_30.duv.dot(path_30.duv)) - (rise_2 * rise_2));
+        let b_3 = (((slope_1 * slope_1) * aside_1.dot(path_29.duv)) - (gap_2 * rise_2));
+        let a_3 = (((slope_1 * slope_1) * path_29.duv.dot(path_29.duv)) - (rise_2 * rise_2));
         let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -2783,7 +2739,7 @@ impl<'g> Resources<'g> {
         leave_3 = _e133.min(_e134);
         let _e137 = leave_3;
         let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_1 * (aside_1 + (path_30.duv * _e137)).length()) + lost_1).elementwise_le((height_1 + (rise_2 * _e143)))) {
+        if rt::Scalar::into_branch_condition(((slope_1 * (aside_1 + (path_29.duv * _e137)).length()) + lost_1).elementwise_le((height_1 + (rise_2 * _e143)))) {
             let _e147 = leave_3;
             return _e147;
         }
@@ -2791,15 +2747,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_31: Path,
+        path_30: Path,
         params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_31, rt::into(params_12)))
+        rt::into(self.v_search_cone(path_30, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_31: Path,
+        path_30: Path,
         params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
@@ -2807,7 +2763,7 @@ impl<'g> Resources<'g> {
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_1: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_31);
+        let _e2 = self.v_grid_of(path_30);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
@@ -2828,7 +2784,7 @@ impl<'g> Resources<'g> {
                     reads_11 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_12;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_31.exit));
+                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_30.exit));
                     let _e35 = t_16;
                     let span_6 = (end_4 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_12;
@@ -2839,17 +2795,17 @@ impl<'g> Resources<'g> {
                     let _e48 = t_16;
                     next_1 = _e48;
                     let _e50 = t_16;
-                    let _e51 = self.v_path_height(path_31, _e50);
+                    let _e51 = self.v_path_height(path_30, _e50);
                     if rt::Scalar::into_branch_condition(_e51.elementwise_gt(_e47)) {
                         let _e53 = cell_12;
                         let texel_5 = (_e53 + _e46);
-                        let _e55 = self.v_cone_slope(path_31, texel_5);
+                        let _e55 = self.v_cone_slope(path_30, texel_5);
                         let _e56 = reads_11;
                         reads_11 = (_e56 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e55.elementwise_ge(rt::Scalar(0f32))) {
                             let _e61 = t_16;
                             let _e62 = t_16;
-                            let _e63 = self.v_stays_inside(path_31, _e2, texel_5, _e47, _e55, _e62);
+                            let _e63 = self.v_stays_inside(path_30, _e2, texel_5, _e47, _e55, _e62);
                             next_1 = (_e61 + _e63);
                         }
                     }
@@ -2857,7 +2813,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e65.elementwise_lt(end_4)) {
                         let _e67 = cell_12;
                         let _e68 = t_16;
-                        let _e69 = self.v_gap_to(path_31, _e2, _e67, _e24, _e68);
+                        let _e69 = self.v_gap_to(path_30, _e2, _e67, _e24, _e68);
                         let _e70 = t_16;
                         let _e71 = reads_11;
                         let _e72 = self.v_found_in_cell(_e69, _e70, span_6, first_3, _e71);
@@ -2868,10 +2824,10 @@ impl<'g> Resources<'g> {
                         next_1 = _e76.max(end_4);
                     }
                     let _e78 = next_1;
-                    if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_31.exit))) {
+                    if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_30.exit))) {
                         let _e82 = t_16;
                         let _e84 = reads_11;
-                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_30.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
                     }
                     let _e88 = cell_12;
                     let _e89 = next_1;
@@ -2884,19 +2840,19 @@ impl<'g> Resources<'g> {
         }
         let _e93 = t_16;
         let _e95 = reads_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e93, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e95);
+        return <Found>::new(FOUND_EXHAUSTED, _e93, rt::Scalar(path_30.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e95);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_32: Path,
+        path_31: Path,
         params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_32, rt::into(params_13)))
+        rt::into(self.v_search_cone_moved(path_31, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_32: Path,
+        path_31: Path,
         params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2906,7 +2862,7 @@ impl<'g> Resources<'g> {
         let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_17: rt::Scalar<bool>;
 
-        let aside_2 = path_32.duv.length();
+        let aside_2 = path_31.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_5;
@@ -2916,7 +2872,7 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e17 = t_17;
-                    let _e18 = self.v_path_gap(path_32, _e17);
+                    let _e18 = self.v_path_gap(path_31, _e17);
                     let _e19 = reads_12;
                     reads_12 = (_e19 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
@@ -2941,58 +2897,58 @@ impl<'g> Resources<'g> {
                     near_4 = _e44;
                     near_gap_2 = _e18;
                     let _e45 = t_17;
-                    let _e46 = self.v_path_uv(path_32, _e45);
-                    let _e47 = self.v_filtered_cone(path_32, _e46);
-                    let _e48 = self.v_slope_of(_e47);
-                    let _e49 = reads_12;
-                    reads_12 = (_e49 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e48.elementwise_lt(rt::Scalar(0f32))) {
+                    let _e46 = self.v_path_uv(path_31, _e45);
+                    let _e48 = self.v_search_texel_between(path_31, _e46, rt::Scalar(0i32));
+                    let _e50 = self.v_slope_of(_e48.x());
+                    let _e51 = reads_12;
+                    reads_12 = (_e51 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e50.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e55 = t_17;
-                    let rest_2 = (rt::Scalar(path_32.exit) - _e55);
                     let _e57 = t_17;
-                    let _e58 = self.v_path_slope(path_32, _e57);
-                    let rise_3 = (_e58 + (path_32.h.z().min(rt::Scalar(0f32)) * rest_2));
-                    let terms_1 = (path_32.h.x().abs() + (rt::Scalar(path_32.exit) * (path_32.h.y().abs() + (rt::Scalar(path_32.exit) * path_32.h.z().abs()))));
-                    let far_5 = (((path_32.uv.abs() + (path_32.duv.abs() * rt::Scalar(path_32.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e48);
+                    let rest_2 = (rt::Scalar(path_31.exit) - _e57);
+                    let _e59 = t_17;
+                    let _e60 = self.v_path_slope(path_31, _e59);
+                    let rise_3 = (_e60 + (path_31.h.z().min(rt::Scalar(0f32)) * rest_2));
+                    let terms_1 = (path_31.h.x().abs() + (rt::Scalar(path_31.exit) * (path_31.h.y().abs() + (rt::Scalar(path_31.exit) * path_31.h.z().abs()))));
+                    let far_5 = (((path_31.uv.abs() + (path_31.duv.abs() * rt::Scalar(path_31.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e50);
                     let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_5.x()) + far_5.y()));
-                    let closing_2 = (((_e48 * aside_2) - rise_3) * rt::Scalar(1.000001f32));
+                    let closing_2 = (((_e50 * aside_2) - rise_3) * rt::Scalar(1.000001f32));
                     if rt::Scalar::into_branch_condition(closing_2.elementwise_le(rt::Scalar(0f32))) {
-                        let _e105 = t_17;
-                        let _e107 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e105, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e107);
+                        let _e107 = t_17;
+                        let _e109 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e107, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
                     }
-                    let _e111 = t_17;
-                    t_17 = (_e111 + ((_e18 - lost_2).max(rt::Scalar(0f32)) / closing_2));
-                    let _e117 = t_17;
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_ge(rt::Scalar(path_32.exit))) {
-                        let _e121 = near_4;
-                        let _e123 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e121, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e123);
+                    let _e113 = t_17;
+                    t_17 = (_e113 + ((_e18 - lost_2).max(rt::Scalar(0f32)) / closing_2));
+                    let _e119 = t_17;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_31.exit))) {
+                        let _e123 = near_4;
+                        let _e125 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
-                    let _e127 = k_5;
-                    k_5 = (_e127 + rt::Scalar(1f32));
+                    let _e129 = k_5;
+                    k_5 = (_e129 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e131 = t_17;
         let _e133 = t_17;
-        let _e134 = self.v_path_height(path_32, _e133);
-        let _e135 = reads_12;
-        return <Found>::new(FOUND_ABOVE, _e131, rt::Scalar(path_32.exit), _e134, rt::Scalar(0f32), _e135);
+        let _e135 = t_17;
+        let _e136 = self.v_path_height(path_31, _e135);
+        let _e137 = reads_12;
+        return <Found>::new(FOUND_ABOVE, _e133, rt::Scalar(path_31.exit), _e136, rt::Scalar(0f32), _e137);
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_33: Path,
+        path_32: Path,
         params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_33, rt::into(params_14)))
+        rt::into(self.v_search_dilation_erosion(path_32, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_33: Path,
+        path_32: Path,
         params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_13: rt::Vec2<f32>;
@@ -3006,7 +2962,7 @@ impl<'g> Resources<'g> {
         let mut local_20: rt::Scalar<bool>;
         let mut local_21: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_33);
+        let _e2 = self.v_grid_of(path_32);
         let _e5 = self.surface_settings.height_size;
         let n_7 = _e5.cast_elem_as_i32();
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -3023,7 +2979,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = cell_13;
                     let _e26 = self.v_cell_leave(_e2, _e25);
-                    let end_5 = _e26.x().min(_e26.y()).min(rt::Scalar(path_33.exit));
+                    let end_5 = _e26.x().min(_e26.y()).min(rt::Scalar(path_32.exit));
                     let _e32 = t_18;
                     let span_7 = (end_5 - _e32).max(rt::Scalar(0f32));
                     let _e36 = t_18;
@@ -3042,21 +2998,21 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e62) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e70 = self.v_search_texel(path_33, <rt::Vec2<i32>>::from_scalars(_e46.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_33.level).cast_elem_as_i32());
+                        let _e70 = self.v_search_texel(path_32, <rt::Vec2<i32>>::from_scalars(_e46.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_32.level).cast_elem_as_i32());
                         let _e71 = reads_13;
                         reads_13 = (_e71 + rt::Scalar(1u32));
                         let _e74 = cell_13;
                         let _e76 = self.v_leaves_window(_e2, _e74, params_14.z());
                         let _e79 = t_18;
-                        let reach = (_e76.min(rt::Scalar(path_33.exit)) - _e79).max(rt::Scalar(0f32));
+                        let reach = (_e76.min(rt::Scalar(path_32.exit)) - _e79).max(rt::Scalar(0f32));
                         let _e83 = t_18;
                         let furthest = (_e83 + reach);
-                        let rounded = (path_33.h.x().abs() + (furthest * (path_33.h.y().abs() + (furthest * path_33.h.z().abs()))));
+                        let rounded = (path_32.h.x().abs() + (furthest * (path_32.h.y().abs() + (furthest * path_32.h.z().abs()))));
                         let _e98 = t_18;
-                        let _e99 = self.v_path_height(path_33, _e98);
+                        let _e99 = self.v_path_height(path_32, _e98);
                         let _e105 = t_18;
-                        let _e106 = self.v_path_slope(path_33, _e105);
-                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e106, path_33.h.z());
+                        let _e106 = self.v_path_slope(path_32, _e105);
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e106, path_32.h.z());
                         if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e113 = t_18;
                             safe_ = _e113;
@@ -3079,7 +3035,7 @@ impl<'g> Resources<'g> {
                         }
                         let _e131 = local_19;
                         if rt::Scalar::into_branch_condition(_e131) {
-                            let _e134 = self.v_path_height(path_33, end_5);
+                            let _e134 = self.v_path_height(path_32, end_5);
                             local_20 = _e134.elementwise_lt(_e70.x());
                         } else {
                             local_20 = rt::Scalar(false);
@@ -3088,7 +3044,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e138) {
                             let _e139 = safe_;
                             let _e140 = reads_13;
-                            let _e141 = self.v_bracket_between(path_33, _e139, end_5, _e140);
+                            let _e141 = self.v_bracket_between(path_32, _e139, end_5, _e140);
                             return _e141;
                         }
                     }
@@ -3109,7 +3065,7 @@ impl<'g> Resources<'g> {
                             let _e158 = self.v_height_cell(_e156.cast_elem_as_i32());
                             let _e159 = cell_13;
                             let _e160 = t_18;
-                            let _e161 = self.v_gap_to(path_33, _e2, _e159, _e158, _e160);
+                            let _e161 = self.v_gap_to(path_32, _e2, _e159, _e158, _e160);
                             let _e162 = t_18;
                             let _e163 = t_18;
                             let _e166 = reads_13;
@@ -3122,10 +3078,10 @@ impl<'g> Resources<'g> {
                         next_2 = _e171.max(end_5);
                     }
                     let _e173 = next_2;
-                    if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_33.exit))) {
+                    if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_32.exit))) {
                         let _e177 = t_18;
                         let _e179 = reads_13;
-                        return <Found>::new(FOUND_MISS, _e177, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e179);
+                        return <Found>::new(FOUND_MISS, _e177, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e179);
                     }
                     let _e183 = cell_13;
                     let _e184 = next_2;
@@ -3138,7 +3094,7 @@ impl<'g> Resources<'g> {
         }
         let _e188 = t_18;
         let _e190 = reads_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e188, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e190);
+        return <Found>::new(FOUND_EXHAUSTED, _e188, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e190);
     }
     pub(crate) fn stays_above(
         &self,
@@ -3178,15 +3134,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_34: Path,
+        path_33: Path,
         params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_34, rt::into(params_15)))
+        rt::into(self.v_search_frustum(path_33, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_34: Path,
+        path_33: Path,
         params_15: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_14: rt::Vec2<f32>;
@@ -3196,7 +3152,7 @@ impl<'g> Resources<'g> {
         let mut slope_3: rt::Scalar<f32>;
         let mut local_22: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_34);
+        let _e2 = self.v_grid_of(path_33);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_14 = _e9;
@@ -3217,18 +3173,18 @@ impl<'g> Resources<'g> {
                     reads_14 = (_e25 + rt::Scalar(1u32));
                     let _e28 = cell_14;
                     let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_6 = _e29.x().min(_e29.y()).min(rt::Scalar(path_34.exit));
+                    let end_6 = _e29.x().min(_e29.y()).min(rt::Scalar(path_33.exit));
                     let _e35 = t_19;
                     let span_8 = (end_6 - _e35).max(rt::Scalar(0f32));
                     let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
                     let _e46 = t_19;
-                    let _e47 = self.v_path_height(path_34, _e46);
+                    let _e47 = self.v_path_height(path_33, _e46);
                     let _e49 = t_19;
-                    let _e50 = self.v_path_slope(path_34, _e49);
-                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_34.h.z());
+                    let _e50 = self.v_path_slope(path_33, _e49);
+                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_33.h.z());
                     let _e57 = t_19;
                     let _e61 = t_19;
-                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_34.h.x().abs() + (_e57 * (path_34.h.y().abs() + (_e61 * path_34.h.z().abs())))));
+                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_33.h.x().abs() + (_e57 * (path_33.h.y().abs() + (_e61 * path_33.h.z().abs())))));
                     let _e71 = t_19;
                     next_3 = _e71.max(end_6);
                     slope_3 = rt::Scalar(-1f32);
@@ -3241,9 +3197,9 @@ impl<'g> Resources<'g> {
                     }
                     let _e84 = local_22;
                     if rt::Scalar::into_branch_condition(_e84) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_34.exit))) {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_33.exit))) {
                             let _e87 = cell_14;
-                            let _e89 = self.v_frustum_slope(path_34, _e87.cast_elem_as_i32(), forward_5);
+                            let _e89 = self.v_frustum_slope(path_33, _e87.cast_elem_as_i32(), forward_5);
                             slope_3 = _e89;
                             let _e90 = reads_14;
                             let _e93 = slope_3;
@@ -3252,7 +3208,7 @@ impl<'g> Resources<'g> {
                     } else {
                         let _e98 = cell_14;
                         let _e99 = t_19;
-                        let _e100 = self.v_gap_to(path_34, _e2, _e98, _e24, _e99);
+                        let _e100 = self.v_gap_to(path_33, _e2, _e98, _e24, _e99);
                         let _e101 = t_19;
                         let _e102 = reads_14;
                         let _e103 = self.v_found_in_cell(_e100, _e101, span_8, first_4, _e102);
@@ -3271,7 +3227,7 @@ impl<'g> Resources<'g> {
                         let _e134 = slope_3;
                         let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_6));
                         let _e140 = t_19;
-                        let rest_3 = (rt::Scalar(path_34.exit) - _e140);
+                        let rest_3 = (rt::Scalar(path_33.exit) - _e140);
                         let _e142 = slope_3;
                         let _e147 = self.v_stays_above(above_4, _e142, left_2.x(), _e2.step.x(), lost_3.x(), rest_3);
                         let _e148 = slope_3;
@@ -3281,10 +3237,10 @@ impl<'g> Resources<'g> {
                         next_3 = _e154.max((_e155 + _e147.min(_e153)));
                     }
                     let _e159 = next_3;
-                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_34.exit))) {
+                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_33.exit))) {
                         let _e163 = t_19;
                         let _e165 = reads_14;
-                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
+                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
                     }
                     let _e169 = slope_3;
                     if rt::Scalar::into_branch_condition(_e169.elementwise_ge(rt::Scalar(0f32))) {
@@ -3304,19 +3260,19 @@ impl<'g> Resources<'g> {
         }
         let _e179 = t_19;
         let _e181 = reads_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
+        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
     }
     pub(crate) fn search_linear(
         &self,
-        path_35: Path,
+        path_34: Path,
         params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_35, rt::into(params_16)))
+        rt::into(self.v_search_linear(path_34, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_35: Path,
+        path_34: Path,
         params_16: rt::Vec4<f32>,
     ) -> Found {
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3324,9 +3280,9 @@ impl<'g> Resources<'g> {
         let mut reads_15: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_1 = (path_35.h.y().abs() * path_35.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let cosine_1 = (path_34.h.y().abs() * path_34.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let steps = rt::Scalar(1f32).max((params_16.x() * params_16.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
-        let _e22 = self.v_path_gap(path_35, rt::Scalar(0f32));
+        let _e22 = self.v_path_gap(path_34, rt::Scalar(0f32));
         near_gap_3 = _e22;
         let _e26 = near_gap_3;
         if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
@@ -3344,8 +3300,8 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e41 = k_6;
-                    let t_26 = (rt::Scalar(path_35.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_35, t_26);
+                    let t_26 = (rt::Scalar(path_34.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_34, t_26);
                     let _e45 = reads_15;
                     reads_15 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
@@ -3370,30 +3326,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_none(
         &self,
-        path_36: Path,
+        path_35: Path,
         params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_36, rt::into(params_17)))
+        rt::into(self.v_search_none(path_35, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_36: Path,
+        path_35: Path,
         params_17: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_35.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_37: Path,
+        path_36: Path,
         params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_37, rt::into(params_18)))
+        rt::into(self.v_search_pyramid(path_36, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_37: Path,
+        path_36: Path,
         params_18: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -3407,10 +3363,10 @@ impl<'g> Resources<'g> {
         let mut local_25: rt::Scalar<bool>;
         let mut local_26: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_37);
+        let _e2 = self.v_grid_of(path_36);
         let _e5 = self.surface_settings.height_size;
         let n_8 = _e5.cast_elem_as_i32();
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_37.exit));
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_36.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e20 = top;
@@ -3447,122 +3403,123 @@ impl<'g> Resources<'g> {
                     let place_3 = <rt::Vec2<i32>>::from_scalars(_e57.x(), _e61.x());
                     let _e65 = level_2;
                     let above_level = (_e65 + rt::Scalar(1u32));
-                    let _e69 = parent.x();
-                    if rt::Scalar::into_branch_condition(_e69.elementwise_ge(rt::Scalar(0i32))) {
-                        let _e75 = parent.x();
-                        if rt::Scalar::into_branch_condition((!_e75.elementwise_ne((place_3.x() >> above_level)))) {
-                            let _e83 = parent.y();
-                            local_24 = _e83.elementwise_ne((place_3.y() >> above_level));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_3.x() >> above_level), (place_3.y() >> above_level));
+                    let _e74 = parent.x();
+                    if rt::Scalar::into_branch_condition(_e74.elementwise_ge(rt::Scalar(0i32))) {
+                        let _e80 = parent.x();
+                        if rt::Scalar::into_branch_condition((!_e80.elementwise_ne(over.x()))) {
+                            let _e87 = parent.y();
+                            local_24 = _e87.elementwise_ne(over.y());
                         } else {
                             local_24 = rt::Scalar(true);
                         }
-                        let _e88 = local_24;
-                        local_23 = _e88;
+                        let _e91 = local_24;
+                        local_23 = _e91;
                     } else {
                         local_23 = rt::Scalar(false);
                     }
                     let left_3 = local_23;
                     if rt::Scalar::into_branch_condition(left_3) {
-                        let _e93 = level_2;
-                        let _e94 = top;
-                        local_25 = _e93.elementwise_lt(_e94);
+                        let _e96 = level_2;
+                        let _e97 = top;
+                        local_25 = _e96.elementwise_lt(_e97);
                     } else {
                         local_25 = rt::Scalar(false);
                     }
-                    let _e97 = local_25;
-                    if rt::Scalar::into_branch_condition(_e97) {
+                    let _e100 = local_25;
+                    if rt::Scalar::into_branch_condition(_e100) {
                         level_2 = above_level;
                     }
-                    let _e99 = cell_15.x();
-                    let _e101 = level_2;
-                    let _e102 = self.v_node_extent(_e99, _e57, n_8.x(), _e101);
-                    let _e104 = cell_15.y();
-                    let _e106 = level_2;
-                    let _e107 = self.v_node_extent(_e104, _e61, n_8.y(), _e106);
-                    let _e112 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e102);
-                    let _e117 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e107);
-                    let end_7 = _e112.min(_e117).min(rt::Scalar(path_37.exit));
-                    let _e121 = t_20;
-                    let span_9 = (end_7 - _e121).max(rt::Scalar(0f32));
-                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e102.x(), _e107.x());
-                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e102.y() - rt::Scalar(1i32)), (_e107.y() - rt::Scalar(1i32)));
-                    let _e135 = reads_16;
-                    reads_16 = (_e135 + rt::Scalar(1u32));
-                    let _e138 = level_2;
-                    if rt::Scalar::into_branch_condition(_e138.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e141 = cell_15;
-                        let _e143 = cell_15;
-                        let _e144 = self.v_height_cell(_e143);
-                        let _e145 = t_20;
-                        let _e146 = self.v_gap_to(path_37, _e2, _e141.cast_elem_as_f32(), _e144, _e145);
-                        let _e147 = t_20;
+                    let _e102 = cell_15.x();
+                    let _e104 = level_2;
+                    let _e105 = self.v_node_extent(_e102, _e57, n_8.x(), _e104);
+                    let _e107 = cell_15.y();
+                    let _e109 = level_2;
+                    let _e110 = self.v_node_extent(_e107, _e61, n_8.y(), _e109);
+                    let _e115 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e105);
+                    let _e120 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e110);
+                    let end_7 = _e115.min(_e120).min(rt::Scalar(path_36.exit));
+                    let _e124 = t_20;
+                    let span_9 = (end_7 - _e124).max(rt::Scalar(0f32));
+                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e105.x(), _e110.x());
+                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e105.y() - rt::Scalar(1i32)), (_e110.y() - rt::Scalar(1i32)));
+                    let _e138 = reads_16;
+                    reads_16 = (_e138 + rt::Scalar(1u32));
+                    let _e141 = level_2;
+                    if rt::Scalar::into_branch_condition(_e141.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e144 = cell_15;
+                        let _e146 = cell_15;
+                        let _e147 = self.v_height_cell(_e146);
                         let _e148 = t_20;
-                        let _e151 = reads_16;
-                        let _e152 = self.v_found_in_cell(_e146, _e147, span_9, _e148.elementwise_eq(rt::Scalar(0f32)), _e151);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e152.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e152;
+                        let _e149 = self.v_gap_to(path_36, _e2, _e144.cast_elem_as_f32(), _e147, _e148);
+                        let _e150 = t_20;
+                        let _e151 = t_20;
+                        let _e154 = reads_16;
+                        let _e155 = self.v_found_in_cell(_e149, _e150, span_9, _e151.elementwise_eq(rt::Scalar(0f32)), _e154);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e155.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e155;
                         }
                     } else {
-                        let _e157 = level_2;
                         let _e160 = level_2;
-                        let _e164 = level_2;
-                        let _e168 = self.v_search_texel(path_37, <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e157), (place_3.y() >> _e160)), rt::Scalar(0i32), (_e164.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        let highest_1 = _e168.y();
-                        let _e170 = t_20;
-                        let furthest_1 = (_e170 + span_9);
-                        let rounded_1 = (path_37.h.x().abs() + (furthest_1 * (path_37.h.y().abs() + (furthest_1 * path_37.h.z().abs()))));
-                        let _e185 = t_20;
-                        let _e186 = self.v_path_height(path_37, _e185);
-                        let _e191 = t_20;
-                        let _e192 = self.v_path_slope(path_37, _e191);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e186 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e192, path_37.h.z());
+                        let _e163 = level_2;
+                        let _e167 = level_2;
+                        let _e171 = self.v_search_texel(path_36, <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e160), (place_3.y() >> _e163)), rt::Scalar(0i32), (_e167.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let highest_1 = _e171.y();
+                        let _e173 = t_20;
+                        let furthest_1 = (_e173 + span_9);
+                        let rounded_1 = (path_36.h.x().abs() + (furthest_1 * (path_36.h.y().abs() + (furthest_1 * path_36.h.z().abs()))));
+                        let _e188 = t_20;
+                        let _e189 = self.v_path_height(path_36, _e188);
+                        let _e194 = t_20;
+                        let _e195 = self.v_path_slope(path_36, _e194);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e189 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e195, path_36.h.z());
                         if rt::Scalar::into_branch_condition((!gap_5.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e202 = self.v_least_at(gap_5, span_9);
-                            let _e203 = self.v_quadratic(gap_5, _e202);
-                            local_26 = _e203.elementwise_le(rt::Scalar(0f32));
+                            let _e205 = self.v_least_at(gap_5, span_9);
+                            let _e206 = self.v_quadratic(gap_5, _e205);
+                            local_26 = _e206.elementwise_le(rt::Scalar(0f32));
                         } else {
                             local_26 = rt::Scalar(true);
                         }
-                        let _e207 = local_26;
-                        if rt::Scalar::into_branch_condition(_e207) {
+                        let _e210 = local_26;
+                        if rt::Scalar::into_branch_condition(_e210) {
                             if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e211 = t_20;
-                                let _e212 = self.v_first_root(gap_5, span_9);
-                                t_20 = (_e211 + _e212.min(span_9));
+                                let _e214 = t_20;
+                                let _e215 = self.v_first_root(gap_5, span_9);
+                                t_20 = (_e214 + _e215.min(span_9));
                             }
-                            let _e217 = t_20;
-                            let _e220 = self.v_cell_of((_e2.origin + (_e2.step * _e217)));
-                            cell_15 = _e220.cast_elem_as_i32().clamp(low_1, last_1);
-                            let _e223 = level_2;
-                            level_2 = (_e223 - rt::Scalar(1u32));
+                            let _e220 = t_20;
+                            let _e223 = self.v_cell_of((_e2.origin + (_e2.step * _e220)));
+                            cell_15 = _e223.cast_elem_as_i32().clamp(low_1, last_1);
+                            let _e226 = level_2;
+                            level_2 = (_e226 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_37.exit))) {
-                        let _e232 = t_20;
-                        let _e234 = reads_16;
-                        return <Found>::new(FOUND_MISS, _e232, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e234);
+                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_36.exit))) {
+                        let _e235 = t_20;
+                        let _e237 = reads_16;
+                        return <Found>::new(FOUND_MISS, _e235, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e237);
                     }
-                    let _e242 = self.v_cell_of((_e2.origin + (_e2.step * end_7)));
-                    cell_15 = _e242.cast_elem_as_i32().clamp(low_1, last_1);
-                    if rt::Scalar::into_branch_condition(_e112.elementwise_le(end_7)) {
-                        cell_15.set_x((low_1.x() - rt::Scalar(1i32)).select(_e102.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    let _e245 = self.v_cell_of((_e2.origin + (_e2.step * end_7)));
+                    cell_15 = _e245.cast_elem_as_i32().clamp(low_1, last_1);
+                    if rt::Scalar::into_branch_condition(_e115.elementwise_le(end_7)) {
+                        cell_15.set_x((low_1.x() - rt::Scalar(1i32)).select(_e105.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_7)) {
-                        cell_15.set_y((low_1.y() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(_e120.elementwise_le(end_7)) {
+                        cell_15.set_y((low_1.y() - rt::Scalar(1i32)).select(_e110.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e268 = level_2;
-                    let _e273 = level_2;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_3.x() >> (_e268 + rt::Scalar(1u32))), (place_3.y() >> (_e273 + rt::Scalar(1u32))));
-                    let _e278 = t_20;
-                    t_20 = _e278.max(end_7);
+                    let _e271 = level_2;
+                    let _e276 = level_2;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_3.x() >> (_e271 + rt::Scalar(1u32))), (place_3.y() >> (_e276 + rt::Scalar(1u32))));
+                    let _e281 = t_20;
+                    t_20 = _e281.max(end_7);
                 }
             }
         }
-        let _e281 = t_20;
-        let _e283 = reads_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e281, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e283);
+        let _e284 = t_20;
+        let _e286 = reads_16;
+        return <Found>::new(FOUND_EXHAUSTED, _e284, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e286);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -3607,15 +3564,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_38: Path,
+        path_37: Path,
         params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_38, rt::into(params_19)))
+        rt::into(self.v_search_pyramid_texels(path_37, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_38: Path,
+        path_37: Path,
         params_19: rt::Vec4<f32>,
     ) -> Found {
         let mut level_4: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -3628,9 +3585,9 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.height_size;
         let n_9 = _e4.cast_elem_as_i32();
         let _e7 = self.v_height_size();
-        let origin_2 = (path_38.uv * _e7);
+        let origin_1 = (path_37.uv * _e7);
         let _e10 = self.v_height_size();
-        let step_2 = (path_38.duv * _e10);
+        let step_1 = (path_37.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_4;
@@ -3644,7 +3601,7 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e24 = self.v_cell_of(origin_2);
+        let _e24 = self.v_cell_of(origin_1);
         texel_3 = _e24.cast_elem_as_i32();
         let limit_6 = params_19.x().cast_elem_as_u32();
         'naga_break: loop {
@@ -3670,7 +3627,7 @@ impl<'g> Resources<'g> {
                         let _e57 = level_4;
                         let node = <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e54), (place_4.y() >> _e57));
                         let _e61 = level_4;
-                        let _e65 = self.v_search_texel(path_38, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e65 = self.v_search_texel(path_37, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e65.y();
                     }
                     let _e67 = reads_17;
@@ -3681,17 +3638,17 @@ impl<'g> Resources<'g> {
                     let _e76 = texel_3.y();
                     let _e78 = level_4;
                     let _e79 = self.v_texel_extent(_e76, n_9.y(), _e78);
-                    let _e82 = self.v_leaves_texels(origin_2.x(), step_2.x(), _e74);
-                    let _e85 = self.v_leaves_texels(origin_2.y(), step_2.y(), _e79);
+                    let _e82 = self.v_leaves_extent(origin_1.x(), step_1.x(), _e74);
+                    let _e85 = self.v_leaves_extent(origin_1.y(), step_1.y(), _e79);
                     let leave_6 = <rt::Vec2<f32>>::from_scalars(_e82, _e85);
                     let _e92 = t_21;
-                    let end_8 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_38.exit)).max(_e92);
+                    let end_8 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_37.exit)).max(_e92);
                     let _e94 = t_21;
-                    let _e95 = self.v_path_height(path_38, _e94);
+                    let _e95 = self.v_path_height(path_37, _e94);
                     let _e96 = highest;
                     let _e98 = t_21;
-                    let _e99 = self.v_path_slope(path_38, _e98);
-                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_38.h.z());
+                    let _e99 = self.v_path_slope(path_37, _e98);
+                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_37.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e108 = t_21;
@@ -3714,21 +3671,21 @@ impl<'g> Resources<'g> {
                         let _e137 = level_4;
                         level_4 = (_e137 - rt::Scalar(1u32));
                         let _e140 = t_21;
-                        let _e143 = self.v_cell_of((origin_2 + (step_2 * _e140)));
+                        let _e143 = self.v_cell_of((origin_1 + (step_1 * _e140)));
                         texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_3);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_38.exit))) {
+                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_37.exit))) {
                             let _e149 = t_21;
                             let _e151 = reads_17;
-                            return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+                            return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                         }
-                        let _e157 = self.v_cell_of((origin_2 + (step_2 * end_8)));
+                        let _e157 = self.v_cell_of((origin_1 + (step_1 * end_8)));
                         texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_3);
                         if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_8)) {
-                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_2.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_8)) {
-                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e79.y(), step_2.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e79.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_21 = end_8;
                     }
@@ -3737,19 +3694,19 @@ impl<'g> Resources<'g> {
         }
         let _e183 = t_21;
         let _e185 = reads_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e183, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e185);
+        return <Found>::new(FOUND_EXHAUSTED, _e183, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e185);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_39: Path,
+        path_38: Path,
         params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_39, rt::into(params_20)))
+        rt::into(self.v_search_relaxed_cone(path_38, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_39: Path,
+        path_38: Path,
         params_20: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
@@ -3763,13 +3720,13 @@ impl<'g> Resources<'g> {
         let mut next_4: rt::Scalar<f32>;
         let mut local_29: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_39);
+        let _e2 = self.v_grid_of(path_38);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_3 = path_39.duv.length();
-        let _e11 = self.v_path_slope(path_39, rt::Scalar(0f32));
-        let terms_2 = (path_39.h.x().abs() + (rt::Scalar(path_39.exit) * path_39.h.y().abs()));
+        let aside_3 = path_38.duv.length();
+        let _e11 = self.v_path_slope(path_38, rt::Scalar(0f32));
+        let terms_2 = (path_38.h.x().abs() + (rt::Scalar(path_38.exit) * path_38.h.y().abs()));
         let _e32 = self.v_height_size();
-        let far_7 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_39.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e32);
+        let far_7 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_38.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e32);
         let _e35 = self.v_cell_of(_e2.origin);
         cell_16 = _e35;
         let limit_7 = params_20.x().cast_elem_as_u32();
@@ -3783,14 +3740,14 @@ impl<'g> Resources<'g> {
                 {
                     let _e49 = cell_16;
                     let _e50 = self.v_cell_leave(_e2, _e49);
-                    let end_9 = _e50.x().min(_e50.y()).min(rt::Scalar(path_39.exit));
+                    let end_9 = _e50.x().min(_e50.y()).min(rt::Scalar(path_38.exit));
                     let _e56 = t_22;
                     let span_10 = (end_9 - _e56).max(rt::Scalar(0f32));
                     let _e60 = cell_16;
                     let _e61 = cell_16;
                     let _e63 = self.v_height_cell(_e61.cast_elem_as_i32());
                     let _e64 = t_22;
-                    let _e65 = self.v_gap_to(path_39, _e2, _e60, _e63, _e64);
+                    let _e65 = self.v_gap_to(path_38, _e2, _e60, _e63, _e64);
                     let _e66 = reads_18;
                     reads_18 = (_e66 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e65.x().elementwise_le(rt::Scalar(0f32))) {
@@ -3808,7 +3765,7 @@ impl<'g> Resources<'g> {
                             let _e83 = t_22;
                             let _e84 = near_gap_4;
                             let _e86 = reads_18;
-                            let _e87 = self.v_entered_once(path_39, _e2, _e82, _e83, _e84, _e65.x(), _e86);
+                            let _e87 = self.v_entered_once(path_38, _e2, _e82, _e83, _e84, _e65.x(), _e86);
                             return _e87;
                         }
                         let _e88 = t_22;
@@ -3833,10 +3790,10 @@ impl<'g> Resources<'g> {
                         gap = rt::Scalar(_e106.far_gap);
                     }
                     let _e113 = start;
-                    if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(path_39.exit))) {
+                    if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(path_38.exit))) {
                         let _e117 = t_22;
                         let _e119 = reads_18;
-                        return <Found>::new(FOUND_MISS, _e117, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e119);
+                        return <Found>::new(FOUND_MISS, _e117, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e119);
                     }
                     let _e123 = start;
                     near_6 = _e123;
@@ -3846,7 +3803,7 @@ impl<'g> Resources<'g> {
                     let _e127 = cell_16;
                     let _e130 = start;
                     let _e133 = self.v_nearest_corner(((_e2.origin - _e127) + (_e2.step * _e130)));
-                    let _e135 = self.v_cone_slope(path_39, (_e125 + _e133));
+                    let _e135 = self.v_cone_slope(path_38, (_e125 + _e133));
                     let _e136 = reads_18;
                     reads_18 = (_e136 + rt::Scalar(1u32));
                     let _e139 = start;
@@ -3864,7 +3821,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_20.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e169 = next_4;
                         let _e170 = t_22;
-                        local_29 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_39.exit))));
+                        local_29 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_38.exit))));
                     } else {
                         local_29 = rt::Scalar(false);
                     }
@@ -3873,23 +3830,23 @@ impl<'g> Resources<'g> {
                         let _e180 = t_22;
                         let _e182 = gap;
                         let _e183 = reads_18;
-                        return <Found>::new(FOUND_ABOVE, _e180, rt::Scalar(path_39.exit), _e182, rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_ABOVE, _e180, rt::Scalar(path_38.exit), _e182, rt::Scalar(0f32), _e183);
                     }
                     let _e186 = next_4;
-                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_39.exit))) {
-                        let _e190 = self.v_path_gap(path_39, rt::Scalar(path_39.exit));
+                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_38.exit))) {
+                        let _e190 = self.v_path_gap(path_38, rt::Scalar(path_38.exit));
                         let _e191 = reads_18;
                         reads_18 = (_e191 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e190.elementwise_le(rt::Scalar(0f32))) {
                             let _e196 = start;
                             let _e198 = gap;
                             let _e199 = reads_18;
-                            let _e200 = self.v_entered_once(path_39, _e2, _e196, rt::Scalar(path_39.exit), _e198, _e190, _e199);
+                            let _e200 = self.v_entered_once(path_38, _e2, _e196, rt::Scalar(path_38.exit), _e198, _e190, _e199);
                             return _e200;
                         }
                         let _e202 = start;
                         let _e204 = reads_18;
-                        return <Found>::new(FOUND_MISS, _e202, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e204);
+                        return <Found>::new(FOUND_MISS, _e202, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e204);
                     }
                     let _e208 = cell_16;
                     let _e209 = next_4;
@@ -3902,19 +3859,19 @@ impl<'g> Resources<'g> {
         }
         let _e213 = t_22;
         let _e215 = reads_18;
-        return <Found>::new(FOUND_EXHAUSTED, _e213, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e215);
+        return <Found>::new(FOUND_EXHAUSTED, _e213, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e215);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_40: Path,
+        path_39: Path,
         params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_40, rt::into(params_21)))
+        rt::into(self.v_search_relaxed_cone_resting(path_39, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_40: Path,
+        path_39: Path,
         params_21: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
@@ -3925,7 +3882,7 @@ impl<'g> Resources<'g> {
         let mut local_30: rt::Scalar<bool>;
         let mut next_5: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_40);
+        let _e2 = self.v_grid_of(path_39);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_17 = _e9;
@@ -3944,12 +3901,12 @@ impl<'g> Resources<'g> {
                     reads_19 = (_e26 + rt::Scalar(1u32));
                     let _e29 = cell_17;
                     let _e30 = self.v_cell_leave(_e2, _e29);
-                    let end_10 = _e30.x().min(_e30.y()).min(rt::Scalar(path_40.exit));
+                    let end_10 = _e30.x().min(_e30.y()).min(rt::Scalar(path_39.exit));
                     let _e36 = t_23;
                     let span_11 = (end_10 - _e36).max(rt::Scalar(0f32));
                     let _e40 = cell_17;
                     let _e41 = t_23;
-                    let _e42 = self.v_gap_to(path_40, _e2, _e40, _e25, _e41);
+                    let _e42 = self.v_gap_to(path_39, _e2, _e40, _e25, _e41);
                     if rt::Scalar::into_branch_condition(_e42.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e46 = near_7;
                         let _e47 = t_23;
@@ -3965,7 +3922,7 @@ impl<'g> Resources<'g> {
                             let _e57 = t_23;
                             let _e58 = near_gap_5;
                             let _e60 = reads_19;
-                            let _e61 = self.v_entered_once(path_40, _e2, _e56, _e57, _e58, _e42.x(), _e60);
+                            let _e61 = self.v_entered_once(path_39, _e2, _e56, _e57, _e58, _e42.x(), _e60);
                             return _e61;
                         }
                         let _e62 = t_23;
@@ -3983,10 +3940,10 @@ impl<'g> Resources<'g> {
                     }
                     let _e77 = t_23;
                     let start_2 = _e77.max(end_10);
-                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_40.exit))) {
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_39.exit))) {
                         let _e82 = t_23;
                         let _e84 = reads_19;
-                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
                     }
                     near_7 = start_2;
                     near_gap_5 = rt::Scalar(_e73.far_gap);
@@ -3994,31 +3951,31 @@ impl<'g> Resources<'g> {
                     let _e95 = self.v_nearest_corner(((_e2.origin - _e90) + (_e2.step * start_2)));
                     let _e96 = self.v_corner_height(_e25, _e95);
                     next_5 = start_2;
-                    let _e98 = self.v_path_height(path_40, start_2);
+                    let _e98 = self.v_path_height(path_39, start_2);
                     if rt::Scalar::into_branch_condition(_e98.elementwise_gt(_e96)) {
                         let _e100 = cell_17;
                         let texel_6 = (_e100 + _e95);
-                        let _e102 = self.v_cone_slope(path_40, texel_6);
+                        let _e102 = self.v_cone_slope(path_39, texel_6);
                         let _e103 = reads_19;
                         reads_19 = (_e103 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e102.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e108 = self.v_stays_inside(path_40, _e2, texel_6, _e96, _e102, start_2);
+                            let _e108 = self.v_stays_inside(path_39, _e2, texel_6, _e96, _e102, start_2);
                             next_5 = (start_2 + _e108);
                         }
                     }
                     let _e110 = next_5;
-                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(path_40.exit))) {
-                        let _e114 = self.v_path_gap(path_40, rt::Scalar(path_40.exit));
+                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(path_39.exit))) {
+                        let _e114 = self.v_path_gap(path_39, rt::Scalar(path_39.exit));
                         let _e115 = reads_19;
                         reads_19 = (_e115 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e114.elementwise_le(rt::Scalar(0f32))) {
                             let _e121 = near_gap_5;
                             let _e122 = reads_19;
-                            let _e123 = self.v_entered_once(path_40, _e2, start_2, rt::Scalar(path_40.exit), _e121, _e114, _e122);
+                            let _e123 = self.v_entered_once(path_39, _e2, start_2, rt::Scalar(path_39.exit), _e121, _e114, _e122);
                             return _e123;
                         }
                         let _e126 = reads_19;
-                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
+                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
                     }
                     let _e130 = cell_17;
                     let _e131 = next_5;
@@ -4031,19 +3988,19 @@ impl<'g> Resources<'g> {
         }
         let _e135 = t_23;
         let _e137 = reads_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e135, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
+        return <Found>::new(FOUND_EXHAUSTED, _e135, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_41: Path,
+        path_40: Path,
         params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_41, rt::into(params_22)))
+        rt::into(self.v_search_sphere(path_40, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_41: Path,
+        path_40: Path,
         params_22: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
@@ -4052,14 +4009,14 @@ impl<'g> Resources<'g> {
         let mut next_6: rt::Scalar<f32>;
         let mut local_31: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_41);
+        let _e2 = self.v_grid_of(path_40);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_41, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_41, rt::Scalar(path_41.exit));
+        let _e9 = self.v_path_slope(path_40, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_40, rt::Scalar(path_40.exit));
         let climb = _e9.abs().max(_e12.abs());
-        let speed_2 = (<rt::Vec3<f32>>::new_21(path_41.duv, climb).length() * rt::Scalar(1.000001f32));
-        let far_8 = (path_41.uv.abs() + (path_41.duv.abs() * rt::Scalar(path_41.exit)));
-        let height_terms = (path_41.h.x().abs() + (rt::Scalar(path_41.exit) * (path_41.h.y().abs() + (rt::Scalar(path_41.exit) * path_41.h.z().abs()))));
+        let speed_2 = (<rt::Vec3<f32>>::new_21(path_40.duv, climb).length() * rt::Scalar(1.000001f32));
+        let far_8 = (path_40.uv.abs() + (path_40.duv.abs() * rt::Scalar(path_40.exit)));
+        let height_terms = (path_40.h.x().abs() + (rt::Scalar(path_40.exit) * (path_40.h.y().abs() + (rt::Scalar(path_40.exit) * path_40.h.z().abs()))));
         let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_8.x() + far_8.y()) + height_terms) + rt::Scalar(1f32)));
         let _e51 = self.v_cell_of(_e2.origin);
         cell_18 = _e51;
@@ -4074,14 +4031,14 @@ impl<'g> Resources<'g> {
                 {
                     let _e61 = cell_18;
                     let _e62 = self.v_cell_leave(_e2, _e61);
-                    let end_11 = _e62.x().min(_e62.y()).min(rt::Scalar(path_41.exit));
+                    let end_11 = _e62.x().min(_e62.y()).min(rt::Scalar(path_40.exit));
                     let _e68 = t_24;
                     let span_12 = (end_11 - _e68).max(rt::Scalar(0f32));
                     let _e72 = t_24;
-                    let _e73 = self.v_path_uv(path_41, _e72);
+                    let _e73 = self.v_path_uv(path_40, _e72);
                     let _e74 = t_24;
-                    let _e75 = self.v_path_height(path_41, _e74);
-                    let _e77 = self.v_distance_at(path_41, _e73, _e75, params_22.z());
+                    let _e75 = self.v_path_height(path_40, _e74);
+                    let _e77 = self.v_distance_at(path_40, _e73, _e75, params_22.z());
                     let free = (_e77 - lost_4);
                     let _e79 = reads_20;
                     reads_20 = (_e79 + rt::Scalar(2u32));
@@ -4094,10 +4051,10 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_22.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e92 = next_6;
                         let _e93 = t_24;
-                        if rt::Scalar::into_branch_condition((!(_e92 - _e93).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_41.exit))))) {
+                        if rt::Scalar::into_branch_condition((!(_e92 - _e93).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_40.exit))))) {
                             let _e101 = t_24;
                             let _e103 = reads_20;
-                            return <Found>::new(FOUND_ABOVE, _e101, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e103);
+                            return <Found>::new(FOUND_ABOVE, _e101, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e103);
                         }
                     } else {
                         let _e107 = next_6;
@@ -4115,7 +4072,7 @@ impl<'g> Resources<'g> {
                             let _e121 = cell_18;
                             let _e123 = self.v_height_cell(_e121.cast_elem_as_i32());
                             let _e124 = t_24;
-                            let _e125 = self.v_gap_to(path_41, _e2, _e120, _e123, _e124);
+                            let _e125 = self.v_gap_to(path_40, _e2, _e120, _e123, _e124);
                             let _e126 = t_24;
                             let _e127 = t_24;
                             let _e130 = reads_20;
@@ -4128,10 +4085,10 @@ impl<'g> Resources<'g> {
                         }
                     }
                     let _e137 = next_6;
-                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(path_41.exit))) {
+                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(path_40.exit))) {
                         let _e141 = t_24;
                         let _e143 = reads_20;
-                        return <Found>::new(FOUND_MISS, _e141, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+                        return <Found>::new(FOUND_MISS, _e141, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
                     }
                     let _e147 = cell_18;
                     let _e148 = next_6;
@@ -4144,73 +4101,73 @@ impl<'g> Resources<'g> {
         }
         let _e152 = t_24;
         let _e154 = reads_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e152, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e154);
+        return <Found>::new(FOUND_EXHAUSTED, _e152, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e154);
     }
-    pub(crate) fn search_stage(&self, path_42: Path) -> Found {
-        rt::into(self.v_search_stage(path_42))
+    pub(crate) fn search_stage(&self, path_41: Path) -> Found {
+        rt::into(self.v_search_stage(path_41))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_42: Path) -> Found {
+    fn v_search_stage(&self, path_41: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_search_none(path_42, _e10);
+                let _e11 = self.v_search_none(path_41, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_search_linear(path_42, _e16);
+                let _e17 = self.v_search_linear(path_41, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_search_cells(path_42, _e22);
+                let _e23 = self.v_search_cells(path_41, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_search_frustum(path_42, _e28);
+                let _e29 = self.v_search_frustum(path_41, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_search_cone(path_42, _e34);
+                let _e35 = self.v_search_cone(path_41, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_search_pyramid(path_42, _e40);
+                let _e41 = self.v_search_pyramid(path_41, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[1usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_42, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_41, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[1usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_42, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_41, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[1usize].params;
-                let _e59 = self.v_search_sphere(path_42, _e58);
+                let _e59 = self.v_search_sphere(path_41, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[1usize].params;
-                let _e65 = self.v_search_cone_moved(path_42, _e64);
+                let _e65 = self.v_search_cone_moved(path_41, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[1usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_42, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_41, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[1usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_42, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_41, _e76);
                 return _e77;
             }
         }
@@ -4274,7 +4231,7 @@ impl<'g> Resources<'g> {
         let wb = (from_a.cross(e2_).dot(n_10) / nn);
         let wc = (e1_.cross(from_a).dot(n_10) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_13 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
+        let uv_12 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
         let tangent = (((pixel_3.a.tangent * wa) + (pixel_3.b.tangent * wb)) + (pixel_3.c.tangent * wc));
         let bitangent = (((pixel_3.a.bitangent * wa) + (pixel_3.b.bitangent * wb)) + (pixel_3.c.bitangent * wc));
         let normal_3 = ((((pixel_3.a.normal * wa) + (pixel_3.b.normal * wb)) + (pixel_3.c.normal * wc)).normalize() * rt::Scalar(pixel_3.side));
@@ -4313,10 +4270,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
             let _e157 = enter;
             let _e158 = leave_4;
-            let _e160 = self.v_inside_unit(uv_13.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
+            let _e160 = self.v_inside_unit(uv_12.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
             interval_2 = _e160;
             let _e164 = interval_2;
-            let _e165 = self.v_inside_unit(uv_13.y(), duv_1.y(), _e164);
+            let _e165 = self.v_inside_unit(uv_12.y(), duv_1.y(), _e164);
             interval_2 = _e165;
             let _e167 = interval_2.x();
             enter = _e167;
@@ -4337,9 +4294,9 @@ impl<'g> Resources<'g> {
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_46 = <Path>::new((uv_13 + (duv_1 * _e188)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_45 = <Path>::new((uv_12 + (duv_1 * _e188)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_46, point_5, uv_13, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_45, point_5, uv_12, tangent, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_4: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_4))
@@ -4355,13 +4312,13 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn trace(&self, path_43: Path) -> Hit {
-        rt::into(self.v_trace(path_43))
+    pub(crate) fn trace(&self, path_42: Path) -> Hit {
+        rt::into(self.v_trace(path_42))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_43: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_43);
-        let _e2 = self.v_refine_stage(path_43, _e1);
+    fn v_trace(&self, path_42: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_42);
+        let _e2 = self.v_refine_stage(path_42, _e1);
         return _e2;
     }
     pub(crate) fn shadow_none(
@@ -4383,71 +4340,71 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn shadow_search_stage(&self, path_44: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_44))
+    pub(crate) fn shadow_search_stage(&self, path_43: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_44: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_43: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[5usize].params;
-                let _e11 = self.v_search_none(path_44, _e10);
+                let _e11 = self.v_search_none(path_43, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[5usize].params;
-                let _e17 = self.v_search_linear(path_44, _e16);
+                let _e17 = self.v_search_linear(path_43, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[5usize].params;
-                let _e23 = self.v_search_cells(path_44, _e22);
+                let _e23 = self.v_search_cells(path_43, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[5usize].params;
-                let _e29 = self.v_search_frustum(path_44, _e28);
+                let _e29 = self.v_search_frustum(path_43, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[5usize].params;
-                let _e35 = self.v_search_cone(path_44, _e34);
+                let _e35 = self.v_search_cone(path_43, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[5usize].params;
-                let _e41 = self.v_search_pyramid(path_44, _e40);
+                let _e41 = self.v_search_pyramid(path_43, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[5usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_44, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_43, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[5usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_44, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_43, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[5usize].params;
-                let _e59 = self.v_search_sphere(path_44, _e58);
+                let _e59 = self.v_search_sphere(path_43, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[5usize].params;
-                let _e65 = self.v_search_cone_moved(path_44, _e64);
+                let _e65 = self.v_search_cone_moved(path_43, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[5usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_44, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_43, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[5usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_44, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_43, _e76);
                 return _e77;
             }
         }

@@ -1157,6 +1157,23 @@ fn image_of(cell: i32, n: i32) -> vec2i {
 }"#,
     },
     Declaration {
+        module: "shared/image",
+        name: "leaves_extent",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// When a path leaves the cells or texels from the first of an extent to before the second, along an axis, as
+// `cell_leave` has it for a cell.
+fn leaves_extent(origin: f32, step: f32, extent: vec2i) -> f32 {
+    if (step > 0.0) {
+        return (f32(extent.y) - origin) / step;
+    }
+    if (step < 0.0) {
+        return (f32(extent.x) - origin) / step;
+    }
+    return NEVER;
+}"#,
+    },
+    Declaration {
         module: "shared/interval",
         name: "has_interval",
         sampling: None,
@@ -1289,6 +1306,24 @@ fn search_texel(path: Path, place: vec2i, layer: i32, level: i32) -> vec4f {
         return decoded(texel, surface_settings.maps[SLOT_SHADOW_SEARCH]);
     }
     return decoded(textureLoad(search_map, place, layer, level), surface_settings.maps[SLOT_SEARCH]);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "search_texel_between",
+        sampling: None,
+        uses: &["Path", "bilinear", "search_texel", "surface_settings", "texels_around"],
+        text: r#"// The map that the search of a path's rays reads, between the four texels around a place. One read.
+fn search_texel_between(path: Path, uv: vec2f, layer: i32) -> vec4f {
+    let at = texels_around(uv, surface_settings.height_size);
+    let level = i32(path.level);
+    return bilinear(
+        search_texel(path, vec2i(at.columns.x, at.rows.x), layer, level),
+        search_texel(path, vec2i(at.columns.y, at.rows.x), layer, level),
+        search_texel(path, vec2i(at.columns.x, at.rows.y), layer, level),
+        search_texel(path, vec2i(at.columns.y, at.rows.y), layer, level),
+        at.part,
+    );
 }"#,
     },
     Declaration {
@@ -2224,27 +2259,9 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
     },
     Declaration {
         module: "search/cone_moved",
-        name: "filtered_cone",
-        sampling: None,
-        uses: &["Path", "bilinear", "height_size", "search_texel", "texels_around"],
-        text: r#"// The stored value of the cones between the texels. One read.
-fn filtered_cone(path: Path, uv: vec2f) -> f32 {
-    let at = texels_around(uv, vec2u(height_size()));
-    let level = i32(path.level);
-    return bilinear(
-        search_texel(path, vec2i(at.columns.x, at.rows.x), 0, level),
-        search_texel(path, vec2i(at.columns.y, at.rows.x), 0, level),
-        search_texel(path, vec2i(at.columns.x, at.rows.y), 0, level),
-        search_texel(path, vec2i(at.columns.y, at.rows.y), 0, level),
-        at.part,
-    ).x;
-}"#,
-    },
-    Declaration {
-        module: "search/cone_moved",
         name: "search_cone_moved",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "Path", "ROUNDING", "filtered_cone", "path_gap", "path_height", "path_slope", "path_uv", "slope_of"],
+        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "Path", "ROUNDING", "path_gap", "path_height", "path_slope", "path_uv", "search_texel_between", "slope_of"],
         text: r#"fn search_cone_moved(path: Path, params: vec4f) -> Found {
     let aside = length(path.duv);
     var t = 0.0;
@@ -2263,7 +2280,7 @@ fn filtered_cone(path: Path, uv: vec2f) -> f32 {
         }
         near = t;
         near_gap = gap;
-        let slope = slope_of(filtered_cone(path, path_uv(path, t)));
+        let slope = slope_of(search_texel_between(path, path_uv(path, t), 0).x);
         reads = reads + 1u;
         if (slope < 0.0) {
             break;
@@ -2558,22 +2575,6 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
     },
     Declaration {
         module: "search/pyramid",
-        name: "leaves_extent",
-        sampling: None,
-        uses: &["NEVER"],
-        text: r#"// When the path leaves an extent along an axis, as `cell_leave` has it for a cell.
-fn leaves_extent(origin: f32, step: f32, extent: vec2i) -> f32 {
-    if (step > 0.0) {
-        return (f32(extent.y) - origin) / step;
-    }
-    if (step < 0.0) {
-        return (f32(extent.x) - origin) / step;
-    }
-    return NEVER;
-}"#,
-    },
-    Declaration {
-        module: "search/pyramid",
         name: "search_pyramid",
         sampling: None,
         uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "image_of", "least_at", "leaves_extent", "node_extent", "path_height", "path_slope", "quadratic", "search_texel", "surface_settings"],
@@ -2600,7 +2601,8 @@ fn leaves_extent(origin: f32, step: f32, extent: vec2i) -> f32 {
         let v = image_of(cell.y, n.y);
         let place = vec2i(u.x, v.x);
         let above_level = level + 1u;
-        let left = parent.x >= 0 && (parent.x != place.x >> above_level || parent.y != place.y >> above_level);
+        let over = vec2i(place.x >> above_level, place.y >> above_level);
+        let left = parent.x >= 0 && (parent.x != over.x || parent.y != over.y);
         if (left && level < top) {
             level = above_level;
         }
@@ -2682,25 +2684,9 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     },
     Declaration {
         module: "search/pyramid_texels",
-        name: "leaves_texels",
-        sampling: None,
-        uses: &["NEVER"],
-        text: r#"// When the path leaves an extent along an axis.
-fn leaves_texels(origin: f32, step: f32, extent: vec2i) -> f32 {
-    if (step > 0.0) {
-        return (f32(extent.y) - origin) / step;
-    }
-    if (step < 0.0) {
-        return (f32(extent.x) - origin) / step;
-    }
-    return NEVER;
-}"#,
-    },
-    Declaration {
-        module: "search/pyramid_texels",
         name: "search_pyramid_texels",
         sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "NEVER", "Path", "cell_of", "first_root", "height_map", "height_size", "leaves_texels", "path_height", "path_slope", "search_texel", "surface_settings", "texel_extent", "wrap_index"],
+        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "NEVER", "Path", "cell_of", "first_root", "height_map", "height_size", "leaves_extent", "path_height", "path_slope", "search_texel", "surface_settings", "texel_extent", "wrap_index"],
         text: r#"fn search_pyramid_texels(path: Path, params: vec4f) -> Found {
     let n = vec2i(surface_settings.height_size);
     let origin = path.uv * height_size();
@@ -2726,8 +2712,8 @@ fn leaves_texels(origin: f32, step: f32, extent: vec2i) -> f32 {
         let columns = texel_extent(texel.x, n.x, level);
         let rows = texel_extent(texel.y, n.y, level);
         let leave = vec2f(
-            leaves_texels(origin.x, step.x, columns),
-            leaves_texels(origin.y, step.y, rows),
+            leaves_extent(origin.x, step.x, columns),
+            leaves_extent(origin.y, step.y, rows),
         );
         let end = max(min(min(leave.x, leave.y), path.exit), t);
         let gap = vec3f(path_height(path, t) - highest, path_slope(path, t), path.h.z);
@@ -2902,33 +2888,15 @@ fn leaves_texels(origin: f32, step: f32, extent: vec2i) -> f32 {
     },
     Declaration {
         module: "search/sphere",
-        name: "slice_distance",
-        sampling: None,
-        uses: &["Path", "bilinear", "height_size", "search_texel", "texels_around"],
-        text: r#"// The distance field between the voxels of one slice. One read.
-fn slice_distance(path: Path, uv: vec2f, slice: i32) -> f32 {
-    let at = texels_around(uv, vec2u(height_size()));
-    let level = i32(path.level);
-    return bilinear(
-        search_texel(path, vec2i(at.columns.x, at.rows.x), slice, level),
-        search_texel(path, vec2i(at.columns.y, at.rows.x), slice, level),
-        search_texel(path, vec2i(at.columns.x, at.rows.y), slice, level),
-        search_texel(path, vec2i(at.columns.y, at.rows.y), slice, level),
-        at.part,
-    ).x;
-}"#,
-    },
-    Declaration {
-        module: "search/sphere",
         name: "distance_at",
         sampling: None,
-        uses: &["Path", "slice_distance"],
+        uses: &["Path", "search_texel_between"],
         text: r#"// The distance field at texture coordinates and a height. Two reads.
 fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     let place = clamp(height * slices - 0.5, 0.0, slices - 1.0);
     let below = floor(place);
-    let lower = slice_distance(path, uv, i32(below));
-    let upper = slice_distance(path, uv, i32(min(below + 1.0, slices - 1.0)));
+    let lower = search_texel_between(path, uv, i32(below)).x;
+    let upper = search_texel_between(path, uv, i32(min(below + 1.0, slices - 1.0))).x;
     return lower + (upper - lower) * (place - below);
 }"#,
     },

@@ -1,7 +1,7 @@
 //! What is known of a ray to a light.
 
-/// What is known of a ray to a light before it is searched. The discriminants are the numbers that the shaders
-/// use.
+/// What is known of a ray to a light before it is searched. The discriminants are the numbers that the
+/// shaders use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum LightRayState {

@@ -174,8 +174,8 @@ impl Selection {
     }
 
     /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default
-    /// parameters. A shadow that sends rays is given the search that is chosen so far, with its parameters, or
-    /// where that is of no use for shadows `cells`, until another `shadow-search` is chosen.
+    /// parameters. A shadow that sends rays is given the search that is chosen so far, with its parameters,
+    /// or where that is of no use for shadows `cells`, until another `shadow-search` is chosen.
     ///
     /// # Errors
     ///
@@ -245,7 +245,8 @@ impl Selection {
         stage != SHADOW_SEARCH || !self.choices[SHADOW].entry.states.is_empty()
     }
 
-    /// Whether the variant of the stage `taker` makes something of what the search of the stage `giver` gives.
+    /// Whether the variant of the stage `taker` makes something of what the search of the stage `giver`
+    /// gives.
     fn check_taken(&self, giver: usize, taker: usize) -> Result<(), SelectionError> {
         let [search, other] = [giver, taker].map(|place| self.choices[place].entry);
         if search.states.iter().any(|state| other.states.contains(state)) {

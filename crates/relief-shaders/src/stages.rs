@@ -9,7 +9,8 @@ use crate::{refine, search, shade, shadow, surface};
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
 /// A variant is a pair of files in the stage's folder: the shader, and the registry entry beside it. The
-/// shader's function is called by the folder and the variant's name, as in `search_linear`. It takes the stage's inputs, and after them the variant's parameters, a `vec4f`.
+/// shader's function is called by the folder and the variant's name, as in `search_linear`. It takes the
+/// stage's inputs, and after them the variant's parameters, a `vec4f`.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
     /// The key in settings and scenes, as in `search.steps`.

@@ -25,3 +25,13 @@ pub const RAYS_PER_MAP: usize = 25_000;
 pub fn data_dir() -> Option<PathBuf> {
     std::env::var_os("RELIEF_DATA").map(PathBuf::from).filter(|folder| folder.is_dir())
 }
+
+/// The steepest slope of a map along an axis, in heights a texel.
+pub fn steepest(map: &relief_core::HeightMap) -> f64 {
+    let cells = (0..i64::from(map.height())).flat_map(|j| (0..i64::from(map.width())).map(move |i| (i, j)));
+    cells.fold(0.0, |steepest, (i, j)| {
+        let [h00, h10, h01, h11] = map.cell(i, j).map(f64::from);
+        let slopes = [h10 - h00, h01 - h00, h11 - h01, h11 - h10].map(f64::abs);
+        slopes.into_iter().fold(steepest, f64::max)
+    })
+}

@@ -4,10 +4,12 @@
 //! tracer. What may differ is which of two neighbouring triangles a pixel on their edge belongs to, and hits
 //! that graze.
 
+mod common;
+
 use std::path::Path;
 
+use common::has_adapter;
 use relief_maps::Maps;
-use relief_render::gpu::{AdapterChoice, Gpu};
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_render::{Rendered, render};
 use relief_shaders::METHODS;
@@ -23,19 +25,6 @@ const SAME_CODE: f64 = 0.999;
 
 /// The same for `exact`.
 const OTHER_CODE: f64 = 0.995;
-
-fn has_adapter() -> bool {
-    match Gpu::new(AdapterChoice::Any) {
-        Ok(_) => true,
-        Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
-            panic!("{error}")
-        }
-        Err(error) => {
-            println!("skipped: {error}");
-            false
-        }
-    }
-}
 
 /// A shipped scene with another method.
 fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {

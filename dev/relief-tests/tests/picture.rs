@@ -1,13 +1,15 @@
 //! Pictures that are kept: samples, cameras that see all, and bands of rows.
 
+mod common;
+
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use common::has_adapter;
 use glam::DVec3;
 use relief_maps::Maps;
 use relief_render::camera::Projection;
-use relief_render::gpu::{AdapterChoice, Gpu};
 use relief_render::job::Rendering;
 use relief_render::mesh::Builtin;
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, View, read_scene};
@@ -16,16 +18,7 @@ use relief_shaders::cpu::PixelOut;
 
 /// The backends of this machine.
 fn backends() -> Vec<BackendChoice> {
-    match Gpu::new(AdapterChoice::Any) {
-        Ok(_) => vec![BackendChoice::Cpu, BackendChoice::Gpu],
-        Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
-            panic!("{error}")
-        }
-        Err(error) => {
-            println!("the GPU is skipped: {error}");
-            vec![BackendChoice::Cpu]
-        }
-    }
+    if has_adapter() { vec![BackendChoice::Cpu, BackendChoice::Gpu] } else { vec![BackendChoice::Cpu] }
 }
 
 /// A shipped scene, changed.

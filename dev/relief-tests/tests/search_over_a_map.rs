@@ -11,20 +11,10 @@ use relief_tests::baked::{maps_for, maps_in, slots};
 use relief_tests::judge::{Tally, Verdict, judge};
 use relief_tests::pairs::{self, class_of};
 use relief_tests::rays::{RayKind, Rays};
-use relief_tests::{RAYS_PER_MAP, maps};
+use relief_tests::{RAYS_PER_MAP, maps, steepest};
 
 /// Roundings that an answer may be off by, of the terms in [`slack`].
 const ROUNDINGS: f64 = 2.0;
-
-/// The steepest slope of a map along an axis, in heights a texel.
-fn steepest(map: &HeightMap) -> f64 {
-    let cells = (0..i64::from(map.height())).flat_map(|j| (0..i64::from(map.width())).map(move |i| (i, j)));
-    cells.fold(0.0, |steepest, (i, j)| {
-        let [h00, h10, h01, h11] = map.cell(i, j).map(f64::from);
-        let slopes = [h10 - h00, h01 - h00, h11 - h01, h11 - h10].map(f64::abs);
-        slopes.into_iter().fold(steepest, f64::max)
-    })
-}
 
 /// What `f32` may make of heights along a path, in heights: roundings of the path's own heights, and of its
 /// places, in texels, where the surface is as steep as the map gets.
@@ -303,7 +293,8 @@ fn the_published_pyramid_hits_columns_of_texels() {
             let map = named.build(wrap);
             let baked = maps_for(&map, &selection);
             let tracer = MethodTracer::over(&map, &selection, slots(&map, &selection, &baked));
-            // The others are aimed at lines and corners of cells, and a corner of columns is judged by the last bit.
+            // The others are aimed at lines and corners of cells, and a corner of columns is judged by the
+            // last bit.
             let is_random =
                 |(kind, path): &(RayKind, Path)| *kind == RayKind::Random && class_of(path) == RayClass::View;
             let rays = paths(&map, 4).filter(is_random).take(1000);

@@ -1,11 +1,13 @@
 //! Shadows of rays: nothing shadows itself, and what the exact tracer sees in a light's way is in its way.
 
+mod common;
+
+use common::has_adapter;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use relief_core::exact::least_gap;
 use relief_core::{HeightMap, Path, PathMetric, Wrap};
 use relief_maps::Maps;
-use relief_render::gpu::{AdapterChoice, Gpu};
 use relief_render::light::Light;
 use relief_render::material::Material;
 use relief_render::mesh::square;
@@ -13,23 +15,10 @@ use relief_render::render;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
-use relief_tests::maps;
+use relief_tests::{maps, steepest};
 
 /// The relief's depth on the unit square, in metres.
 const SCALE_M: f64 = 0.15;
-
-fn has_adapter() -> bool {
-    match Gpu::new(AdapterChoice::Any) {
-        Ok(_) => true,
-        Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
-            panic!("{error}")
-        }
-        Err(error) => {
-            println!("skipped: {error}");
-            false
-        }
-    }
-}
 
 /// A method with rays for shadows, or without any shadow.
 fn selection(method: &str, shadow: &str) -> Selection {
@@ -141,18 +130,8 @@ fn rays_answer_as_the_exact_tracer_does() {
         for named in &maps::ALL[..4] {
             for wrap in Wrap::ALL {
                 let map = named.build(wrap);
-                let steepest = (0..i64::from(map.height()))
-                    .flat_map(|j| (0..i64::from(map.width())).map(move |i| (i, j)))
-                    .map(|(i, j)| {
-                        let [h00, h10, h01, h11] = map.cell(i, j).map(f64::from);
-                        [h10 - h00, h01 - h00, h11 - h01, h11 - h10]
-                            .map(f64::abs)
-                            .into_iter()
-                            .fold(0.0, f64::max)
-                    })
-                    .fold(0.0, f64::max);
                 let places = 4.0 * f64::from(map.width().max(map.height())) + 2.0;
-                let slack = 4e-6 + 8.0 * f64::from(f32::EPSILON) * steepest * places;
+                let slack = 4e-6 + 8.0 * f64::from(f32::EPSILON) * steepest(&map) * places;
                 for method in &methods {
                     let (mut lit, mut dark, mut grazing) = (0, 0, 0);
                     for light in lights(&[12.0, 35.0], 3) {

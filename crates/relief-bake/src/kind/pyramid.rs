@@ -6,9 +6,9 @@
 //! * Szirmay-Kalos and Umenhoffer 2008, "Displacement mapping on the GPU: state of the art", section 4.3.3.
 //!
 //! Those take the extremes of *texels*, which does not bound the surface between texel centres: level 0 here
-//! is taken over dual cells, unless the parameter `over` asks for what was published. The pyramids themselves are [`relief_core::MinPyramid`] and
-//! [`relief_core::MaxPyramid`]; see there for which cells a node covers where a side is no power of two, and
-//! for cells outside of the map.
+//! is taken over dual cells, unless the parameter `over` asks for what was published. The pyramids themselves
+//! are [`relief_core::MinPyramid`] and [`relief_core::MaxPyramid`]; see there for which cells a node covers
+//! where a side is no power of two, and for cells outside of the map.
 //!
 //! # Guarantee
 //!
@@ -39,9 +39,9 @@ pub const KIND: Kind = Kind {
         section: "4.3.3",
     },
     params: PARAMS,
-    guarantee: "The bilinear surface over the cells of a node is nowhere below its min and nowhere above its max; both \
-        are attained. Exact in f32 and in as many bits as the heights have. Over texels, as published, nothing is promised \
-        between their centres.",
+    guarantee: "The bilinear surface over the cells of a node is nowhere below its min and nowhere above its \
+        max; both are attained. Exact in f32 and in as many bits as the heights have. Over texels, as \
+        published, nothing is promised between their centres.",
     is_picture: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,

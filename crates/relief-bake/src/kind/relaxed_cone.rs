@@ -56,11 +56,11 @@ pub const KIND: Kind = Kind {
         section: "4.4.3",
     },
     params: &[APEX, BITS],
-    guarantee: "a straight falling ray over the apex p (apex 1: any point of the surface in the texel's square, apex 0: \
-        at its centre), at or above the surface there, that is below the surface anywhere inside the cone at p stays \
-        below until it leaves the cone: it enters at most once. A ray that only touches the surface, as one \
-        does that runs along level ground at its very height, has not entered. Nothing is promised for rising \
-        or bent rays",
+    guarantee: "a straight falling ray over the apex p (apex 1: any point of the surface in the texel's \
+        square, apex 0: at its centre), at or above the surface there, that is below the surface anywhere \
+        inside the cone at p stays below until it leaves the cone: it enters at most once. A ray that only \
+        touches the surface, as one does that runs along level ground at its very height, has not entered. \
+        Nothing is promised for rising or bent rays",
     is_picture: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,

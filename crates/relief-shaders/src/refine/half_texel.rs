@@ -16,5 +16,6 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Below],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Right where the surface is a plane for a texel around; wrong where both places are on the same side of it.",
+    argument: "Right where the surface is a plane for a texel around; wrong where both places are on the \
+        same side of it.",
 };

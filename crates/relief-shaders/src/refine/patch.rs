@@ -20,7 +20,7 @@ pub const ENTRY: Entry = Entry {
     states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "Each cell's gap is a quadratic solved in closed form with the stable formula; cells are visited \
-        in order, so the first root is the first crossing of the interval. In f32 a root is known to \
+    argument: "Each cell's gap is a quadratic solved in closed form with the stable formula; cells are \
+        visited in order, so the first root is the first crossing of the interval. In f32 a root is known to \
         the gap's rounding over its slope.",
 };

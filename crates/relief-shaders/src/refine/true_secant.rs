@@ -20,6 +20,6 @@ pub const ENTRY: Entry = Entry {
     states: super::ANY_INTERVAL,
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Converges faster than false position near a simple crossing and may leave the bracket; guesses \
-        are kept in the search's interval.",
+    argument: "Converges faster than false position near a simple crossing and may leave the bracket; \
+        guesses are kept in the search's interval.",
 };

@@ -22,6 +22,6 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
     argument: "Every cell on the path is visited and the gap, a quadratic there, is bounded below in closed \
-        form, so the first cell that holds a crossing ends the walk. In f32 the gap of a cell is known \
-        to 8 ulp of its terms: rays that clear the surface by less may be judged either way.",
+        form, so the first cell that holds a crossing ends the walk. In f32 the gap of a cell is known to 8 \
+        ulp of its terms: rays that clear the surface by less may be judged either way.",
 };

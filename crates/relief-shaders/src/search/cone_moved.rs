@@ -37,8 +37,8 @@ pub const ENTRY: Entry = Entry {
         Weakened { param: "apex", value: 0.0, to: Guarantees::all(Guarantee::Approximate) },
         Weakened { param: "apex", value: 1.0, to: Guarantees::all(Guarantee::Approximate) },
     ],
-    argument: "A cone that is safe through a filter holds no surface wherever it stands, so a step to where the path leaves it \
-        passes nothing. Steps get shorter toward the surface, and after the last of them the point that it reached is the \
-        answer. In f32 a step is shortened by 8 roundings of the heights and, times the slope, of the places that it is \
-        computed from.",
+    argument: "A cone that is safe through a filter holds no surface wherever it stands, so a step to where \
+        the path leaves it passes nothing. Steps get shorter toward the surface, and after the last of them \
+        the point that it reached is the answer. In f32 a step is shortened by 8 roundings of the heights \
+        and, times the slope, of the places that it is computed from.",
 };

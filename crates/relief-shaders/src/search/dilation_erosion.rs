@@ -27,10 +27,11 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[Weakened { param: "patches", value: 0.0, to: Guarantees::all(Guarantee::Approximate) }],
-    argument: "The dilation of a cell bounds the surface within the radius of it, so a path above it meets nothing until it \
-        sinks to it or leaves the window. Where it does so within the cell, the cell's patch is bounded in closed form as in \
-        `cells`. In f32 a path must stay above the dilation by 8 roundings of its heights. So the ray is known as well as to \
-        `cells`: rays that clear the surface by less than 2 roundings of the path's heights and, times the map's steepest \
-        slope, of its places in texels may be judged either way. Without patches a bracket ends below the erosion and may \
-        hold several crossings, and what dips less is passed.",
+    argument: "The dilation of a cell bounds the surface within the radius of it, so a path above it meets \
+        nothing until it sinks to it or leaves the window. Where it does so within the cell, the cell's \
+        patch is bounded in closed form as in `cells`. In f32 a path must stay above the dilation by 8 \
+        roundings of its heights. So the ray is known as well as to `cells`: rays that clear the surface by \
+        less than 2 roundings of the path's heights and, times the map's steepest slope, of its places in \
+        texels may be judged either way. Without patches a bracket ends below the erosion and may hold \
+        several crossings, and what dips less is passed.",
 };

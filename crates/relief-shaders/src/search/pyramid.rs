@@ -14,9 +14,10 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[],
-    argument: "A node's maximum bounds the surface over its cells, so a path that stays above it meets nothing until it \
-        leaves the node, and one that sinks to it nothing until there. Where the path comes down to a single cell, the \
-        cell's patch is bounded in closed form as in `cells`. In f32 a path must stay above a node by 8 roundings of its \
-        heights. So the ray is known as well as to `cells`: rays that clear the surface by less than 2 roundings of the \
-        path's heights and, times the map's steepest slope, of its places in texels may be judged either way.",
+    argument: "A node's maximum bounds the surface over its cells, so a path that stays above it meets \
+        nothing until it leaves the node, and one that sinks to it nothing until there. Where the path comes \
+        down to a single cell, the cell's patch is bounded in closed form as in `cells`. In f32 a path must \
+        stay above a node by 8 roundings of its heights. So the ray is known as well as to `cells`: rays \
+        that clear the surface by less than 2 roundings of the path's heights and, times the map's steepest \
+        slope, of its places in texels may be judged either way.",
 };

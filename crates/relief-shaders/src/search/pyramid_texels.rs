@@ -20,6 +20,7 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Below],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "It is exact for the surface of level columns over texels, which is another one than the bilinear surface: it \
-        is off by up to half a texel, and where the bilinear surface is steep by as much in height.",
+    argument: "It is exact for the surface of level columns over texels, which is another one than the \
+        bilinear surface: it is off by up to half a texel, and where the bilinear surface is steep by as \
+        much in height.",
 };

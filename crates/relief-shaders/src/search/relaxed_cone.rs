@@ -25,12 +25,13 @@ pub const ENTRY: Entry = Entry {
             shadow: Guarantee::Impossible,
         },
     }],
-    argument: "A falling ray over any place of the texel's square that is below the surface inside of the cone stays below \
-        until it leaves it. So where it is above behind a step it has met nothing, and where it is below it has entered \
-        exactly once, and halving finds the entry. A shorter step than to the cone's border is as good. Where a step ends within \
-        the cell, the cell's patch is bounded in closed form as in `cells`. In f32 a step is shortened by 8 roundings of \
-        the heights and, times the slope, of the places. So the ray is known as well as to `cells`: rays that clear the \
-        surface by less than 2 roundings of the path's heights and, times the map's steepest slope, of its places in \
-        texels may be judged either way. Rays that rise or bend may enter several times. Without patches the search may \
-        stop before the surface, where steps get no further.",
+    argument: "A falling ray over any place of the texel's square that is below the surface inside of the \
+        cone stays below until it leaves it. So where it is above behind a step it has met nothing, and \
+        where it is below it has entered exactly once, and halving finds the entry. A shorter step than to \
+        the cone's border is as good. Where a step ends within the cell, the cell's patch is bounded in \
+        closed form as in `cells`. In f32 a step is shortened by 8 roundings of the heights and, times the \
+        slope, of the places. So the ray is known as well as to `cells`: rays that clear the surface by less \
+        than 2 roundings of the path's heights and, times the map's steepest slope, of its places in texels \
+        may be judged either way. Rays that rise or bend may enter several times. Without patches the search \
+        may stop before the surface, where steps get no further.",
 };

@@ -17,6 +17,7 @@ pub const ENTRY: Entry = Entry {
         shadow: Guarantee::Impossible,
     },
     weakened: &[],
-    argument: "The cones hold for rays over the centre of their texel. Beside it a ray may enter the surface and come out again \
-        within a cone: measured on cobbles, up to 0.03 % of the hits are passed at 80 degrees and more.",
+    argument: "The cones hold for rays over the centre of their texel. Beside it a ray may enter the surface \
+        and come out again within a cone: measured on cobbles, up to 0.03 % of the hits are passed at 80 \
+        degrees and more.",
 };

@@ -27,10 +27,11 @@ pub const ENTRY: Entry = Entry {
     states: &[FoundState::Bracket, FoundState::Above],
     guarantee: Guarantees::all(Guarantee::Exact),
     weakened: &[Weakened { param: "patches", value: 0.0, to: Guarantees::all(Guarantee::Conservative) }],
-    argument: "A fetch from the field is at most the distance to the surface, so a step of that length meets nothing; a bent \
-        path is nowhere faster than at one of its ends. Where a step ends within the cell, the cell's patch is bounded in \
-        closed form as in `cells`. In f32 a step is shortened by 8 roundings of the places and heights of the path. So the ray \
-        is known as well as to `cells`: rays that clear the surface by less than 2 roundings of the path's heights and, times \
-        the map's steepest slope, of its places in texels may be judged either way. Without patches the search stops \
-        before the surface where the field allows no more way.",
+    argument: "A fetch from the field is at most the distance to the surface, so a step of that length meets \
+        nothing; a bent path is nowhere faster than at one of its ends. Where a step ends within the cell, \
+        the cell's patch is bounded in closed form as in `cells`. In f32 a step is shortened by 8 roundings \
+        of the places and heights of the path. So the ray is known as well as to `cells`: rays that clear \
+        the surface by less than 2 roundings of the path's heights and, times the map's steepest slope, of \
+        its places in texels may be judged either way. Without patches the search stops before the surface \
+        where the field allows no more way.",
 };
