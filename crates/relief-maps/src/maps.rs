@@ -109,7 +109,7 @@ impl Provided {
         &self.maps
     }
 
-    /// How each came about.
+    /// How each came about; one that is read in several slots is there once.
     pub fn accounts(&self) -> &[Account] {
         &self.accounts
     }
@@ -170,20 +170,29 @@ impl Maps {
         let mut provided = Provided::default();
         for need in selection.map_needs() {
             let (map, account) = self.one(&need, heights, surface, watch)?;
+            // One that several slots read came about once.
+            if !provided.maps.iter().any(|(_, known)| Arc::ptr_eq(known, &map)) {
+                provided.accounts.push(account);
+            }
             provided.maps.push((need.slot, map));
-            provided.accounts.push(account);
         }
         self.forget(provided.maps.len());
         Ok(provided)
     }
 
-    /// What a selection's maps take in memory for a height map of so many columns and rows.
+    /// What a selection's maps take in memory for a height map of so many columns and rows. One that is read
+    /// in several slots counts once.
     ///
     /// # Errors
     ///
     /// When one of them cannot be baked from such a height map.
     pub fn bytes(&self, selection: &Selection, size: [u32; 2]) -> Result<u64, MapsError> {
-        selection.map_needs().iter().try_fold(0u64, |bytes, need| {
+        let needs = selection.map_needs();
+        needs.iter().enumerate().try_fold(0u64, |bytes, (place, need)| {
+            let is_same = |other: &MapNeed| other.input == need.input && other.settings == need.settings;
+            if needs[..place].iter().any(is_same) {
+                return Ok(bytes);
+            }
             let layout = self.wanted(need, Metric::UNIT)?.layout(size)?;
             Ok(bytes.saturating_add(layout.bytes()))
         })

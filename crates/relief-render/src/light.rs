@@ -15,6 +15,8 @@ pub enum Light {
         toward: DVec3,
         /// Irradiance on a surface that faces the light.
         irradiance: Vec3,
+        /// How large the light's disc appears: its diameter in degrees.
+        diameter_deg: f64,
     },
     /// A light at a point.
     Point {
@@ -23,8 +25,17 @@ pub enum Light {
         /// Irradiance on a surface that faces the light from 1 m away; it falls with the square of the
         /// distance.
         intensity: Vec3,
+        /// Radius of the disc, turned to what it lights, that shines; 0 for a point.
+        radius_m: f64,
     },
 }
+
+/// The diameter of the sun's disc, and of the moon's, in degrees: that of a light infinitely far away of
+/// which nothing else is said.
+pub const SUN_DEG: f64 = 0.53;
+
+/// The largest diameter of a light that is infinitely far away, in degrees.
+pub const MAX_DIAMETER_DEG: f64 = 90.0;
 
 /// Why there is no such light.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -38,6 +49,17 @@ pub enum LightError {
     /// A colour is negative or not finite.
     #[error("a light of {0}: each part must be finite and not negative")]
     BadColour(Vec3),
+    /// A light's diameter is out of range.
+    #[error("a light of {0} degrees: it must be from 0 to {MAX_DIAMETER_DEG} degrees wide")]
+    BadDiameter(f64),
+    /// A light's radius is negative or not finite.
+    #[error("a light with a radius of {0} m: it must be finite and not negative")]
+    BadRadius(f64),
+    /// A light at a point is given a diameter in degrees, or one infinitely far away a radius in metres.
+    #[error(
+        "the size of a light at a position is its radius in metres, of another one its diameter in degrees"
+    )]
+    OtherSize,
     /// A light has both or neither of a direction and a position.
     #[error("a light has either a direction or a position")]
     DirectionOrPosition,
@@ -47,7 +69,7 @@ pub enum LightError {
 }
 
 impl Light {
-    /// A light infinitely far away in the direction `toward`, of any length.
+    /// A light infinitely far away in the direction `toward`, of any length, as large as the sun appears.
     ///
     /// # Errors
     ///
@@ -56,7 +78,35 @@ impl Light {
         // Scaled first, so that neither very long nor very short vectors lose their direction.
         let scaled = toward / toward.abs().max_element();
         let toward = scaled.try_normalize().ok_or(LightError::NoDirection(toward))?;
-        Ok(Light::Directional { toward, irradiance: checked_colour(irradiance)? })
+        Ok(Light::Directional { toward, irradiance: checked_colour(irradiance)?, diameter_deg: SUN_DEG })
+    }
+
+    /// The same light, infinitely far away, with a disc of that diameter in degrees, from 0 to
+    /// [`MAX_DIAMETER_DEG`]. Shadows of the whole disc are soft: those that look at one of its points only
+    /// take its centre.
+    ///
+    /// # Errors
+    ///
+    /// When the diameter is out of range, or the light is at a point.
+    pub fn with_diameter(self, diameter_deg: f64) -> Result<Self, LightError> {
+        let Light::Directional { toward, irradiance, .. } = self else { return Err(LightError::OtherSize) };
+        if !(0.0..=MAX_DIAMETER_DEG).contains(&diameter_deg) {
+            return Err(LightError::BadDiameter(diameter_deg));
+        }
+        Ok(Light::Directional { toward, irradiance, diameter_deg })
+    }
+
+    /// The same light at a point with a disc of that radius in metres. Its intensity stays the same.
+    ///
+    /// # Errors
+    ///
+    /// When the radius is negative or not finite, or the light is infinitely far away.
+    pub fn with_radius(self, radius_m: f64) -> Result<Self, LightError> {
+        let Light::Point { position_m, intensity, .. } = self else { return Err(LightError::OtherSize) };
+        if !(radius_m >= 0.0 && radius_m.is_finite()) {
+            return Err(LightError::BadRadius(radius_m));
+        }
+        Ok(Light::Point { position_m, intensity, radius_m })
     }
 
     /// A light at a point, in metres, with the irradiance that it gives at 1 m.
@@ -68,7 +118,7 @@ impl Light {
         if !position_m.is_finite() {
             return Err(LightError::BadPosition(position_m));
         }
-        Ok(Light::Point { position_m, intensity: checked_colour(intensity)? })
+        Ok(Light::Point { position_m, intensity: checked_colour(intensity)?, radius_m: 0.0 })
     }
 }
 
@@ -106,5 +156,15 @@ mod tests {
         for colour in [Vec3::new(1.0, -0.1, 0.0), Vec3::NAN, Vec3::INFINITY] {
             assert!(matches!(Light::point(DVec3::ZERO, colour), Err(LightError::BadColour(_))), "{colour}");
         }
+        let sun = Light::directional(DVec3::Y, Vec3::ONE).expect("a light");
+        let lamp = Light::point(DVec3::Y, Vec3::ONE).expect("a light");
+        for diameter in [-1.0, 90.1, f64::NAN, f64::INFINITY] {
+            assert!(matches!(sun.with_diameter(diameter), Err(LightError::BadDiameter(_))), "{diameter}");
+        }
+        for radius in [-1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(lamp.with_radius(radius), Err(LightError::BadRadius(_))), "{radius}");
+        }
+        assert_eq!(sun.with_radius(1.0), Err(LightError::OtherSize));
+        assert_eq!(lamp.with_diameter(1.0), Err(LightError::OtherSize));
     }
 }

@@ -111,11 +111,12 @@ fn frame(scene: &Scene) -> Frame {
     let mut lights = [ShaderLight::new([0.0; 4], [0.0; 4]); MAX_LIGHTS];
     for (slot, light) in lights.iter_mut().zip(scene.lights()) {
         *slot = match *light {
-            Light::Directional { toward, irradiance } => {
-                ShaderLight::new(place(toward, 0.0), four(irradiance))
+            Light::Directional { toward, irradiance, diameter_deg } => {
+                let radius = (0.5 * diameter_deg).to_radians().tan();
+                ShaderLight::new(place(toward, 0.0), irradiance.extend(radius as f32).to_array())
             }
-            Light::Point { position_m, intensity } => {
-                ShaderLight::new(place(position_m, 1.0), four(intensity))
+            Light::Point { position_m, intensity, radius_m } => {
+                ShaderLight::new(place(position_m, 1.0), intensity.extend(radius_m as f32).to_array())
             }
         };
     }

@@ -145,7 +145,8 @@ impl Found {
 pub struct Light {
     /// Direction toward the light (w = 0), or its position (w = 1).
     pub place: rt::Vec4<f32>,
-    /// Linear RGB: irradiance of a directional light, intensity of a point light.
+    /// Linear RGB: irradiance of a directional light, intensity of a point light. The fourth part is how large
+    /// its disc is: the tangent of half the angle under which it is seen, or its radius in metres.
     pub color: rt::Vec4<f32>,
 }
 impl Light {
@@ -262,6 +263,8 @@ pub struct MapSettings {
     pub layers: u32,
     pub low: rt::Vec4<f32>,
     pub step: rt::Vec4<f32>,
+    /// Metres of a tile along u and v in the metric that it was baked in.
+    pub tile_m: rt::Vec2<f32>,
 }
 impl MapSettings {
     pub fn new(
@@ -269,8 +272,9 @@ impl MapSettings {
         layers: impl rt::Into<u32>,
         low: impl rt::Into<rt::Vec4<f32>>,
         step: impl rt::Into<rt::Vec4<f32>>,
+        tile_m: impl rt::Into<rt::Vec2<f32>>,
     ) -> Self {
-        Self { coded: rt::into(coded), layers: rt::into(layers), low: rt::into(low), step: rt::into(step) }
+        Self { coded: rt::into(coded), layers: rt::into(layers), low: rt::into(low), step: rt::into(step), tile_m: rt::into(tile_m) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -388,14 +392,17 @@ pub struct Toward {
     pub falloff: f32,
     /// Metres to it; more than any other number for one that is infinitely far away.
     pub distance: f32,
+    /// Radius of its disc over its distance: the tangent of half the angle under which it is seen.
+    pub radius: f32,
 }
 impl Toward {
     pub fn new(
         direction: impl rt::Into<rt::Vec3<f32>>,
         falloff: impl rt::Into<f32>,
         distance: impl rt::Into<f32>,
+        radius: impl rt::Into<f32>,
     ) -> Self {
-        Self { direction: rt::into(direction), falloff: rt::into(falloff), distance: rt::into(distance) }
+        Self { direction: rt::into(direction), falloff: rt::into(falloff), distance: rt::into(distance), radius: rt::into(radius) }
     }
 }
 #[allow(non_upper_case_globals)]
@@ -429,6 +436,8 @@ pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
+pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
+#[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(6u32);
@@ -452,6 +461,8 @@ pub(crate) struct Resources<'g> {
     pub(crate) search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(6)"]
     pub(crate) shadow_search_map: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(7)"]
+    pub(crate) shadow_texels: rt::MapTexture<'g>,
     #[doc = "group(0) binding(0)"]
     pub(crate) surface_settings: SurfaceSettings,
 }
@@ -704,10 +715,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_12 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_20 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_12.x())) + (by * at_12.y())) + ((twist * at_12.x()) * at_12.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_12.x() * grid_1.step.y()) + (at_12.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_20.x())) + (by * at_20.y())) + ((twist * at_20.x()) * at_20.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_20.x() * grid_1.step.y()) + (at_20.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -785,6 +796,27 @@ impl<'g> Resources<'g> {
         }
         let _e27 = next;
         return _e27;
+    }
+    pub(crate) fn climb(
+        &self,
+        at: Entered,
+        direction: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_climb(at, rt::into(direction)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_climb(
+        &self,
+        at: Entered,
+        direction: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let metric = at.path.metric;
+        let td = at.tangent.dot(direction);
+        let bd = at.bitangent.dot(direction);
+        let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
+        let duv = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
+        let _e32 = rt::Scalar(self.surface_settings.scale_m);
+        return <rt::Vec3<f32>>::new_21(duv, (at.normal.dot(direction) / _e32.max(rt::Scalar(0.000000001f32))));
     }
     pub(crate) fn texels_around(
         &self,
@@ -907,9 +939,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e4 = self.surface_settings.height_size;
         let n_6 = _e4.cast_elem_as_i32();
-        let place_1 = texel_1.cast_elem_as_i32();
-        let _e9 = self.v_wrap_index(place_1.x(), n_6.x());
-        let _e12 = self.v_wrap_index(place_1.y(), n_6.y());
+        let place_2 = texel_1.cast_elem_as_i32();
+        let _e9 = self.v_wrap_index(place_2.x(), n_6.x());
+        let _e12 = self.v_wrap_index(place_2.y(), n_6.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e9, _e12);
         let _e17 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
         let _e19 = self.v_slope_of(_e17.x());
@@ -949,11 +981,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.height_size;
         let _e6 = self.v_texels_around(uv_4, _e5);
-        let level_5 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e14 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), layer_1, level_5);
-        let _e20 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), layer_1, level_5);
-        let _e26 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), layer_1, level_5);
-        let _e32 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), layer_1, level_5);
+        let level_6 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e14 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), layer_1, level_6);
+        let _e20 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), layer_1, level_6);
+        let _e26 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), layer_1, level_6);
+        let _e32 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), layer_1, level_6);
         let _e34 = self.v_bilinear(_e14, _e20, _e26, _e32, _e6.part);
         return _e34;
     }
@@ -974,13 +1006,22 @@ impl<'g> Resources<'g> {
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_2 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_2 = place_2.floor();
+        let place_3 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_2 = place_3.floor();
         let _e13 = self.v_search_texel_between(path_9, uv_5, below_2.cast_elem_as_i32());
         let lower = _e13.x();
         let _e21 = self.v_search_texel_between(path_9, uv_5, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_2 - below_2)));
+        return (lower + ((upper - lower) * (place_3 - below_2)));
+    }
+    pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_eighth_turn(rt::into(tangent)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_eighth_turn(&self, tangent: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let s_1 = (tangent * tangent);
+        let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
+        return ((tangent * series) * rt::Scalar(0.15915494f32));
     }
     pub(crate) fn entered_once(
         &self,
@@ -1180,188 +1221,31 @@ impl<'g> Resources<'g> {
         let _e36 = self.v_quadratic(c_3, span_2);
         return <Found>::new(FOUND_ABOVE, t_6, (t_6 + span_2), c_3.x(), _e36, reads_2);
     }
-    pub(crate) fn image_of(
-        &self,
-        cell_6: impl rt::Into<rt::Scalar<i32>>,
-        n_1: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_6), rt::into(n_1)))
+    pub(crate) fn near_uv(&self, uv_6: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_image_of(
-        &self,
-        cell_6: rt::Scalar<i32>,
-        n_1: rt::Scalar<i32>,
-    ) -> rt::Vec2<i32> {
-        let mut local_4: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(cell_6.elementwise_ge(rt::Scalar(0i32))) {
-            local_4 = cell_6.elementwise_lt(n_1);
-        } else {
-            local_4 = rt::Scalar(false);
+    fn v_near_uv(&self, uv_6: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
+            return (uv_6 - uv_6.floor());
         }
-        let _e8 = local_4;
-        if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(cell_6, rt::Scalar(0i32));
+        let _e10 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
+            return (uv_6 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_6).floor()));
         }
-        let _e13 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_6.clamp(rt::Scalar(0i32), (n_1 - rt::Scalar(1i32))), rt::Scalar(2i32));
-        }
-        let _e24 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_6 % n_1) + n_1) % n_1), rt::Scalar(0i32));
-        }
-        let period_1 = (rt::Scalar(2i32) * n_1);
-        let folded_1 = (((cell_6 % period_1) + period_1) % period_1);
-        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_1)) {
-            return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
-        }
-        if rt::Scalar::into_branch_condition(folded_1.elementwise_eq((period_1 - rt::Scalar(1i32)))) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(2i32));
-        }
-        return <rt::Vec2<i32>>::from_scalars(((period_1 - rt::Scalar(2i32)) - folded_1), rt::Scalar(1i32));
+        return uv_6;
     }
-    pub(crate) fn frustum_slope(
-        &self,
-        path_11: Path,
-        cell_7: impl rt::Into<rt::Vec2<i32>>,
-        forward_1: impl rt::Into<rt::Vec2<bool>>,
-    ) -> f32 {
-        rt::into(self.v_frustum_slope(path_11, rt::into(cell_7), rt::into(forward_1)))
+    pub(crate) fn from_hit(&self, at_1: Entered, hit: Hit, light: Toward) -> Path {
+        rt::into(self.v_from_hit(at_1, hit, light))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_frustum_slope(
-        &self,
-        path_11: Path,
-        cell_7: rt::Vec2<i32>,
-        forward_1: rt::Vec2<bool>,
-    ) -> rt::Scalar<f32> {
-        let mut local_5: rt::Scalar<bool>;
-
-        let _e7 = self.surface_settings.height_size.x();
-        let _e9 = self.v_image_of(cell_7.x(), _e7.cast_elem_as_i32());
-        let _e14 = self.surface_settings.height_size.y();
-        let _e16 = self.v_image_of(cell_7.y(), _e14.cast_elem_as_i32());
-        if rt::Scalar::into_branch_condition((!_e9.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_5 = _e16.y().elementwise_eq(rt::Scalar(2i32));
-        } else {
-            local_5 = rt::Scalar(true);
-        }
-        let _e27 = local_5;
-        if rt::Scalar::into_branch_condition(_e27) {
-            return rt::Scalar(-1f32);
-        }
-        let _e35 = self.v_search_texel(path_11, <rt::Vec2<i32>>::from_scalars(_e9.x(), _e16.x()), rt::Scalar(0i32), rt::Scalar(path_11.level).cast_elem_as_i32());
-        let right = forward_1.x().elementwise_eq(_e9.y().elementwise_eq(rt::Scalar(0i32)));
-        let down = forward_1.y().elementwise_eq(_e16.y().elementwise_eq(rt::Scalar(0i32)));
-        return _e35.w().select(_e35.z(), right).select(_e35.y().select(_e35.x(), right), down);
-    }
-    pub(crate) fn grid_of(&self, path_12: Path) -> Grid {
-        rt::into(self.v_grid_of(path_12))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_12: Path) -> Grid {
-        let _e1 = self.v_height_size();
-        return <Grid>::new(((path_12.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e1));
-    }
-    pub(crate) fn has_interval(&self, found: Found) -> bool {
-        rt::into(self.v_has_interval(found))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
-        let mut local_6: rt::Scalar<bool>;
-        let mut local_7: rt::Scalar<bool>;
-        let mut local_8: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
-            if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-                local_7 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_7 = rt::Scalar(true);
-            }
-            let _e16 = local_7;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_8 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
-            } else {
-                local_8 = rt::Scalar(true);
-            }
-            let _e24 = local_8;
-            local_6 = _e24;
-        } else {
-            local_6 = rt::Scalar(false);
-        }
-        let _e26 = local_6;
-        return _e26;
-    }
-    pub(crate) fn height_and_slope(&self, uv_6: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_6)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_and_slope(&self, uv_6: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e1 = self.v_height_size();
-        let point_4 = ((uv_6 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e7 = self.v_cell_of(point_4);
-        let f_1 = (point_4 - _e7);
-        let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_3 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
-        let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
-        let left_1 = (_e10.x() + ((_e10.z() - _e10.x()) * f_1.y()));
-        let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_3 + ((bottom_2 - top_3) * f_1.y())), ((right_1 - left_1) * _e1.x()), ((bottom_2 - top_3) * _e1.y()));
-    }
-    pub(crate) fn miss(&self, reads_3: impl rt::Into<rt::Scalar<u32>>) -> Hit {
-        rt::into(self.v_miss(rt::into(reads_3)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_miss(&self, reads_3: rt::Scalar<u32>) -> Hit {
-        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads_3);
-    }
-    pub(crate) fn hit_on_path(
-        &self,
-        path_13: Path,
-        t_7: impl rt::Into<rt::Scalar<f32>>,
-        exhausted: impl rt::Into<rt::Scalar<u32>>,
-        reads_4: impl rt::Into<rt::Scalar<u32>>,
-    ) -> Hit {
-        rt::into(self.v_hit_on_path(path_13, rt::into(t_7), rt::into(exhausted), rt::into(reads_4)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_on_path(
-        &self,
-        path_13: Path,
-        t_7: rt::Scalar<f32>,
-        exhausted: rt::Scalar<u32>,
-        reads_4: rt::Scalar<u32>,
-    ) -> Hit {
-        let mut local_9: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(t_7.elementwise_gt(rt::Scalar(path_13.exit))) {
-            let _e9 = self.v_path_height(path_13, rt::Scalar(path_13.exit));
-            local_9 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
-        } else {
-            local_9 = rt::Scalar(false);
-        }
-        let _e13 = local_9;
-        if rt::Scalar::into_branch_condition(_e13) {
-            let _e14 = self.v_miss(reads_4);
-            return _e14;
-        }
-        let inside = t_7.clamp(rt::Scalar(0f32), rt::Scalar(path_13.exit));
-        let _e19 = self.v_path_uv(path_13, inside);
-        let _e20 = self.v_path_height(path_13, inside);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_4);
-    }
-    pub(crate) fn hit_position(&self, at: Entered, hit: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_hit_position(at, hit))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_position(&self, at: Entered, hit: Hit) -> rt::Vec3<f32> {
-        let aside = (hit.uv - at.uv);
-        let _e17 = rt::Scalar(self.surface_settings.bias_m);
-        let _e20 = rt::Scalar(self.surface_settings.scale_m);
-        let _e22 = self.v_height_at(hit.uv);
-        return (((at.point + (at.tangent * aside.x())) + (at.bitangent * aside.y())) + (at.normal * (_e17 + (_e20 * _e22))));
+    fn v_from_hit(&self, at_1: Entered, hit: Hit, light: Toward) -> Path {
+        let _e4 = self.v_climb(at_1, light.direction);
+        let _e6 = self.v_near_uv(hit.uv);
+        let _e7 = self.v_height_at(_e6);
+        let h_1 = <rt::Vec3<f32>>::from_scalars(_e7, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_1, rt::Scalar(0f32), rt::Scalar(0f32), at_1.path.metric, RAY_SHADOW, rt::Scalar(at_1.path.level));
     }
     pub(crate) fn inside_unit(
         &self,
@@ -1378,15 +1262,15 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_10: rt::Scalar<bool>;
+        let mut local_4: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_10 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_4 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_10 = rt::Scalar(true);
+                local_4 = rt::Scalar(true);
             }
-            let _e13 = local_10;
+            let _e13 = local_4;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
@@ -1395,6 +1279,699 @@ impl<'g> Resources<'g> {
         let a_2 = ((rt::Scalar(0f32) - x0_) / dx);
         let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
         return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
+    }
+    pub(crate) fn way_out(&self, path_11: Path, light_1: Toward) -> f32 {
+        rt::into(self.v_way_out(path_11, light_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_way_out(&self, path_11: Path, light_1: Toward) -> rt::Scalar<f32> {
+        let mut way: rt::Scalar<f32>;
+        let mut interval_1: rt::Vec2<f32>;
+
+        way = ((rt::Scalar(1f32) - path_11.h.x()) / path_11.h.y()).min(rt::Scalar(light_1.distance));
+        let _e14 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
+            let _e21 = way;
+            let _e24 = self.v_inside_unit(path_11.uv.x(), path_11.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            interval_1 = _e24;
+            let _e30 = interval_1;
+            let _e31 = self.v_inside_unit(path_11.uv.y(), path_11.duv.y(), _e30);
+            interval_1 = _e31;
+            let _e33 = interval_1.y();
+            way = _e33;
+        }
+        let _e34 = way;
+        return _e34;
+    }
+    pub(crate) fn grid_of(&self, path_12: Path) -> Grid {
+        rt::into(self.v_grid_of(path_12))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_grid_of(&self, path_12: Path) -> Grid {
+        let _e1 = self.v_height_size();
+        return <Grid>::new(((path_12.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e1));
+    }
+    pub(crate) fn light_ray(&self, at_2: Entered, hit_1: Hit, light_2: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_2, hit_1, light_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_light_ray(&self, at_2: Entered, hit_1: Hit, light_2: Toward) -> LightRay {
+        let mut local_5: rt::Scalar<bool>;
+
+        let _e3 = self.v_from_hit(at_2, hit_1, light_2);
+        if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
+        }
+        let _e11 = self.v_way_out(_e3, light_2);
+        if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
+        }
+        let _e17 = self.v_grid_of(_e3);
+        let _e19 = self.v_cell_of(_e17.origin);
+        let _e20 = self.v_cell_leave(_e17, _e19);
+        let end = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
+        let _e28 = self.v_height_cell(_e19.cast_elem_as_i32());
+        let _e30 = self.v_gap_to(_e3, _e17, _e19, _e28, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition((!_e30.y().elementwise_lt(rt::Scalar(0f32)))) {
+            local_5 = (_e30.y() + (_e30.z() * end)).elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_5 = rt::Scalar(true);
+        }
+        let _e44 = local_5;
+        if rt::Scalar::into_branch_condition(_e44) {
+            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
+        }
+        if rt::Scalar::into_branch_condition(end.elementwise_ge(_e11)) {
+            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
+        }
+        let _e50 = self.v_path_uv(_e3, end);
+        let gap_1 = (end * (_e30.y() + (_e30.z() * end)));
+        let _e56 = self.v_height_at(_e50);
+        let h_2 = <rt::Vec3<f32>>::from_scalars(((_e56 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_45 = <Path>::new(_e50, _e3.duv, h_2, (_e11 - end), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_45);
+    }
+    pub(crate) fn search_none(
+        &self,
+        path_13: Path,
+        params: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_none(path_13, rt::into(params)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_none(
+        &self,
+        path_13: Path,
+        params: rt::Vec4<f32>,
+    ) -> Found {
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_13.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+    }
+    pub(crate) fn search_linear(
+        &self,
+        path_14: Path,
+        params_1: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_linear(path_14, rt::into(params_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_linear(
+        &self,
+        path_14: Path,
+        params_1: rt::Vec4<f32>,
+    ) -> Found {
+        let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_1: rt::Scalar<f32>;
+        let mut reads_3: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut k: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let cosine = (path_14.h.y().abs() * path_14.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_1.x() * params_1.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
+        let _e22 = self.v_path_gap(path_14, rt::Scalar(0f32));
+        near_gap_1 = _e22;
+        let _e26 = near_gap_1;
+        if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
+            let _e30 = near_gap_1;
+            let _e31 = near_gap_1;
+            let _e32 = reads_3;
+            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e30, _e31, _e32);
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e38 = k;
+                if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e41 = k;
+                    let t_25 = (rt::Scalar(path_14.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_14, t_25);
+                    let _e45 = reads_3;
+                    reads_3 = (_e45 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
+                        let _e51 = near_2;
+                        let _e52 = near_gap_1;
+                        let _e53 = reads_3;
+                        return <Found>::new(FOUND_BRACKET, _e51, t_25, _e52, _e44, _e53);
+                    }
+                    near_2 = t_25;
+                    near_gap_1 = _e44;
+                    let _e55 = k;
+                    k = (_e55 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e59 = near_2;
+        let _e60 = near_2;
+        let _e61 = near_gap_1;
+        let _e62 = near_gap_1;
+        let _e63 = reads_3;
+        return <Found>::new(FOUND_MISS, _e59, _e60, _e61, _e62, _e63);
+    }
+    pub(crate) fn search_cells(
+        &self,
+        path_15: Path,
+        params_2: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_cells(path_15, rt::into(params_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_cells(
+        &self,
+        path_15: Path,
+        params_2: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_6: rt::Vec2<f32>;
+        let mut t_7: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_4: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e2 = self.v_grid_of(path_15);
+        let _e4 = self.v_cell_of(_e2.origin);
+        cell_6 = _e4;
+        let limit = params_2.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e12 = reads_4;
+                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(limit)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e14 = cell_6;
+                    let _e15 = self.v_cell_leave(_e2, _e14);
+                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_15.exit));
+                    let _e21 = cell_6;
+                    let _e22 = t_7;
+                    let _e23 = self.v_cell_gap(path_15, _e2, _e21, _e22);
+                    let _e24 = reads_4;
+                    reads_4 = (_e24 + rt::Scalar(1u32));
+                    let _e27 = t_7;
+                    let span_4 = (end_1 - _e27).max(rt::Scalar(0f32));
+                    let _e31 = t_7;
+                    let _e32 = reads_4;
+                    let _e35 = reads_4;
+                    let _e36 = self.v_found_in_cell(_e23, _e31, span_4, _e32.elementwise_eq(rt::Scalar(1u32)), _e35);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
+                        return _e36;
+                    }
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_15.exit))) {
+                        let _e43 = t_7;
+                        let _e47 = reads_4;
+                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_15.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
+                    }
+                    let _e49 = cell_6;
+                    let _e50 = self.v_cell_next(_e2, _e49, _e15);
+                    cell_6 = _e50;
+                    let _e51 = t_7;
+                    t_7 = _e51.max(end_1);
+                }
+            }
+        }
+        let _e54 = t_7;
+        let _e56 = reads_4;
+        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_15.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
+    }
+    pub(crate) fn path_slope(
+        &self,
+        path_16: Path,
+        t_8: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_slope(path_16, rt::into(t_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_slope(
+        &self,
+        path_16: Path,
+        t_8: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (path_16.h.y() + ((rt::Scalar(2f32) * t_8) * path_16.h.z()));
+    }
+    pub(crate) fn image_of(
+        &self,
+        cell_7: impl rt::Into<rt::Scalar<i32>>,
+        n_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_image_of(rt::into(cell_7), rt::into(n_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_image_of(
+        &self,
+        cell_7: rt::Scalar<i32>,
+        n_1: rt::Scalar<i32>,
+    ) -> rt::Vec2<i32> {
+        let mut local_6: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(cell_7.elementwise_ge(rt::Scalar(0i32))) {
+            local_6 = cell_7.elementwise_lt(n_1);
+        } else {
+            local_6 = rt::Scalar(false);
+        }
+        let _e8 = local_6;
+        if rt::Scalar::into_branch_condition(_e8) {
+            return <rt::Vec2<i32>>::from_scalars(cell_7, rt::Scalar(0i32));
+        }
+        let _e13 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
+            return <rt::Vec2<i32>>::from_scalars(cell_7.clamp(rt::Scalar(0i32), (n_1 - rt::Scalar(1i32))), rt::Scalar(2i32));
+        }
+        let _e24 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
+            return <rt::Vec2<i32>>::from_scalars((((cell_7 % n_1) + n_1) % n_1), rt::Scalar(0i32));
+        }
+        let period_1 = (rt::Scalar(2i32) * n_1);
+        let folded_1 = (((cell_7 % period_1) + period_1) % period_1);
+        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_1)) {
+            return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
+        }
+        if rt::Scalar::into_branch_condition(folded_1.elementwise_eq((period_1 - rt::Scalar(1i32)))) {
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(2i32));
+        }
+        return <rt::Vec2<i32>>::from_scalars(((period_1 - rt::Scalar(2i32)) - folded_1), rt::Scalar(1i32));
+    }
+    pub(crate) fn frustum_slope(
+        &self,
+        path_17: Path,
+        cell_8: impl rt::Into<rt::Vec2<i32>>,
+        forward_1: impl rt::Into<rt::Vec2<bool>>,
+    ) -> f32 {
+        rt::into(self.v_frustum_slope(path_17, rt::into(cell_8), rt::into(forward_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_frustum_slope(
+        &self,
+        path_17: Path,
+        cell_8: rt::Vec2<i32>,
+        forward_1: rt::Vec2<bool>,
+    ) -> rt::Scalar<f32> {
+        let mut local_7: rt::Scalar<bool>;
+
+        let _e7 = self.surface_settings.height_size.x();
+        let _e9 = self.v_image_of(cell_8.x(), _e7.cast_elem_as_i32());
+        let _e14 = self.surface_settings.height_size.y();
+        let _e16 = self.v_image_of(cell_8.y(), _e14.cast_elem_as_i32());
+        if rt::Scalar::into_branch_condition((!_e9.y().elementwise_eq(rt::Scalar(2i32)))) {
+            local_7 = _e16.y().elementwise_eq(rt::Scalar(2i32));
+        } else {
+            local_7 = rt::Scalar(true);
+        }
+        let _e27 = local_7;
+        if rt::Scalar::into_branch_condition(_e27) {
+            return rt::Scalar(-1f32);
+        }
+        let _e35 = self.v_search_texel(path_17, <rt::Vec2<i32>>::from_scalars(_e9.x(), _e16.x()), rt::Scalar(0i32), rt::Scalar(path_17.level).cast_elem_as_i32());
+        let right = forward_1.x().elementwise_eq(_e9.y().elementwise_eq(rt::Scalar(0i32)));
+        let down = forward_1.y().elementwise_eq(_e16.y().elementwise_eq(rt::Scalar(0i32)));
+        return _e35.w().select(_e35.z(), right).select(_e35.y().select(_e35.x(), right), down);
+    }
+    pub(crate) fn stays_above(
+        &self,
+        above_1: impl rt::Into<rt::Vec3<f32>>,
+        slope: impl rt::Into<rt::Scalar<f32>>,
+        left: impl rt::Into<rt::Scalar<f32>>,
+        speed: impl rt::Into<rt::Scalar<f32>>,
+        lost: impl rt::Into<rt::Scalar<f32>>,
+        span_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_stays_above(rt::into(above_1), rt::into(slope), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_stays_above(
+        &self,
+        above_1: rt::Vec3<f32>,
+        slope: rt::Scalar<f32>,
+        left: rt::Scalar<f32>,
+        speed: rt::Scalar<f32>,
+        lost: rt::Scalar<f32>,
+        span_3: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let rise = (slope * speed.abs());
+        let gap_2 = ((above_1.x() + (slope * left)) - lost);
+        if rt::Scalar::into_branch_condition(gap_2.elementwise_le(rt::Scalar(0f32))) {
+            return rt::Scalar(0f32);
+        }
+        let closing = ((rise - above_1.y()) + (rt::Scalar(0.0000009536743f32) * (rise + above_1.y().abs())));
+        if rt::Scalar::into_branch_condition(above_1.z().elementwise_ne(rt::Scalar(0f32))) {
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_2, (rt::Scalar(0f32) - closing), above_1.z()), span_3);
+            return _e30;
+        }
+        if rt::Scalar::into_branch_condition(closing.elementwise_gt(rt::Scalar(0f32))) {
+            return (gap_2 / closing);
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub(crate) fn search_frustum(
+        &self,
+        path_18: Path,
+        params_3: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_frustum(path_18, rt::into(params_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_frustum(
+        &self,
+        path_18: Path,
+        params_3: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_9: rt::Vec2<f32>;
+        let mut t_9: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_5: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_1: rt::Scalar<f32>;
+        let mut slope_1: rt::Scalar<f32>;
+        let mut local_8: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_18);
+        let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_cell_of(_e2.origin);
+        cell_9 = _e9;
+        let limit_1 = params_3.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e17 = reads_5;
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_1)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e19 = reads_5;
+                    let first_2 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let _e22 = cell_9;
+                    let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
+                    let _e25 = reads_5;
+                    reads_5 = (_e25 + rt::Scalar(1u32));
+                    let _e28 = cell_9;
+                    let _e29 = self.v_cell_leave(_e2, _e28);
+                    let end_2 = _e29.x().min(_e29.y()).min(rt::Scalar(path_18.exit));
+                    let _e35 = t_9;
+                    let span_5 = (end_2 - _e35).max(rt::Scalar(0f32));
+                    let top_3 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
+                    let _e46 = t_9;
+                    let _e47 = self.v_path_height(path_18, _e46);
+                    let _e49 = t_9;
+                    let _e50 = self.v_path_slope(path_18, _e49);
+                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e47 - top_3), _e50, path_18.h.z());
+                    let _e57 = t_9;
+                    let _e61 = t_9;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_18.h.x().abs() + (_e57 * (path_18.h.y().abs() + (_e61 * path_18.h.z().abs())))));
+                    let _e71 = t_9;
+                    next_1 = _e71.max(end_2);
+                    slope_1 = rt::Scalar(-1f32);
+                    let _e76 = self.v_least_at(above_3, span_5);
+                    let _e77 = self.v_quadratic(above_3, _e76);
+                    if rt::Scalar::into_branch_condition(_e77.elementwise_gt(of_heights)) {
+                        local_8 = above_3.x().elementwise_gt(of_heights);
+                    } else {
+                        local_8 = rt::Scalar(false);
+                    }
+                    let _e84 = local_8;
+                    if rt::Scalar::into_branch_condition(_e84) {
+                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_18.exit))) {
+                            let _e87 = cell_9;
+                            let _e89 = self.v_frustum_slope(path_18, _e87.cast_elem_as_i32(), forward_2);
+                            slope_1 = _e89;
+                            let _e90 = reads_5;
+                            let _e93 = slope_1;
+                            reads_5 = (_e90 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e93.elementwise_ge(rt::Scalar(0f32))));
+                        }
+                    } else {
+                        let _e98 = cell_9;
+                        let _e99 = t_9;
+                        let _e100 = self.v_gap_to(path_18, _e2, _e98, _e24, _e99);
+                        let _e101 = t_9;
+                        let _e102 = reads_5;
+                        let _e103 = self.v_found_in_cell(_e100, _e101, span_5, first_2, _e102);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e103.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e103;
+                        }
+                    }
+                    let _e107 = slope_1;
+                    if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e111 = cell_9;
+                        let _e114 = t_9;
+                        let at_21 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_1 = at_21.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_21), forward_2);
+                        let _e126 = t_9;
+                        let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e134 = slope_1;
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_4));
+                        let _e140 = t_9;
+                        let rest_1 = (rt::Scalar(path_18.exit) - _e140);
+                        let _e142 = slope_1;
+                        let _e147 = self.v_stays_above(above_3, _e142, left_1.x(), _e2.step.x(), lost_1.x(), rest_1);
+                        let _e148 = slope_1;
+                        let _e153 = self.v_stays_above(above_3, _e148, left_1.y(), _e2.step.y(), lost_1.y(), rest_1);
+                        let _e154 = next_1;
+                        let _e155 = t_9;
+                        next_1 = _e154.max((_e155 + _e147.min(_e153)));
+                    }
+                    let _e159 = next_1;
+                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_18.exit))) {
+                        let _e163 = t_9;
+                        let _e165 = reads_5;
+                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
+                    }
+                    let _e169 = slope_1;
+                    if rt::Scalar::into_branch_condition(_e169.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e172 = cell_9;
+                        let _e173 = next_1;
+                        let _e174 = self.v_cell_after(_e2, _e172, _e29, forward_2, _e173);
+                        cell_9 = _e174;
+                    } else {
+                        let _e175 = cell_9;
+                        let _e176 = self.v_cell_next(_e2, _e175, _e29);
+                        cell_9 = _e176;
+                    }
+                    let _e177 = next_1;
+                    t_9 = _e177;
+                }
+            }
+        }
+        let _e179 = t_9;
+        let _e181 = reads_5;
+        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
+    }
+    pub(crate) fn nearest_corner(&self, at_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_nearest_corner(&self, at_3: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_3.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    }
+    pub(crate) fn stays_inside(
+        &self,
+        path_19: Path,
+        grid_6: Grid,
+        offset: impl rt::Into<rt::Vec2<f32>>,
+        apex: impl rt::Into<rt::Scalar<f32>>,
+        slope_2: impl rt::Into<rt::Scalar<f32>>,
+        t_10: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_stays_inside(path_19, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_2), rt::into(t_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_stays_inside(
+        &self,
+        path_19: Path,
+        grid_6: Grid,
+        offset: rt::Vec2<f32>,
+        apex: rt::Scalar<f32>,
+        slope_2: rt::Scalar<f32>,
+        t_10: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut most: rt::Scalar<f32>;
+        let mut local_9: rt::Scalar<bool>;
+        let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+
+        let rest_2 = (rt::Scalar(path_19.exit) - t_10);
+        let _e8 = self.v_path_height(path_19, t_10);
+        let height_2 = (_e8 - apex);
+        let terms = (path_19.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_19.exit)) * path_19.h.z().abs()));
+        let _e21 = self.v_path_slope(path_19, t_10);
+        let rise_1 = ((_e21 + (path_19.h.z().min(rt::Scalar(0f32)) * rest_2)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_2;
+        if rt::Scalar::into_branch_condition(rise_1.elementwise_lt(rt::Scalar(0f32))) {
+            let _e34 = most;
+            most = _e34.min((height_2 / (rt::Scalar(0f32) - rise_1)));
+        }
+        let _e39 = most;
+        let end_3 = (t_10 + _e39);
+        let _e51 = self.v_height_size();
+        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_19.h.x().abs() + (end_3 * (path_19.h.y().abs() + (end_3 * path_19.h.z().abs())))));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_2) * (far_5.x() + far_5.y())));
+        let gap_3 = (height_2 - (rt::Scalar(2f32) * lost_2));
+        let _e83 = self.v_height_size();
+        let aside = (((grid_6.origin - offset) + (grid_6.step * t_10)) / _e83);
+        let c_5 = (((slope_2 * aside.length()) - gap_3) * ((slope_2 * aside.length()) + gap_3));
+        if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
+            local_9 = c_5.elementwise_ge(rt::Scalar(0f32));
+        } else {
+            local_9 = rt::Scalar(true);
+        }
+        let _e100 = local_9;
+        if rt::Scalar::into_branch_condition(_e100) {
+            return rt::Scalar(0f32);
+        }
+        let b_3 = (((slope_2 * slope_2) * aside.dot(path_19.duv)) - (gap_3 * rise_1));
+        let a_3 = (((slope_2 * slope_2) * path_19.duv.dot(path_19.duv)) - (rise_1 * rise_1));
+        let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
+        if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
+            let root_1 = discriminant_1.sqrt();
+            if rt::Scalar::into_branch_condition(b_3.elementwise_ge(rt::Scalar(0f32))) {
+                leave_3 = ((rt::Scalar(0f32) - c_5) / (b_3 + root_1));
+            } else {
+                if rt::Scalar::into_branch_condition(a_3.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_3 = ((root_1 - b_3) / a_3);
+                }
+            }
+        }
+        let _e133 = leave_3;
+        let _e134 = most;
+        leave_3 = _e133.min(_e134);
+        let _e137 = leave_3;
+        let _e143 = leave_3;
+        if rt::Scalar::into_branch_condition(((slope_2 * (aside + (path_19.duv * _e137)).length()) + lost_2).elementwise_le((height_2 + (rise_1 * _e143)))) {
+            let _e147 = leave_3;
+            return _e147;
+        }
+        return rt::Scalar(0f32);
+    }
+    pub(crate) fn search_cone(
+        &self,
+        path_20: Path,
+        params_4: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_cone(path_20, rt::into(params_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_cone(
+        &self,
+        path_20: Path,
+        params_4: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_10: rt::Vec2<f32>;
+        let mut t_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_6: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_2: rt::Scalar<f32>;
+
+        let _e2 = self.v_grid_of(path_20);
+        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_cell_of(_e2.origin);
+        cell_10 = _e9;
+        let limit_2 = params_4.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e17 = reads_6;
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_2)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e19 = reads_6;
+                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
+                    let _e22 = cell_10;
+                    let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
+                    let _e25 = reads_6;
+                    reads_6 = (_e25 + rt::Scalar(1u32));
+                    let _e28 = cell_10;
+                    let _e29 = self.v_cell_leave(_e2, _e28);
+                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_20.exit));
+                    let _e35 = t_11;
+                    let span_6 = (end_4 - _e35).max(rt::Scalar(0f32));
+                    let _e40 = cell_10;
+                    let _e43 = t_11;
+                    let at_22 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let _e46 = self.v_nearest_corner(at_22);
+                    let _e47 = self.v_corner_height(_e24, _e46);
+                    let _e48 = t_11;
+                    next_2 = _e48;
+                    let _e50 = t_11;
+                    let _e51 = self.v_path_height(path_20, _e50);
+                    if rt::Scalar::into_branch_condition(_e51.elementwise_gt(_e47)) {
+                        let _e53 = cell_10;
+                        let texel_5 = (_e53 + _e46);
+                        let _e55 = self.v_cone_slope(path_20, texel_5);
+                        let _e56 = reads_6;
+                        reads_6 = (_e56 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e55.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e61 = t_11;
+                            let _e62 = t_11;
+                            let _e63 = self.v_stays_inside(path_20, _e2, texel_5, _e47, _e55, _e62);
+                            next_2 = (_e61 + _e63);
+                        }
+                    }
+                    let _e65 = next_2;
+                    if rt::Scalar::into_branch_condition(_e65.elementwise_lt(end_4)) {
+                        let _e67 = cell_10;
+                        let _e68 = t_11;
+                        let _e69 = self.v_gap_to(path_20, _e2, _e67, _e24, _e68);
+                        let _e70 = t_11;
+                        let _e71 = reads_6;
+                        let _e72 = self.v_found_in_cell(_e69, _e70, span_6, first_3, _e71);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e72.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e72;
+                        }
+                        let _e76 = t_11;
+                        next_2 = _e76.max(end_4);
+                    }
+                    let _e78 = next_2;
+                    if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_20.exit))) {
+                        let _e82 = t_11;
+                        let _e84 = reads_6;
+                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                    }
+                    let _e88 = cell_10;
+                    let _e89 = next_2;
+                    let _e90 = self.v_cell_after(_e2, _e88, _e29, forward_3, _e89);
+                    cell_10 = _e90;
+                    let _e91 = next_2;
+                    t_11 = _e91;
+                }
+            }
+        }
+        let _e93 = t_11;
+        let _e95 = reads_6;
+        return <Found>::new(FOUND_EXHAUSTED, _e93, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e95);
+    }
+    pub(crate) fn node_extent(
+        &self,
+        cell_11: impl rt::Into<rt::Scalar<i32>>,
+        image: impl rt::Into<rt::Vec2<i32>>,
+        n_2: impl rt::Into<rt::Scalar<i32>>,
+        level_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_2), rt::into(level_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_node_extent(
+        &self,
+        cell_11: rt::Scalar<i32>,
+        image: rt::Vec2<i32>,
+        n_2: rt::Scalar<i32>,
+        level_1: rt::Scalar<u32>,
+    ) -> rt::Vec2<i32> {
+        let mut local_10: rt::Scalar<bool>;
+
+        let first_4 = ((image.x() >> level_1) << level_1);
+        let side_1 = (rt::Scalar(1i32) << level_1);
+        if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
+            let low = (cell_11 - (image.x() - first_4));
+            return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_2 - first_4))));
+        }
+        if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
+            let high = ((cell_11 + (image.x() - first_4)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_2 - rt::Scalar(1i32)) - first_4))), high);
+        }
+        if rt::Scalar::into_branch_condition(level_1.elementwise_gt(rt::Scalar(0u32))) {
+            let _e39 = rt::Scalar(self.surface_settings.wrap);
+            local_10 = _e39.elementwise_eq(WRAP_CLAMP);
+        } else {
+            local_10 = rt::Scalar(false);
+        }
+        let _e43 = local_10;
+        if rt::Scalar::into_branch_condition(_e43) {
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_2, cell_11.elementwise_ge(n_2)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_11.elementwise_ge(n_2)));
+        }
+        return <rt::Vec2<i32>>::from_scalars(cell_11, (cell_11 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
@@ -1419,107 +1996,1226 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
+    pub(crate) fn search_pyramid(
+        &self,
+        path_21: Path,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_pyramid(path_21, rt::into(params_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_pyramid(
+        &self,
+        path_21: Path,
+        params_5: rt::Vec4<f32>,
+    ) -> Found {
+        let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_2: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cell_12: rt::Vec2<i32>;
+        let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
+        let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_7: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_11: rt::Scalar<bool>;
+        let mut local_12: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
+        let mut local_14: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_21);
+        let _e5 = self.surface_settings.height_size;
+        let n_7 = _e5.cast_elem_as_i32();
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_21.exit));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e20 = top;
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e20).elementwise_lt(n_7.x().max(n_7.y()))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e27 = top;
+                    top = (_e27 + rt::Scalar(1u32));
+                    let _e30 = level_2;
+                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e30).cast_elem_as_f32().elementwise_lt(long)) {
+                        let _e35 = level_2;
+                        level_2 = (_e35 + rt::Scalar(1u32));
+                    }
+                }
+            }
+        }
+        let _e39 = self.v_cell_of(_e2.origin);
+        cell_12 = _e39.cast_elem_as_i32();
+        let limit_3 = params_5.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e52 = reads_7;
+                if rt::Scalar::into_branch_condition(_e52.elementwise_lt(limit_3)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e55 = cell_12.x();
+                    let _e57 = self.v_image_of(_e55, n_7.x());
+                    let _e59 = cell_12.y();
+                    let _e61 = self.v_image_of(_e59, n_7.y());
+                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e57.x(), _e61.x());
+                    let _e65 = level_2;
+                    let above_level = (_e65 + rt::Scalar(1u32));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_4.x() >> above_level), (place_4.y() >> above_level));
+                    let _e74 = parent.x();
+                    if rt::Scalar::into_branch_condition(_e74.elementwise_ge(rt::Scalar(0i32))) {
+                        let _e80 = parent.x();
+                        if rt::Scalar::into_branch_condition((!_e80.elementwise_ne(over.x()))) {
+                            let _e87 = parent.y();
+                            local_12 = _e87.elementwise_ne(over.y());
+                        } else {
+                            local_12 = rt::Scalar(true);
+                        }
+                        let _e91 = local_12;
+                        local_11 = _e91;
+                    } else {
+                        local_11 = rt::Scalar(false);
+                    }
+                    let left_2 = local_11;
+                    if rt::Scalar::into_branch_condition(left_2) {
+                        let _e96 = level_2;
+                        let _e97 = top;
+                        local_13 = _e96.elementwise_lt(_e97);
+                    } else {
+                        local_13 = rt::Scalar(false);
+                    }
+                    let _e100 = local_13;
+                    if rt::Scalar::into_branch_condition(_e100) {
+                        level_2 = above_level;
+                    }
+                    let _e102 = cell_12.x();
+                    let _e104 = level_2;
+                    let _e105 = self.v_node_extent(_e102, _e57, n_7.x(), _e104);
+                    let _e107 = cell_12.y();
+                    let _e109 = level_2;
+                    let _e110 = self.v_node_extent(_e107, _e61, n_7.y(), _e109);
+                    let _e115 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e105);
+                    let _e120 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e110);
+                    let end_5 = _e115.min(_e120).min(rt::Scalar(path_21.exit));
+                    let _e124 = t_12;
+                    let span_7 = (end_5 - _e124).max(rt::Scalar(0f32));
+                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e105.x(), _e110.x());
+                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e105.y() - rt::Scalar(1i32)), (_e110.y() - rt::Scalar(1i32)));
+                    let _e138 = reads_7;
+                    reads_7 = (_e138 + rt::Scalar(1u32));
+                    let _e141 = level_2;
+                    if rt::Scalar::into_branch_condition(_e141.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e144 = cell_12;
+                        let _e146 = cell_12;
+                        let _e147 = self.v_height_cell(_e146);
+                        let _e148 = t_12;
+                        let _e149 = self.v_gap_to(path_21, _e2, _e144.cast_elem_as_f32(), _e147, _e148);
+                        let _e150 = t_12;
+                        let _e151 = t_12;
+                        let _e154 = reads_7;
+                        let _e155 = self.v_found_in_cell(_e149, _e150, span_7, _e151.elementwise_eq(rt::Scalar(0f32)), _e154);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e155.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e155;
+                        }
+                    } else {
+                        let _e160 = level_2;
+                        let _e163 = level_2;
+                        let _e167 = level_2;
+                        let _e171 = self.v_search_texel(path_21, <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e160), (place_4.y() >> _e163)), rt::Scalar(0i32), (_e167.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let highest_1 = _e171.y();
+                        let _e173 = t_12;
+                        let furthest = (_e173 + span_7);
+                        let rounded = (path_21.h.x().abs() + (furthest * (path_21.h.y().abs() + (furthest * path_21.h.z().abs()))));
+                        let _e188 = t_12;
+                        let _e189 = self.v_path_height(path_21, _e188);
+                        let _e194 = t_12;
+                        let _e195 = self.v_path_slope(path_21, _e194);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e189 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e195, path_21.h.z());
+                        if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
+                            let _e205 = self.v_least_at(gap_4, span_7);
+                            let _e206 = self.v_quadratic(gap_4, _e205);
+                            local_14 = _e206.elementwise_le(rt::Scalar(0f32));
+                        } else {
+                            local_14 = rt::Scalar(true);
+                        }
+                        let _e210 = local_14;
+                        if rt::Scalar::into_branch_condition(_e210) {
+                            if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
+                                let _e214 = t_12;
+                                let _e215 = self.v_first_root(gap_4, span_7);
+                                t_12 = (_e214 + _e215.min(span_7));
+                            }
+                            let _e220 = t_12;
+                            let _e223 = self.v_cell_of((_e2.origin + (_e2.step * _e220)));
+                            cell_12 = _e223.cast_elem_as_i32().clamp(low_1, last_1);
+                            let _e226 = level_2;
+                            level_2 = (_e226 - rt::Scalar(1u32));
+                            parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
+                            break 'naga_continue;
+                        }
+                    }
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_21.exit))) {
+                        let _e235 = t_12;
+                        let _e237 = reads_7;
+                        return <Found>::new(FOUND_MISS, _e235, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e237);
+                    }
+                    let _e245 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
+                    cell_12 = _e245.cast_elem_as_i32().clamp(low_1, last_1);
+                    if rt::Scalar::into_branch_condition(_e115.elementwise_le(end_5)) {
+                        cell_12.set_x((low_1.x() - rt::Scalar(1i32)).select(_e105.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    }
+                    if rt::Scalar::into_branch_condition(_e120.elementwise_le(end_5)) {
+                        cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e110.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    }
+                    let _e271 = level_2;
+                    let _e276 = level_2;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_4.x() >> (_e271 + rt::Scalar(1u32))), (place_4.y() >> (_e276 + rt::Scalar(1u32))));
+                    let _e281 = t_12;
+                    t_12 = _e281.max(end_5);
+                }
+            }
+        }
+        let _e284 = t_12;
+        let _e286 = reads_7;
+        return <Found>::new(FOUND_EXHAUSTED, _e284, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e286);
+    }
+    pub(crate) fn texel_extent(
+        &self,
+        texel_2: impl rt::Into<rt::Scalar<i32>>,
+        n_3: impl rt::Into<rt::Scalar<i32>>,
+        level_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_3), rt::into(level_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_texel_extent(
+        &self,
+        texel_2: rt::Scalar<i32>,
+        n_3: rt::Scalar<i32>,
+        level_3: rt::Scalar<u32>,
+    ) -> rt::Vec2<i32> {
+        let mut local_15: rt::Scalar<bool>;
+
+        let _e3 = self.v_wrap_index(texel_2, n_3);
+        let first_5 = ((_e3 >> level_3) << level_3);
+        let last_2 = (first_5 + (rt::Scalar(1i32) << level_3)).min(n_3);
+        if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
+            let _e16 = rt::Scalar(self.surface_settings.wrap);
+            local_15 = _e16.elementwise_eq(WRAP_REPEAT);
+        } else {
+            local_15 = rt::Scalar(true);
+        }
+        let _e20 = local_15;
+        if rt::Scalar::into_branch_condition(_e20) {
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
+        }
+        let _e28 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
+            let period_2 = (rt::Scalar(2i32) * n_3);
+            let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
+            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_3)) {
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
+            }
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_2) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_5) + rt::Scalar(1i32)));
+        }
+        return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
+    }
+    pub(crate) fn search_pyramid_texels(
+        &self,
+        path_22: Path,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_pyramid_texels(path_22, rt::into(params_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_pyramid_texels(
+        &self,
+        path_22: Path,
+        params_6: rt::Vec4<f32>,
+    ) -> Found {
+        let mut level_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut texel_3: rt::Vec2<i32>;
+        let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut highest: rt::Scalar<f32>;
+        let mut sinks: rt::Scalar<f32>;
+
+        let _e4 = self.surface_settings.height_size;
+        let n_8 = _e4.cast_elem_as_i32();
+        let _e7 = self.v_height_size();
+        let origin_1 = (path_22.uv * _e7);
+        let _e10 = self.v_height_size();
+        let step_1 = (path_22.duv * _e10);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e14 = level_4;
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(n_8.x().max(n_8.y()))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e21 = level_4;
+                    level_4 = (_e21 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e24 = self.v_cell_of(origin_1);
+        texel_3 = _e24.cast_elem_as_i32();
+        let limit_4 = params_6.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e33 = reads_8;
+                if rt::Scalar::into_branch_condition(_e33.elementwise_lt(limit_4)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e36 = texel_3.x();
+                    let _e38 = self.v_wrap_index(_e36, n_8.x());
+                    let _e40 = texel_3.y();
+                    let _e42 = self.v_wrap_index(_e40, n_8.y());
+                    let place_5 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
+                    highest = rt::Scalar(0f32);
+                    let _e46 = level_4;
+                    if rt::Scalar::into_branch_condition(_e46.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e51 = rt::texture::Read::read_texel((&self.height_map), place_5, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        highest = _e51.x();
+                    } else {
+                        let _e54 = level_4;
+                        let _e57 = level_4;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_5.x() >> _e54), (place_5.y() >> _e57));
+                        let _e61 = level_4;
+                        let _e65 = self.v_search_texel(path_22, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        highest = _e65.y();
+                    }
+                    let _e67 = reads_8;
+                    reads_8 = (_e67 + rt::Scalar(1u32));
+                    let _e71 = texel_3.x();
+                    let _e73 = level_4;
+                    let _e74 = self.v_texel_extent(_e71, n_8.x(), _e73);
+                    let _e76 = texel_3.y();
+                    let _e78 = level_4;
+                    let _e79 = self.v_texel_extent(_e76, n_8.y(), _e78);
+                    let _e82 = self.v_leaves_extent(origin_1.x(), step_1.x(), _e74);
+                    let _e85 = self.v_leaves_extent(origin_1.y(), step_1.y(), _e79);
+                    let leave_5 = <rt::Vec2<f32>>::from_scalars(_e82, _e85);
+                    let _e92 = t_13;
+                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_22.exit)).max(_e92);
+                    let _e94 = t_13;
+                    let _e95 = self.v_path_height(path_22, _e94);
+                    let _e96 = highest;
+                    let _e98 = t_13;
+                    let _e99 = self.v_path_slope(path_22, _e98);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_22.h.z());
+                    sinks = rt::Scalar(0f32);
+                    if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
+                        let _e108 = t_13;
+                        let _e110 = self.v_first_root(gap_5, (end_6 - _e108));
+                        sinks = _e110;
+                    }
+                    let low_2 = <rt::Vec2<i32>>::from_scalars(_e74.x(), _e79.x());
+                    let last_3 = <rt::Vec2<i32>>::from_scalars((_e74.y() - rt::Scalar(1i32)), (_e79.y() - rt::Scalar(1i32)));
+                    let _e121 = sinks;
+                    if rt::Scalar::into_branch_condition(_e121.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e124 = t_13;
+                        let _e125 = sinks;
+                        t_13 = (_e124 + _e125);
+                        let _e127 = level_4;
+                        if rt::Scalar::into_branch_condition(_e127.elementwise_eq(rt::Scalar(0u32))) {
+                            let _e131 = t_13;
+                            let _e132 = reads_8;
+                            return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e131, rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        }
+                        let _e137 = level_4;
+                        level_4 = (_e137 - rt::Scalar(1u32));
+                        let _e140 = t_13;
+                        let _e143 = self.v_cell_of((origin_1 + (step_1 * _e140)));
+                        texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_3);
+                    } else {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_22.exit))) {
+                            let _e149 = t_13;
+                            let _e151 = reads_8;
+                            return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+                        }
+                        let _e157 = self.v_cell_of((origin_1 + (step_1 * end_6)));
+                        texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_3);
+                        if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_6)) {
+                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
+                        }
+                        if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_6)) {
+                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e79.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
+                        }
+                        t_13 = end_6;
+                    }
+                }
+            }
+        }
+        let _e183 = t_13;
+        let _e185 = reads_8;
+        return <Found>::new(FOUND_EXHAUSTED, _e183, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e185);
+    }
     pub(crate) fn leaves_window(
         &self,
-        grid_6: Grid,
-        cell_8: impl rt::Into<rt::Vec2<f32>>,
+        grid_7: Grid,
+        cell_13: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_6, rt::into(cell_8), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_7, rt::into(cell_13), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_leaves_window(
         &self,
-        grid_6: Grid,
-        cell_8: rt::Vec2<f32>,
+        grid_7: Grid,
+        cell_13: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_6, (cell_8 - wide_1));
-        let _e7 = self.v_cell_leave(grid_6, (cell_8 + wide_1));
-        let leave_5 = _e5.select(_e7, grid_6.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
-        return leave_5.x().min(leave_5.y());
+        let _e5 = self.v_cell_leave(grid_7, (cell_13 - wide_1));
+        let _e7 = self.v_cell_leave(grid_7, (cell_13 + wide_1));
+        let leave_6 = _e5.select(_e7, grid_7.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+        return leave_6.x().min(leave_6.y());
     }
-    pub(crate) fn near_uv(&self, uv_7: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_7)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_near_uv(&self, uv_7: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        let _e3 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_7 - uv_7.floor());
-        }
-        let _e10 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_7 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_7).floor()));
-        }
-        return uv_7;
-    }
-    pub(crate) fn light_ray(&self, at_1: Entered, hit_1: Hit, light: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_1, hit_1, light))
+    pub(crate) fn search_dilation_erosion(
+        &self,
+        path_23: Path,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_dilation_erosion(path_23, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_1: Entered, hit_1: Hit, light: Toward) -> LightRay {
-        let mut exit: rt::Scalar<f32>;
-        let mut interval_1: rt::Vec2<f32>;
-        let mut local_11: rt::Scalar<bool>;
+    fn v_search_dilation_erosion(
+        &self,
+        path_23: Path,
+        params_7: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_14: rt::Vec2<f32>;
+        let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_9: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_3: rt::Scalar<f32>;
+        let mut looks: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
 
-        let metric = at_1.path.metric;
-        let td = at_1.tangent.dot(light.direction);
-        let bd = at_1.bitangent.dot(light.direction);
-        let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
-        let duv = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
-        let _e36 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_4 = (at_1.normal.dot(light.direction) / _e36.max(rt::Scalar(0.000000001f32)));
-        let _e41 = self.v_near_uv(hit_1.uv);
-        let _e42 = self.v_height_at(_e41);
-        let from_hit = <Path>::new(_e41, duv, <rt::Vec3<f32>>::from_scalars(_e42, slope_4, rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), metric, RAY_SHADOW, rt::Scalar(at_1.path.level));
-        if rt::Scalar::into_branch_condition((!slope_4.elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_DARK, from_hit);
+        let _e2 = self.v_grid_of(path_23);
+        let _e5 = self.surface_settings.height_size;
+        let n_9 = _e5.cast_elem_as_i32();
+        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e13 = self.v_cell_of(_e2.origin);
+        cell_14 = _e13;
+        let limit_5 = params_7.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e23 = reads_9;
+                if rt::Scalar::into_branch_condition(_e23.elementwise_lt(limit_5)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e25 = cell_14;
+                    let _e26 = self.v_cell_leave(_e2, _e25);
+                    let end_7 = _e26.x().min(_e26.y()).min(rt::Scalar(path_23.exit));
+                    let _e32 = t_14;
+                    let span_8 = (end_7 - _e32).max(rt::Scalar(0f32));
+                    let _e36 = t_14;
+                    next_3 = _e36;
+                    looks = params_7.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e43 = cell_14.x();
+                    let _e46 = self.v_image_of(_e43.cast_elem_as_i32(), n_9.x());
+                    let _e48 = cell_14.y();
+                    let _e51 = self.v_image_of(_e48.cast_elem_as_i32(), n_9.y());
+                    if rt::Scalar::into_branch_condition((!_e46.y().elementwise_eq(rt::Scalar(2i32)))) {
+                        local_16 = _e51.y().elementwise_eq(rt::Scalar(2i32));
+                    } else {
+                        local_16 = rt::Scalar(true);
+                    }
+                    let _e62 = local_16;
+                    if rt::Scalar::into_branch_condition(_e62) {
+                        looks = rt::Scalar(true);
+                    } else {
+                        let _e70 = self.v_search_texel(path_23, <rt::Vec2<i32>>::from_scalars(_e46.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_23.level).cast_elem_as_i32());
+                        let _e71 = reads_9;
+                        reads_9 = (_e71 + rt::Scalar(1u32));
+                        let _e74 = cell_14;
+                        let _e76 = self.v_leaves_window(_e2, _e74, params_7.z());
+                        let _e79 = t_14;
+                        let reach = (_e76.min(rt::Scalar(path_23.exit)) - _e79).max(rt::Scalar(0f32));
+                        let _e83 = t_14;
+                        let furthest_1 = (_e83 + reach);
+                        let rounded_1 = (path_23.h.x().abs() + (furthest_1 * (path_23.h.y().abs() + (furthest_1 * path_23.h.z().abs()))));
+                        let _e98 = t_14;
+                        let _e99 = self.v_path_height(path_23, _e98);
+                        let _e105 = t_14;
+                        let _e106 = self.v_path_slope(path_23, _e105);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e106, path_23.h.z());
+                        if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
+                            let _e113 = t_14;
+                            safe_ = _e113;
+                            let _e114 = t_14;
+                            next_3 = (_e114 + reach);
+                            let _e116 = self.v_least_at(gap_6, reach);
+                            let _e117 = self.v_quadratic(gap_6, _e116);
+                            if rt::Scalar::into_branch_condition(_e117.elementwise_le(rt::Scalar(0f32))) {
+                                let _e120 = t_14;
+                                let _e121 = self.v_first_root(gap_6, reach);
+                                next_3 = (_e120 + _e121.min(reach));
+                            }
+                        }
+                        let _e124 = looks;
+                        if rt::Scalar::into_branch_condition((!_e124)) {
+                            let _e128 = next_3;
+                            local_17 = _e128.elementwise_lt(end_7);
+                        } else {
+                            local_17 = rt::Scalar(false);
+                        }
+                        let _e131 = local_17;
+                        if rt::Scalar::into_branch_condition(_e131) {
+                            let _e134 = self.v_path_height(path_23, end_7);
+                            local_18 = _e134.elementwise_lt(_e70.x());
+                        } else {
+                            local_18 = rt::Scalar(false);
+                        }
+                        let _e138 = local_18;
+                        if rt::Scalar::into_branch_condition(_e138) {
+                            let _e139 = safe_;
+                            let _e140 = reads_9;
+                            let _e141 = self.v_bracket_between(path_23, _e139, end_7, _e140);
+                            return _e141;
+                        }
+                    }
+                    let _e142 = next_3;
+                    if rt::Scalar::into_branch_condition((!_e142.elementwise_lt(end_7))) {
+                        let _e147 = t_14;
+                        local_19 = (!end_7.elementwise_gt(_e147));
+                    } else {
+                        local_19 = rt::Scalar(true);
+                    }
+                    let _e151 = local_19;
+                    if rt::Scalar::into_branch_condition(_e151) {
+                        let _e152 = looks;
+                        if rt::Scalar::into_branch_condition(_e152) {
+                            let _e153 = reads_9;
+                            reads_9 = (_e153 + rt::Scalar(1u32));
+                            let _e156 = cell_14;
+                            let _e158 = self.v_height_cell(_e156.cast_elem_as_i32());
+                            let _e159 = cell_14;
+                            let _e160 = t_14;
+                            let _e161 = self.v_gap_to(path_23, _e2, _e159, _e158, _e160);
+                            let _e162 = t_14;
+                            let _e163 = t_14;
+                            let _e166 = reads_9;
+                            let _e167 = self.v_found_in_cell(_e161, _e162, span_8, _e163.elementwise_eq(rt::Scalar(0f32)), _e166);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e167.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e167;
+                            }
+                        }
+                        let _e171 = t_14;
+                        next_3 = _e171.max(end_7);
+                    }
+                    let _e173 = next_3;
+                    if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_23.exit))) {
+                        let _e177 = t_14;
+                        let _e179 = reads_9;
+                        return <Found>::new(FOUND_MISS, _e177, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e179);
+                    }
+                    let _e183 = cell_14;
+                    let _e184 = next_3;
+                    let _e185 = self.v_cell_after(_e2, _e183, _e26, forward_4, _e184);
+                    cell_14 = _e185;
+                    let _e186 = next_3;
+                    t_14 = _e186;
+                }
+            }
         }
-        exit = ((rt::Scalar(1f32) - _e42) / slope_4).min(rt::Scalar(light.distance));
-        let _e64 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e64.elementwise_eq(WRAP_CLAMP)) {
-            let _e69 = exit;
-            let _e72 = self.v_inside_unit(_e41.x(), duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e69));
-            interval_1 = _e72;
-            let _e76 = interval_1;
-            let _e77 = self.v_inside_unit(_e41.y(), duv.y(), _e76);
-            interval_1 = _e77;
-            let _e79 = interval_1.y();
-            exit = _e79;
+        let _e188 = t_14;
+        let _e190 = reads_9;
+        return <Found>::new(FOUND_EXHAUSTED, _e188, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e190);
+    }
+    pub(crate) fn search_sphere(
+        &self,
+        path_24: Path,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_sphere(path_24, rt::into(params_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_sphere(
+        &self,
+        path_24: Path,
+        params_8: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_15: rt::Vec2<f32>;
+        let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut next_4: rt::Scalar<f32>;
+        let mut local_20: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_24);
+        let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_path_slope(path_24, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_24, rt::Scalar(path_24.exit));
+        let climb_1 = _e9.abs().max(_e12.abs());
+        let speed_1 = (<rt::Vec3<f32>>::new_21(path_24.duv, climb_1).length() * rt::Scalar(1.000001f32));
+        let far_6 = (path_24.uv.abs() + (path_24.duv.abs() * rt::Scalar(path_24.exit)));
+        let height_terms = (path_24.h.x().abs() + (rt::Scalar(path_24.exit) * (path_24.h.y().abs() + (rt::Scalar(path_24.exit) * path_24.h.z().abs()))));
+        let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
+        let _e51 = self.v_cell_of(_e2.origin);
+        cell_15 = _e51;
+        let limit_6 = params_8.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e59 = reads_10;
+                if rt::Scalar::into_branch_condition(_e59.elementwise_lt(limit_6)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e61 = cell_15;
+                    let _e62 = self.v_cell_leave(_e2, _e61);
+                    let end_8 = _e62.x().min(_e62.y()).min(rt::Scalar(path_24.exit));
+                    let _e68 = t_15;
+                    let span_9 = (end_8 - _e68).max(rt::Scalar(0f32));
+                    let _e72 = t_15;
+                    let _e73 = self.v_path_uv(path_24, _e72);
+                    let _e74 = t_15;
+                    let _e75 = self.v_path_height(path_24, _e74);
+                    let _e77 = self.v_distance_at(path_24, _e73, _e75, params_8.z());
+                    let free_1 = (_e77 - lost_3);
+                    let _e79 = reads_10;
+                    reads_10 = (_e79 + rt::Scalar(2u32));
+                    let _e82 = t_15;
+                    next_4 = _e82;
+                    if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
+                        let _e86 = t_15;
+                        next_4 = (_e86 + (free_1 / speed_1));
+                    }
+                    if rt::Scalar::into_branch_condition(params_8.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e92 = next_4;
+                        let _e93 = t_15;
+                        if rt::Scalar::into_branch_condition((!(_e92 - _e93).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_24.exit))))) {
+                            let _e101 = t_15;
+                            let _e103 = reads_10;
+                            return <Found>::new(FOUND_ABOVE, _e101, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e103);
+                        }
+                    } else {
+                        let _e107 = next_4;
+                        if rt::Scalar::into_branch_condition((!_e107.elementwise_lt(end_8))) {
+                            let _e112 = t_15;
+                            local_20 = (!end_8.elementwise_gt(_e112));
+                        } else {
+                            local_20 = rt::Scalar(true);
+                        }
+                        let _e116 = local_20;
+                        if rt::Scalar::into_branch_condition(_e116) {
+                            let _e117 = reads_10;
+                            reads_10 = (_e117 + rt::Scalar(1u32));
+                            let _e120 = cell_15;
+                            let _e121 = cell_15;
+                            let _e123 = self.v_height_cell(_e121.cast_elem_as_i32());
+                            let _e124 = t_15;
+                            let _e125 = self.v_gap_to(path_24, _e2, _e120, _e123, _e124);
+                            let _e126 = t_15;
+                            let _e127 = t_15;
+                            let _e130 = reads_10;
+                            let _e131 = self.v_found_in_cell(_e125, _e126, span_9, _e127.elementwise_eq(rt::Scalar(0f32)), _e130);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e131.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e131;
+                            }
+                            let _e135 = t_15;
+                            next_4 = _e135.max(end_8);
+                        }
+                    }
+                    let _e137 = next_4;
+                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(path_24.exit))) {
+                        let _e141 = t_15;
+                        let _e143 = reads_10;
+                        return <Found>::new(FOUND_MISS, _e141, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+                    }
+                    let _e147 = cell_15;
+                    let _e148 = next_4;
+                    let _e149 = self.v_cell_after(_e2, _e147, _e62, forward_5, _e148);
+                    cell_15 = _e149;
+                    let _e150 = next_4;
+                    t_15 = _e150;
+                }
+            }
         }
-        let _e80 = exit;
-        if rt::Scalar::into_branch_condition((!_e80.elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_LIT, from_hit);
+        let _e152 = t_15;
+        let _e154 = reads_10;
+        return <Found>::new(FOUND_EXHAUSTED, _e152, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e154);
+    }
+    pub(crate) fn search_cone_moved(
+        &self,
+        path_25: Path,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_cone_moved(path_25, rt::into(params_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_cone_moved(
+        &self,
+        path_25: Path,
+        params_9: rt::Vec4<f32>,
+    ) -> Found {
+        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_3: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_11: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_1: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_21: rt::Scalar<bool>;
+
+        let aside_1 = path_25.duv.length();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e14 = k_1;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_9.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e17 = t_16;
+                    let _e18 = self.v_path_gap(path_25, _e17);
+                    let _e19 = reads_11;
+                    reads_11 = (_e19 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
+                        let _e24 = t_16;
+                        if rt::Scalar::into_branch_condition(_e24.elementwise_eq(rt::Scalar(0f32))) {
+                            local_21 = _e18.elementwise_lt(rt::Scalar(0f32));
+                        } else {
+                            local_21 = rt::Scalar(false);
+                        }
+                        let _e32 = local_21;
+                        if rt::Scalar::into_branch_condition(_e32) {
+                            let _e34 = reads_11;
+                            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e18, _e18, _e34);
+                        }
+                        let _e39 = near_3;
+                        let _e40 = t_16;
+                        let _e41 = near_gap_2;
+                        let _e42 = reads_11;
+                        return <Found>::new(FOUND_BRACKET, _e39, _e40, _e41, _e18, _e42);
+                    }
+                    let _e44 = t_16;
+                    near_3 = _e44;
+                    near_gap_2 = _e18;
+                    let _e45 = t_16;
+                    let _e46 = self.v_path_uv(path_25, _e45);
+                    let _e48 = self.v_search_texel_between(path_25, _e46, rt::Scalar(0i32));
+                    let _e50 = self.v_slope_of(_e48.x());
+                    let _e51 = reads_11;
+                    reads_11 = (_e51 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e50.elementwise_lt(rt::Scalar(0f32))) {
+                        break 'naga_break;
+                    }
+                    let _e57 = t_16;
+                    let rest_3 = (rt::Scalar(path_25.exit) - _e57);
+                    let _e59 = t_16;
+                    let _e60 = self.v_path_slope(path_25, _e59);
+                    let rise_2 = (_e60 + (path_25.h.z().min(rt::Scalar(0f32)) * rest_3));
+                    let terms_1 = (path_25.h.x().abs() + (rt::Scalar(path_25.exit) * (path_25.h.y().abs() + (rt::Scalar(path_25.exit) * path_25.h.z().abs()))));
+                    let far_7 = (((path_25.uv.abs() + (path_25.duv.abs() * rt::Scalar(path_25.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e50);
+                    let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
+                    let closing_1 = (((_e50 * aside_1) - rise_2) * rt::Scalar(1.000001f32));
+                    if rt::Scalar::into_branch_condition(closing_1.elementwise_le(rt::Scalar(0f32))) {
+                        let _e107 = t_16;
+                        let _e109 = reads_11;
+                        return <Found>::new(FOUND_MISS, _e107, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
+                    }
+                    let _e113 = t_16;
+                    t_16 = (_e113 + ((_e18 - lost_4).max(rt::Scalar(0f32)) / closing_1));
+                    let _e119 = t_16;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_25.exit))) {
+                        let _e123 = near_3;
+                        let _e125 = reads_11;
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                    }
+                    let _e129 = k_1;
+                    k_1 = (_e129 + rt::Scalar(1f32));
+                }
+            }
         }
-        let _e86 = self.v_grid_of(from_hit);
-        let _e88 = self.v_cell_of(_e86.origin);
-        let _e89 = self.v_cell_leave(_e86, _e88);
-        let _e93 = exit;
-        let end = _e89.x().min(_e89.y()).min(_e93).max(rt::Scalar(0f32));
-        let _e98 = self.v_height_cell(_e88.cast_elem_as_i32());
-        let _e100 = self.v_gap_to(from_hit, _e86, _e88, _e98, rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition((!_e100.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_11 = (_e100.y() + (_e100.z() * end)).elementwise_lt(rt::Scalar(0f32));
+        let _e133 = t_16;
+        let _e135 = t_16;
+        let _e136 = self.v_path_height(path_25, _e135);
+        let _e137 = reads_11;
+        return <Found>::new(FOUND_ABOVE, _e133, rt::Scalar(path_25.exit), _e136, rt::Scalar(0f32), _e137);
+    }
+    pub(crate) fn search_relaxed_cone(
+        &self,
+        path_26: Path,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_relaxed_cone(path_26, rt::into(params_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_relaxed_cone(
+        &self,
+        path_26: Path,
+        params_10: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_16: rt::Vec2<f32>;
+        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_22: rt::Scalar<bool>;
+        let mut start: rt::Scalar<f32>;
+        let mut gap: rt::Scalar<f32>;
+        let mut next_5: rt::Scalar<f32>;
+        let mut local_23: rt::Scalar<bool>;
+
+        let _e2 = self.v_grid_of(path_26);
+        let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let aside_2 = path_26.duv.length();
+        let _e11 = self.v_path_slope(path_26, rt::Scalar(0f32));
+        let terms_2 = (path_26.h.x().abs() + (rt::Scalar(path_26.exit) * path_26.h.y().abs()));
+        let _e32 = self.v_height_size();
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_26.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e32);
+        let _e35 = self.v_cell_of(_e2.origin);
+        cell_16 = _e35;
+        let limit_7 = params_10.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e47 = reads_12;
+                if rt::Scalar::into_branch_condition(_e47.elementwise_lt(limit_7)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e49 = cell_16;
+                    let _e50 = self.v_cell_leave(_e2, _e49);
+                    let end_9 = _e50.x().min(_e50.y()).min(rt::Scalar(path_26.exit));
+                    let _e56 = t_17;
+                    let span_10 = (end_9 - _e56).max(rt::Scalar(0f32));
+                    let _e60 = cell_16;
+                    let _e61 = cell_16;
+                    let _e63 = self.v_height_cell(_e61.cast_elem_as_i32());
+                    let _e64 = t_17;
+                    let _e65 = self.v_gap_to(path_26, _e2, _e60, _e63, _e64);
+                    let _e66 = reads_12;
+                    reads_12 = (_e66 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e65.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e72 = near_4;
+                        let _e73 = t_17;
+                        if rt::Scalar::into_branch_condition(_e72.elementwise_lt(_e73)) {
+                            let _e77 = near_gap_3;
+                            local_22 = _e77.elementwise_gt(rt::Scalar(0f32));
+                        } else {
+                            local_22 = rt::Scalar(false);
+                        }
+                        let _e81 = local_22;
+                        if rt::Scalar::into_branch_condition(_e81) {
+                            let _e82 = near_4;
+                            let _e83 = t_17;
+                            let _e84 = near_gap_3;
+                            let _e86 = reads_12;
+                            let _e87 = self.v_entered_once(path_26, _e2, _e82, _e83, _e84, _e65.x(), _e86);
+                            return _e87;
+                        }
+                        let _e88 = t_17;
+                        let _e89 = t_17;
+                        let _e92 = reads_12;
+                        let _e93 = self.v_found_in_cell(_e65, _e88, span_10, _e89.elementwise_eq(rt::Scalar(0f32)), _e92);
+                        return _e93;
+                    }
+                    let _e94 = t_17;
+                    start = _e94;
+                    gap = _e65.x();
+                    if rt::Scalar::into_branch_condition(params_10.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e101 = t_17;
+                        let _e102 = t_17;
+                        let _e105 = reads_12;
+                        let _e106 = self.v_found_in_cell(_e65, _e101, span_10, _e102.elementwise_eq(rt::Scalar(0f32)), _e105);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e106.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e106;
+                        }
+                        let _e110 = t_17;
+                        start = _e110.max(end_9);
+                        gap = rt::Scalar(_e106.far_gap);
+                    }
+                    let _e113 = start;
+                    if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(path_26.exit))) {
+                        let _e117 = t_17;
+                        let _e119 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e117, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e119);
+                    }
+                    let _e123 = start;
+                    near_4 = _e123;
+                    let _e124 = gap;
+                    near_gap_3 = _e124;
+                    let _e125 = cell_16;
+                    let _e127 = cell_16;
+                    let _e130 = start;
+                    let _e133 = self.v_nearest_corner(((_e2.origin - _e127) + (_e2.step * _e130)));
+                    let _e135 = self.v_cone_slope(path_26, (_e125 + _e133));
+                    let _e136 = reads_12;
+                    reads_12 = (_e136 + rt::Scalar(1u32));
+                    let _e139 = start;
+                    next_5 = _e139;
+                    if rt::Scalar::into_branch_condition(_e135.elementwise_ge(rt::Scalar(0f32))) {
+                        let closing_2 = (((_e135 * aside_2) - _e11) * rt::Scalar(1.000001f32));
+                        let _e147 = gap;
+                        let room = (_e147 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e135 * (far_8.x() + far_8.y())))));
+                        next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
+                        if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
+                            let _e159 = start;
+                            next_5 = (_e159 + (room.max(rt::Scalar(0f32)) / closing_2));
+                        }
+                    }
+                    if rt::Scalar::into_branch_condition(params_10.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e169 = next_5;
+                        let _e170 = t_17;
+                        local_23 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
+                    } else {
+                        local_23 = rt::Scalar(false);
+                    }
+                    let _e178 = local_23;
+                    if rt::Scalar::into_branch_condition(_e178) {
+                        let _e180 = t_17;
+                        let _e182 = gap;
+                        let _e183 = reads_12;
+                        return <Found>::new(FOUND_ABOVE, _e180, rt::Scalar(path_26.exit), _e182, rt::Scalar(0f32), _e183);
+                    }
+                    let _e186 = next_5;
+                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_26.exit))) {
+                        let _e190 = self.v_path_gap(path_26, rt::Scalar(path_26.exit));
+                        let _e191 = reads_12;
+                        reads_12 = (_e191 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e190.elementwise_le(rt::Scalar(0f32))) {
+                            let _e196 = start;
+                            let _e198 = gap;
+                            let _e199 = reads_12;
+                            let _e200 = self.v_entered_once(path_26, _e2, _e196, rt::Scalar(path_26.exit), _e198, _e190, _e199);
+                            return _e200;
+                        }
+                        let _e202 = start;
+                        let _e204 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e202, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e204);
+                    }
+                    let _e208 = cell_16;
+                    let _e209 = next_5;
+                    let _e210 = self.v_cell_after(_e2, _e208, _e50, forward_6, _e209);
+                    cell_16 = _e210;
+                    let _e211 = next_5;
+                    t_17 = _e211;
+                }
+            }
+        }
+        let _e213 = t_17;
+        let _e215 = reads_12;
+        return <Found>::new(FOUND_EXHAUSTED, _e213, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e215);
+    }
+    pub(crate) fn search_relaxed_cone_resting(
+        &self,
+        path_27: Path,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_relaxed_cone_resting(path_27, rt::into(params_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_relaxed_cone_resting(
+        &self,
+        path_27: Path,
+        params_11: rt::Vec4<f32>,
+    ) -> Found {
+        let mut cell_17: rt::Vec2<f32>;
+        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_24: rt::Scalar<bool>;
+        let mut next_6: rt::Scalar<f32>;
+
+        let _e2 = self.v_grid_of(path_27);
+        let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_cell_of(_e2.origin);
+        cell_17 = _e9;
+        let limit_8 = params_11.x().cast_elem_as_u32();
+        'naga_break: loop {
+            'naga_continue: {
+                let _e21 = reads_13;
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(limit_8)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e23 = cell_17;
+                    let _e25 = self.v_height_cell(_e23.cast_elem_as_i32());
+                    let _e26 = reads_13;
+                    reads_13 = (_e26 + rt::Scalar(1u32));
+                    let _e29 = cell_17;
+                    let _e30 = self.v_cell_leave(_e2, _e29);
+                    let end_10 = _e30.x().min(_e30.y()).min(rt::Scalar(path_27.exit));
+                    let _e36 = t_18;
+                    let span_11 = (end_10 - _e36).max(rt::Scalar(0f32));
+                    let _e40 = cell_17;
+                    let _e41 = t_18;
+                    let _e42 = self.v_gap_to(path_27, _e2, _e40, _e25, _e41);
+                    if rt::Scalar::into_branch_condition(_e42.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e46 = near_5;
+                        let _e47 = t_18;
+                        if rt::Scalar::into_branch_condition(_e46.elementwise_lt(_e47)) {
+                            let _e51 = near_gap_4;
+                            local_24 = _e51.elementwise_gt(rt::Scalar(0f32));
+                        } else {
+                            local_24 = rt::Scalar(false);
+                        }
+                        let _e55 = local_24;
+                        if rt::Scalar::into_branch_condition(_e55) {
+                            let _e56 = near_5;
+                            let _e57 = t_18;
+                            let _e58 = near_gap_4;
+                            let _e60 = reads_13;
+                            let _e61 = self.v_entered_once(path_27, _e2, _e56, _e57, _e58, _e42.x(), _e60);
+                            return _e61;
+                        }
+                        let _e62 = t_18;
+                        let _e63 = t_18;
+                        let _e66 = reads_13;
+                        let _e67 = self.v_found_in_cell(_e42, _e62, span_11, _e63.elementwise_eq(rt::Scalar(0f32)), _e66);
+                        return _e67;
+                    }
+                    let _e68 = t_18;
+                    let _e69 = t_18;
+                    let _e72 = reads_13;
+                    let _e73 = self.v_found_in_cell(_e42, _e68, span_11, _e69.elementwise_eq(rt::Scalar(0f32)), _e72);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e73.status).elementwise_ne(FOUND_ABOVE)) {
+                        return _e73;
+                    }
+                    let _e77 = t_18;
+                    let start_1 = _e77.max(end_10);
+                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_27.exit))) {
+                        let _e82 = t_18;
+                        let _e84 = reads_13;
+                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                    }
+                    near_5 = start_1;
+                    near_gap_4 = rt::Scalar(_e73.far_gap);
+                    let _e90 = cell_17;
+                    let _e95 = self.v_nearest_corner(((_e2.origin - _e90) + (_e2.step * start_1)));
+                    let _e96 = self.v_corner_height(_e25, _e95);
+                    next_6 = start_1;
+                    let _e98 = self.v_path_height(path_27, start_1);
+                    if rt::Scalar::into_branch_condition(_e98.elementwise_gt(_e96)) {
+                        let _e100 = cell_17;
+                        let texel_6 = (_e100 + _e95);
+                        let _e102 = self.v_cone_slope(path_27, texel_6);
+                        let _e103 = reads_13;
+                        reads_13 = (_e103 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e102.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e108 = self.v_stays_inside(path_27, _e2, texel_6, _e96, _e102, start_1);
+                            next_6 = (start_1 + _e108);
+                        }
+                    }
+                    let _e110 = next_6;
+                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(path_27.exit))) {
+                        let _e114 = self.v_path_gap(path_27, rt::Scalar(path_27.exit));
+                        let _e115 = reads_13;
+                        reads_13 = (_e115 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e114.elementwise_le(rt::Scalar(0f32))) {
+                            let _e121 = near_gap_4;
+                            let _e122 = reads_13;
+                            let _e123 = self.v_entered_once(path_27, _e2, start_1, rt::Scalar(path_27.exit), _e121, _e114, _e122);
+                            return _e123;
+                        }
+                        let _e126 = reads_13;
+                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
+                    }
+                    let _e130 = cell_17;
+                    let _e131 = next_6;
+                    let _e132 = self.v_cell_after(_e2, _e130, _e30, forward_7, _e131);
+                    cell_17 = _e132;
+                    let _e133 = next_6;
+                    t_18 = _e133;
+                }
+            }
+        }
+        let _e135 = t_18;
+        let _e137 = reads_13;
+        return <Found>::new(FOUND_EXHAUSTED, _e135, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
+    }
+    pub(crate) fn shadow_search_stage(&self, path_28: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_28))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_search_stage(&self, path_28: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            0u32 => {
+                let _e10 = self.surface_settings.choices[5usize].params;
+                let _e11 = self.v_search_none(path_28, _e10);
+                return _e11;
+            }
+            1u32 => {
+                let _e16 = self.surface_settings.choices[5usize].params;
+                let _e17 = self.v_search_linear(path_28, _e16);
+                return _e17;
+            }
+            2u32 => {
+                let _e22 = self.surface_settings.choices[5usize].params;
+                let _e23 = self.v_search_cells(path_28, _e22);
+                return _e23;
+            }
+            3u32 => {
+                let _e28 = self.surface_settings.choices[5usize].params;
+                let _e29 = self.v_search_frustum(path_28, _e28);
+                return _e29;
+            }
+            4u32 => {
+                let _e34 = self.surface_settings.choices[5usize].params;
+                let _e35 = self.v_search_cone(path_28, _e34);
+                return _e35;
+            }
+            5u32 => {
+                let _e40 = self.surface_settings.choices[5usize].params;
+                let _e41 = self.v_search_pyramid(path_28, _e40);
+                return _e41;
+            }
+            6u32 => {
+                let _e46 = self.surface_settings.choices[5usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_28, _e46);
+                return _e47;
+            }
+            7u32 => {
+                let _e52 = self.surface_settings.choices[5usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_28, _e52);
+                return _e53;
+            }
+            8u32 => {
+                let _e58 = self.surface_settings.choices[5usize].params;
+                let _e59 = self.v_search_sphere(path_28, _e58);
+                return _e59;
+            }
+            9u32 => {
+                let _e64 = self.surface_settings.choices[5usize].params;
+                let _e65 = self.v_search_cone_moved(path_28, _e64);
+                return _e65;
+            }
+            10u32 => {
+                let _e70 = self.surface_settings.choices[5usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_28, _e70);
+                return _e71;
+            }
+            _ => {
+                let _e76 = self.surface_settings.choices[5usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_28, _e76);
+                return _e77;
+            }
+        }
+    }
+    pub(crate) fn free_way(&self, at_4: Entered, hit_2: Hit, light_3: Toward) -> f32 {
+        rt::into(self.v_free_way(at_4, hit_2, light_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_free_way(&self, at_4: Entered, hit_2: Hit, light_3: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_4, hit_2, light_3);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
+            return rt::Scalar(1f32);
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_DARK)) {
+            return rt::Scalar(0f32);
+        }
+        let _e13 = self.v_shadow_search_stage(_e3.path);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), rt::Scalar(_e13.status).elementwise_eq(FOUND_MISS));
+    }
+    pub(crate) fn has_interval(&self, found: Found) -> bool {
+        rt::into(self.v_has_interval(found))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
+        let mut local_25: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
+            if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
+                local_26 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
+            } else {
+                local_26 = rt::Scalar(true);
+            }
+            let _e16 = local_26;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_27 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_27 = rt::Scalar(true);
+            }
+            let _e24 = local_27;
+            local_25 = _e24;
         } else {
-            local_11 = rt::Scalar(true);
+            local_25 = rt::Scalar(false);
         }
-        let _e114 = local_11;
-        if rt::Scalar::into_branch_condition(_e114) {
-            return <LightRay>::new(LIGHT_RAY_DARK, from_hit);
+        let _e26 = local_25;
+        return _e26;
+    }
+    pub(crate) fn height_and_slope(&self, uv_7: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_height_and_slope(rt::into(uv_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_and_slope(&self, uv_7: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e1 = self.v_height_size();
+        let point_4 = ((uv_7 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e7 = self.v_cell_of(point_4);
+        let f_1 = (point_4 - _e7);
+        let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
+        let top_4 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
+        let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
+        let left_3 = (_e10.x() + ((_e10.z() - _e10.x()) * f_1.y()));
+        let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_4 + ((bottom_2 - top_4) * f_1.y())), ((right_1 - left_3) * _e1.x()), ((bottom_2 - top_4) * _e1.y()));
+    }
+    pub(crate) fn miss(&self, reads_14: impl rt::Into<rt::Scalar<u32>>) -> Hit {
+        rt::into(self.v_miss(rt::into(reads_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_miss(&self, reads_14: rt::Scalar<u32>) -> Hit {
+        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads_14);
+    }
+    pub(crate) fn hit_on_path(
+        &self,
+        path_29: Path,
+        t_19: impl rt::Into<rt::Scalar<f32>>,
+        exhausted: impl rt::Into<rt::Scalar<u32>>,
+        reads_15: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Hit {
+        rt::into(self.v_hit_on_path(path_29, rt::into(t_19), rt::into(exhausted), rt::into(reads_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_hit_on_path(
+        &self,
+        path_29: Path,
+        t_19: rt::Scalar<f32>,
+        exhausted: rt::Scalar<u32>,
+        reads_15: rt::Scalar<u32>,
+    ) -> Hit {
+        let mut local_28: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(t_19.elementwise_gt(rt::Scalar(path_29.exit))) {
+            let _e9 = self.v_path_height(path_29, rt::Scalar(path_29.exit));
+            local_28 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        } else {
+            local_28 = rt::Scalar(false);
         }
-        let _e117 = exit;
-        if rt::Scalar::into_branch_condition(end.elementwise_ge(_e117)) {
-            return <LightRay>::new(LIGHT_RAY_LIT, from_hit);
+        let _e13 = local_28;
+        if rt::Scalar::into_branch_condition(_e13) {
+            let _e14 = self.v_miss(reads_15);
+            return _e14;
         }
-        let start_1 = (_e41 + (duv * end));
-        let gap_1 = (end * (_e100.y() + (_e100.z() * end)));
-        let _e128 = self.v_height_at(start_1);
-        let above_3 = ((_e128 + gap_1) + rt::Scalar(0.0000009536743f32));
-        let _e134 = exit;
-        let path_44 = <Path>::new(start_1, duv, <rt::Vec3<f32>>::from_scalars(above_3, slope_4, rt::Scalar(0f32)), (_e134 - end), rt::Scalar(0f32), metric, RAY_SHADOW, rt::Scalar(at_1.path.level));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_44);
+        let inside = t_19.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
+        let _e19 = self.v_path_uv(path_29, inside);
+        let _e20 = self.v_path_height(path_29, inside);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_15);
+    }
+    pub(crate) fn hit_position(&self, at_5: Entered, hit_3: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_hit_position(at_5, hit_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_hit_position(&self, at_5: Entered, hit_3: Hit) -> rt::Vec3<f32> {
+        let aside_3 = (hit_3.uv - at_5.uv);
+        let _e17 = rt::Scalar(self.surface_settings.bias_m);
+        let _e20 = rt::Scalar(self.surface_settings.scale_m);
+        let _e22 = self.v_height_at(hit_3.uv);
+        return (((at_5.point + (at_5.tangent * aside_3.x())) + (at_5.bitangent * aside_3.y())) + (at_5.normal * (_e17 + (_e20 * _e22))));
     }
     pub(crate) fn normal_at(&self, uv_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_normal_at(rt::into(uv_8)))
@@ -1537,33 +3233,33 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_from_map(
         &self,
-        at_2: Entered,
+        at_6: Entered,
         uv_9: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_map(at_2, rt::into(uv_9)))
+        rt::into(self.v_normal_from_map(at_6, rt::into(uv_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_map(
         &self,
-        at_2: Entered,
+        at_6: Entered,
         uv_9: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_normal_at(uv_9);
-        let along_u = at_2.tangent.normalize();
-        let along_v = at_2.bitangent.normalize();
-        return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at_2.normal * _e2.z())).normalize();
+        let along_u = at_6.tangent.normalize();
+        let along_v = at_6.bitangent.normalize();
+        return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at_6.normal * _e2.z())).normalize();
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_3: Entered,
+        at_7: Entered,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_3, rt::into(uv_10)))
+        rt::into(self.v_normal_from_height(at_7, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_3: Entered,
+        at_7: Entered,
         uv_10: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size();
@@ -1577,112 +3273,163 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_at((uv_10 - dv));
         let _e36 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = ((_e27 - _e29) * ((rt::Scalar(0.5f32) * _e2.y()) * _e36));
-        let along_u_1 = (at_3.tangent + (at_3.normal * slope_u));
-        let along_v_1 = (at_3.bitangent + (at_3.normal * slope_v));
+        let along_u_1 = (at_7.tangent + (at_7.normal * slope_u));
+        let along_v_1 = (at_7.bitangent + (at_7.normal * slope_v));
         let across = along_v_1.cross(along_u_1).normalize();
-        return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_3.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_7.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn mesostructure_normal(
         &self,
-        at_4: Entered,
+        at_8: Entered,
         uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_mesostructure_normal(at_4, rt::into(uv_11)))
+        rt::into(self.v_mesostructure_normal(at_8, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normal(
         &self,
-        at_4: Entered,
+        at_8: Entered,
         uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e7 = self.v_normal_from_map(at_4, uv_11);
+            let _e7 = self.v_normal_from_map(at_8, uv_11);
             return _e7;
         }
-        let _e8 = self.v_normal_from_height(at_4, uv_11);
+        let _e8 = self.v_normal_from_height(at_8, uv_11);
         return _e8;
     }
-    pub(crate) fn nearest_corner(&self, at_5: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_5)))
+    pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
+        rt::into(self.v_mixed(rt::into(seed)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_5: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_5.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-    }
-    pub(crate) fn node_extent(
-        &self,
-        cell_9: impl rt::Into<rt::Scalar<i32>>,
-        image: impl rt::Into<rt::Vec2<i32>>,
-        n_2: impl rt::Into<rt::Scalar<i32>>,
-        level_1: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_9), rt::into(image), rt::into(n_2), rt::into(level_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_node_extent(
-        &self,
-        cell_9: rt::Scalar<i32>,
-        image: rt::Vec2<i32>,
-        n_2: rt::Scalar<i32>,
-        level_1: rt::Scalar<u32>,
-    ) -> rt::Vec2<i32> {
-        let mut local_12: rt::Scalar<bool>;
+    fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
+        let mut x: rt::Scalar<u32>;
 
-        let first_2 = ((image.x() >> level_1) << level_1);
-        let side_1 = (rt::Scalar(1i32) << level_1);
-        if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low = (cell_9 - (image.x() - first_2));
-            return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_2 - first_2))));
-        }
-        if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high = ((cell_9 + (image.x() - first_2)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_2 - rt::Scalar(1i32)) - first_2))), high);
-        }
-        if rt::Scalar::into_branch_condition(level_1.elementwise_gt(rt::Scalar(0u32))) {
-            let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_12 = _e39.elementwise_eq(WRAP_CLAMP);
-        } else {
-            local_12 = rt::Scalar(false);
-        }
-        let _e43 = local_12;
-        if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_2, cell_9.elementwise_ge(n_2)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_9.elementwise_ge(n_2)));
-        }
-        return <rt::Vec2<i32>>::from_scalars(cell_9, (cell_9 + rt::Scalar(1i32)));
+        x = (seed ^ (seed >> rt::Scalar(16u32)));
+        let _e5 = x;
+        x = (_e5 * rt::Scalar(2146121005u32));
+        let _e8 = x;
+        let _e9 = x;
+        x = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
+        let _e13 = x;
+        x = (_e13 * rt::Scalar(2221713035u32));
+        let _e16 = x;
+        let _e17 = x;
+        return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
     pub(crate) fn normal_z(
         &self,
-        path_14: Path,
-        slope: impl rt::Into<rt::Vec2<f32>>,
+        path_30: Path,
+        slope_3: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_14, rt::into(slope)))
+        rt::into(self.v_normal_z(path_30, rt::into(slope_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_14: Path,
-        slope: rt::Vec2<f32>,
+        path_30: Path,
+        slope_3: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m = path_14.metric;
+        let m = path_30.metric;
         let area_1 = ((m.x() * m.z()) - (m.y() * m.y()));
-        let squared_1 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area_1);
+        let squared_1 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_1);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
     }
-    pub(crate) fn path_slope(
+    pub(crate) fn shadow_texel(
         &self,
-        path_15: Path,
-        t_8: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_path_slope(path_15, rt::into(t_8)))
+        place_1: impl rt::Into<rt::Vec2<i32>>,
+        layer_2: impl rt::Into<rt::Scalar<i32>>,
+        level_5: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_shadow_texel(rt::into(place_1), rt::into(layer_2), rt::into(level_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_path_slope(
+    fn v_shadow_texel(
         &self,
-        path_15: Path,
-        t_8: rt::Scalar<f32>,
+        place_1: rt::Vec2<i32>,
+        layer_2: rt::Scalar<i32>,
+        level_5: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_1, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_5));
+        let _e8 = self.surface_settings.maps[2usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
+    }
+    pub(crate) fn shadow_texel_between(
+        &self,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        layer_3: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_shadow_texel_between(rt::into(uv_12), rt::into(layer_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_texel_between(
+        &self,
+        uv_12: rt::Vec2<f32>,
+        layer_3: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = self.surface_settings.height_size;
+        let _e5 = self.v_texels_around(uv_12, _e4);
+        let _e12 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_3, rt::Scalar(0i32));
+        let _e19 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_3, rt::Scalar(0i32));
+        let _e26 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_3, rt::Scalar(0i32));
+        let _e33 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_3, rt::Scalar(0i32));
+        let _e35 = self.v_bilinear(_e12, _e19, _e26, _e33, _e5.part);
+        return _e35;
+    }
+    pub(crate) fn open_part(
+        &self,
+        hit_4: Hit,
+        azimuth: impl rt::Into<rt::Scalar<i32>>,
+        elevation: impl rt::Into<rt::Scalar<i32>>,
+        elevations: impl rt::Into<rt::Scalar<i32>>,
+    ) -> f32 {
+        rt::into(self.v_open_part(hit_4, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_open_part(
+        &self,
+        hit_4: Hit,
+        azimuth: rt::Scalar<i32>,
+        elevation: rt::Scalar<i32>,
+        elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        return (path_15.h.y() + ((rt::Scalar(2f32) * t_8) * path_15.h.z()));
+        let _e7 = self.v_shadow_texel_between(hit_4.uv, ((azimuth * elevations) + elevation));
+        return (rt::Scalar(1f32) - _e7.z());
+    }
+    pub(crate) fn own_slope(&self, way_1: Path) -> f32 {
+        rt::into(self.v_own_slope(way_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_own_slope(&self, way_1: Path) -> rt::Scalar<f32> {
+        let _e1 = self.v_grid_of(way_1);
+        let _e3 = self.v_cell_of(_e1.origin);
+        let _e4 = self.v_cell_leave(_e1, _e3);
+        let end_11 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        let level_7 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_11, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
+        let _e23 = self.v_height_cell(_e3.cast_elem_as_i32());
+        let _e25 = self.v_gap_to(level_7, _e1, _e3, _e23, rt::Scalar(0f32));
+        return (rt::Scalar(0f32) - _e25.y().min((_e25.y() + (_e25.z() * end_11))));
+    }
+    pub(crate) fn turn_of_sine(&self, sine: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_turn_of_sine(rt::into(sine)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turn_of_sine(&self, sine: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_1 = sine.abs().min(rt::Scalar(1f32));
+        let series_1 = (rt::Scalar(1.5707288f32) + (x_1 * (rt::Scalar(-0.2121144f32) + (x_1 * (rt::Scalar(0.074261f32) - (x_1 * rt::Scalar(0.0187293f32)))))));
+        let turn_4 = (rt::Scalar(0.25f32) - (((rt::Scalar(1f32) - x_1).sqrt() * series_1) * rt::Scalar(0.15915494f32)));
+        return turn_4.select((rt::Scalar(0f32) - turn_4), sine.elementwise_lt(rt::Scalar(0f32)));
+    }
+    pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_part_above(&self, height_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_2 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let _e13 = self.v_turn_of_sine(x_2);
+        return ((rt::Scalar(0.5f32) + ((x_2 * (rt::Scalar(1f32) - (x_2 * x_2)).sqrt()) * rt::Scalar(0.31830987f32))) + (rt::Scalar(2f32) * _e13)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_pixel_direction(rt::into(pixel)))
@@ -1727,63 +3474,129 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_pixel_direction(point_1);
         return <PixelIn>::new(_e5, _e6, side, a_1, b_1, c_4);
     }
+    pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
+        rt::into(self.v_unit_of(rt::into(bits)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
+        return ((bits >> rt::Scalar(8u32)).cast_elem_as_f32() / rt::Scalar(16777216f32));
+    }
+    pub(crate) fn quarter_sine(&self, turn: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_quarter_sine(rt::into(turn)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_quarter_sine(&self, turn: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_3 = (turn * rt::Scalar(6.2831855f32));
+        let s_2 = (x_3 * x_3);
+        return (x_3 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32))))))))));
+    }
+    pub(crate) fn sine_of(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_sine_of(rt::into(turn_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_sine_of(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let part_2 = (turn_1 - turn_1.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_2 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_2.elementwise_gt(rt::Scalar(0.5f32)));
+    }
+    pub(crate) fn turned(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_turned(rt::into(turn_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turned(&self, turn_2: rt::Scalar<f32>) -> rt::Vec2<f32> {
+        let _e3 = self.v_sine_of((turn_2 + rt::Scalar(0.25f32)));
+        let _e4 = self.v_sine_of(turn_2);
+        return <rt::Vec2<f32>>::from_scalars(_e3, _e4);
+    }
+    pub(crate) fn point_of_disc(
+        &self,
+        light_4: Toward,
+        seed_1: impl rt::Into<rt::Scalar<u32>>,
+        k_2: impl rt::Into<rt::Scalar<u32>>,
+        count: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Toward {
+        rt::into(self.v_point_of_disc(light_4, rt::into(seed_1), rt::into(k_2), rt::into(count)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_point_of_disc(
+        &self,
+        light_4: Toward,
+        seed_1: rt::Scalar<u32>,
+        k_2: rt::Scalar<u32>,
+        count: rt::Scalar<u32>,
+    ) -> Toward {
+        let _e8 = self.v_mixed(((seed_1 + k_2) + rt::Scalar(1u32)));
+        let _e9 = self.v_unit_of(_e8);
+        let ring = ((k_2.cast_elem_as_f32() + _e9) / count.cast_elem_as_f32());
+        let _e16 = self.v_unit_of(seed_1);
+        let _e18 = self.v_turned(((k_2.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_6 = (_e18 * (ring.sqrt() * rt::Scalar(light_4.radius)));
+        let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_4.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
+        let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_4.direction).normalize();
+        let up = light_4.direction.cross(right_2);
+        let toward_2 = ((light_4.direction + (right_2 * place_6.x())) + (up * place_6.y()));
+        let along = toward_2.length();
+        return <Toward>::new((toward_2 / rt::Vec3::splat_from_scalar(along)), rt::Scalar(light_4.falloff), (rt::Scalar(light_4.distance) * along), rt::Scalar(0f32));
+    }
     pub(crate) fn toward_light(
         &self,
-        light_1: Light,
+        light_5: Light,
         position: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(light_1, rt::into(position)))
+        rt::into(self.v_toward_light(light_5, rt::into(position)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_toward_light(
         &self,
-        light_1: Light,
+        light_5: Light,
         position: rt::Vec3<f32>,
     ) -> Toward {
-        if rt::Scalar::into_branch_condition(light_1.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_2 = (light_1.place.xyz() - position);
-            let squared_2 = toward_2.dot(toward_2);
-            return <Toward>::new(toward_2.normalize(), (rt::Scalar(1f32) / squared_2.max(rt::Scalar(0.000001f32))), squared_2.sqrt());
+        if rt::Scalar::into_branch_condition(light_5.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+            let toward_3 = (light_5.place.xyz() - position);
+            let squared_2 = toward_3.dot(toward_3);
+            let distance = squared_2.sqrt();
+            let falloff = (rt::Scalar(1f32) / squared_2.max(rt::Scalar(0.000001f32)));
+            return <Toward>::new(toward_3.normalize(), falloff, distance, (light_5.color.w() / distance));
         }
-        return <Toward>::new(light_1.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        return <Toward>::new(light_5.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_5.color.w());
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_6: Entered,
-        hit_2: Hit,
+        at_9: Entered,
+        hit_5: Hit,
         number: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_6, hit_2, rt::into(number)))
+        rt::into(self.v_ray_to_light(at_9, hit_5, rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_6: Entered,
-        hit_2: Hit,
+        at_9: Entered,
+        hit_5: Hit,
         number: rt::Scalar<u32>,
     ) -> LightRay {
         let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e7 = self.v_hit_position(at_6, hit_2);
+        let _e7 = self.v_hit_position(at_9, hit_5);
         let _e8 = self.v_toward_light(_e6, _e7);
-        let _e9 = self.v_light_ray(at_6, hit_2, _e8);
+        let _e9 = self.v_light_ray(at_9, hit_5, _e8);
         return _e9;
     }
-    pub(crate) fn starting_point(&self, path_16: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_16, found_1))
+    pub(crate) fn starting_point(&self, path_31: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_31, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_16: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_13: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_31: Path, found_1: Found) -> rt::Scalar<f32> {
+        let mut local_29: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_16.base);
+            return rt::Scalar(path_31.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_13 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_29 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_13 = rt::Scalar(true);
+            local_29 = rt::Scalar(true);
         }
-        let _e16 = local_13;
+        let _e16 = local_29;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -1791,570 +3604,570 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_17: Path,
+        path_32: Path,
         found_2: Found,
-        params: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_17, found_2, rt::into(params)))
+        rt::into(self.v_refine_none(path_32, found_2, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_17: Path,
+        path_32: Path,
         found_2: Found,
-        params: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_2.reads));
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_17, found_2);
-        let _e16 = self.v_hit_on_path(path_17, _e14, exhausted_1, rt::Scalar(found_2.reads));
+        let _e14 = self.v_starting_point(path_32, found_2);
+        let _e16 = self.v_hit_on_path(path_32, _e14, exhausted_1, rt::Scalar(found_2.reads));
         return _e16;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_18: Path,
+        path_33: Path,
         found_3: Found,
-        params_1: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_18, found_3, rt::into(params_1)))
+        rt::into(self.v_refine_binary(path_33, found_3, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_18: Path,
+        path_33: Path,
         found_3: Found,
-        params_1: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Hit {
-        let mut near_2: rt::Scalar<f32>;
+        let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
-        let mut reads_5: rt::Scalar<u32>;
-        let mut local_14: rt::Scalar<bool>;
+        let mut reads_16: rt::Scalar<u32>;
+        let mut local_30: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_3);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_18, found_3, params_1);
+            let _e5 = self.v_refine_none(path_33, found_3, params_13);
             return _e5;
         }
-        near_2 = rt::Scalar(found_3.near);
+        near_6 = rt::Scalar(found_3.near);
         far_2 = rt::Scalar(found_3.far);
-        reads_5 = rt::Scalar(found_3.reads);
+        reads_16 = rt::Scalar(found_3.reads);
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_18, _e18);
-            local_14 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_33, _e18);
+            local_30 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_14 = rt::Scalar(true);
+            local_30 = rt::Scalar(true);
         }
-        let _e23 = local_14;
+        let _e23 = local_30;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_1.x())) {
+                let _e27 = k_3;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_13.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = near_2;
+                    let _e30 = near_6;
                     let _e31 = far_2;
                     let middle_1 = (rt::Scalar(0.5f32) * (_e30 + _e31));
-                    let _e35 = reads_5;
-                    reads_5 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = self.v_path_gap(path_18, middle_1);
+                    let _e35 = reads_16;
+                    reads_16 = (_e35 + rt::Scalar(1u32));
+                    let _e38 = self.v_path_gap(path_33, middle_1);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
                         far_2 = middle_1;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_2 = middle_1;
+                        near_6 = middle_1;
                     }
-                    let _e42 = k;
-                    k = (_e42 + rt::Scalar(1f32));
+                    let _e42 = k_3;
+                    k_3 = (_e42 + rt::Scalar(1f32));
                 }
             }
         }
         let _e45 = crossed;
         if rt::Scalar::into_branch_condition((!_e45)) {
-            let _e47 = reads_5;
+            let _e47 = reads_16;
             let _e48 = self.v_miss(_e47);
             return _e48;
         }
-        let _e49 = near_2;
+        let _e49 = near_6;
         let _e50 = far_2;
-        let _e55 = reads_5;
-        let _e56 = self.v_hit_on_path(path_18, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
+        let _e55 = reads_16;
+        let _e56 = self.v_hit_on_path(path_33, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_19: Path,
+        path_34: Path,
         found_4: Found,
-        params_2: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_19, found_4, rt::into(params_2)))
+        rt::into(self.v_refine_half_texel(path_34, found_4, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_19: Path,
+        path_34: Path,
         found_4: Found,
-        params_2: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_19, found_4, params_2);
+            let _e6 = self.v_refine_none(path_34, found_4, params_14);
             return _e6;
         }
         let _e8 = self.v_height_size();
-        let speed_1 = (path_19.duv * _e8).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_19.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e16 = self.v_refine_none(path_19, found_4, params_2);
+        let speed_2 = (path_34.duv * _e8).length();
+        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_34.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e16 = self.v_refine_none(path_34, found_4, params_14);
             return _e16;
         }
-        let half = (rt::Scalar(0.5f32) / speed_1);
+        let half = (rt::Scalar(0.5f32) / speed_2);
         let backward = (rt::Scalar(found_4.far) - half).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_19.exit));
-        let _e27 = self.v_path_gap(path_19, backward);
+        let forward_8 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_34.exit));
+        let _e27 = self.v_path_gap(path_34, backward);
         let before_1 = _e27.abs();
-        let _e29 = self.v_path_gap(path_19, forward_2);
+        let _e29 = self.v_path_gap(path_34, forward_8);
         let behind_1 = _e29.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
             part_1 = (before_1 / (before_1 + behind_1));
         }
         let _e39 = part_1;
-        let _e46 = self.v_hit_on_path(path_19, (backward + ((forward_2 - backward) * _e39)), rt::Scalar(0u32), (rt::Scalar(found_4.reads) + rt::Scalar(2u32)));
+        let _e46 = self.v_hit_on_path(path_34, (backward + ((forward_8 - backward) * _e39)), rt::Scalar(0u32), (rt::Scalar(found_4.reads) + rt::Scalar(2u32)));
         return _e46;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_20: Path,
+        path_35: Path,
         found_5: Found,
-        params_3: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_20, found_5, rt::into(params_3)))
+        rt::into(self.v_refine_offset(path_35, found_5, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_20: Path,
+        path_35: Path,
         found_5: Found,
-        params_3: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_9: rt::Scalar<f32>;
+        let mut t_20: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_5.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_20, found_5);
-        let _e9 = self.v_path_uv(path_20, _e8);
+        let _e8 = self.v_starting_point(path_35, found_5);
+        let _e9 = self.v_path_uv(path_35, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_slope(path_20, _e8);
-        t_9 = _e8;
+        let _e11 = self.v_path_slope(path_35, _e8);
+        t_20 = _e8;
         if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
-            let _e15 = self.v_path_height(path_20, _e8);
-            t_9 = (_e8 + ((_e10 - _e15) / _e11));
+            let _e15 = self.v_path_height(path_35, _e8);
+            t_20 = (_e8 + ((_e10 - _e15) / _e11));
         }
-        let _e19 = t_9;
-        let _e29 = self.v_hit_on_path(path_20, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        let _e19 = t_20;
+        let _e29 = self.v_hit_on_path(path_35, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
         return _e29;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_21: Path,
+        path_36: Path,
         found_6: Found,
-        params_4: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_21, found_6, rt::into(params_4)))
+        rt::into(self.v_refine_offset_limited(path_36, found_6, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_21: Path,
+        path_36: Path,
         found_6: Found,
-        params_4: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_3: Hit;
+        let mut hit_6: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_6.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_21, found_6);
-        let _e9 = self.v_path_uv(path_21, _e8);
+        let _e8 = self.v_starting_point(path_36, found_6);
+        let _e9 = self.v_path_uv(path_36, _e8);
         let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_height(path_21, _e8);
-        let rise_m = ((_e10 - _e11) * path_21.metric.w());
-        let _e26 = self.v_hit_on_path(path_21, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_6.reads) + rt::Scalar(1u32)));
-        hit_3 = _e26;
-        let _e29 = rt::Scalar(hit_3.found);
+        let _e11 = self.v_path_height(path_36, _e8);
+        let rise_m = ((_e10 - _e11) * path_36.metric.w());
+        let _e26 = self.v_hit_on_path(path_36, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_6.reads) + rt::Scalar(1u32)));
+        hit_6 = _e26;
+        let _e29 = rt::Scalar(hit_6.found);
         if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_3.height) = _e10;
+            rt::Scalar(hit_6.height) = _e10;
         }
-        let _e33 = hit_3;
+        let _e33 = hit_6;
         return _e33;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_22: Path,
+        path_37: Path,
         found_7: Found,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_22, found_7, rt::into(params_5)))
+        rt::into(self.v_refine_patch(path_37, found_7, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_22: Path,
+        path_37: Path,
         found_7: Found,
-        params_5: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_10: rt::Scalar<f32>;
-        let mut cell_10: rt::Vec2<f32>;
-        let mut reads_6: rt::Scalar<u32>;
-        let mut local_15: rt::Scalar<bool>;
+        let mut t_21: rt::Scalar<f32>;
+        let mut cell_18: rt::Vec2<f32>;
+        let mut reads_17: rt::Scalar<u32>;
+        let mut local_31: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_7.reads));
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_22, rt::Scalar(found_7.near), rt::Scalar(1u32), rt::Scalar(found_7.reads));
+            let _e14 = self.v_hit_on_path(path_37, rt::Scalar(found_7.near), rt::Scalar(1u32), rt::Scalar(found_7.reads));
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_22, rt::Scalar(found_7.near), rt::Scalar(0u32), rt::Scalar(found_7.reads));
+            let _e21 = self.v_hit_on_path(path_37, rt::Scalar(found_7.near), rt::Scalar(0u32), rt::Scalar(found_7.reads));
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_22);
-        t_10 = rt::Scalar(found_7.near);
-        let _e27 = t_10;
+        let _e22 = self.v_grid_of(path_37);
+        t_21 = rt::Scalar(found_7.near);
+        let _e27 = t_21;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_10 = _e30;
-        reads_6 = rt::Scalar(found_7.reads);
-        let _e34 = reads_6;
-        let limit = (_e34 + params_5.x().cast_elem_as_u32());
+        cell_18 = _e30;
+        reads_17 = rt::Scalar(found_7.reads);
+        let _e34 = reads_17;
+        let limit_9 = (_e34 + params_17.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = reads_6;
-                if rt::Scalar::into_branch_condition(_e38.elementwise_lt(limit)) {
+                let _e38 = reads_17;
+                if rt::Scalar::into_branch_condition(_e38.elementwise_lt(limit_9)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = cell_10;
+                    let _e40 = cell_18;
                     let _e41 = self.v_cell_leave(_e22, _e40);
-                    let end_1 = _e41.x().min(_e41.y()).min(rt::Scalar(found_7.far));
-                    let _e47 = t_10;
-                    let span_4 = (end_1 - _e47).max(rt::Scalar(0f32));
-                    let _e51 = cell_10;
-                    let _e52 = t_10;
-                    let _e53 = self.v_cell_gap(path_22, _e22, _e51, _e52);
-                    let _e54 = reads_6;
-                    reads_6 = (_e54 + rt::Scalar(1u32));
+                    let end_12 = _e41.x().min(_e41.y()).min(rt::Scalar(found_7.far));
+                    let _e47 = t_21;
+                    let span_12 = (end_12 - _e47).max(rt::Scalar(0f32));
+                    let _e51 = cell_18;
+                    let _e52 = t_21;
+                    let _e53 = self.v_cell_gap(path_37, _e22, _e51, _e52);
+                    let _e54 = reads_17;
+                    reads_17 = (_e54 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e60 = t_10;
-                        let _e62 = reads_6;
-                        let _e63 = self.v_hit_on_path(path_22, _e60, rt::Scalar(0u32), _e62);
+                        let _e60 = t_21;
+                        let _e62 = reads_17;
+                        let _e63 = self.v_hit_on_path(path_37, _e60, rt::Scalar(0u32), _e62);
                         return _e63;
                     }
-                    let _e64 = self.v_first_root(_e53, span_4);
+                    let _e64 = self.v_first_root(_e53, span_12);
                     if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e67 = t_10;
-                        let _e70 = reads_6;
-                        let _e71 = self.v_hit_on_path(path_22, (_e67 + _e64), rt::Scalar(0u32), _e70);
+                        let _e67 = t_21;
+                        let _e70 = reads_17;
+                        let _e71 = self.v_hit_on_path(path_37, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(found_7.far))) {
+                    if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(found_7.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_15 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
+                            local_31 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_15 = rt::Scalar(true);
+                            local_31 = rt::Scalar(true);
                         }
-                        let _e84 = local_15;
+                        let _e84 = local_31;
                         if rt::Scalar::into_branch_condition(_e84) {
-                            let _e87 = reads_6;
-                            let _e88 = self.v_hit_on_path(path_22, rt::Scalar(found_7.far), rt::Scalar(0u32), _e87);
+                            let _e87 = reads_17;
+                            let _e88 = self.v_hit_on_path(path_37, rt::Scalar(found_7.far), rt::Scalar(0u32), _e87);
                             return _e88;
                         }
-                        let _e89 = reads_6;
+                        let _e89 = reads_17;
                         let _e90 = self.v_miss(_e89);
                         return _e90;
                     }
-                    let _e91 = cell_10;
+                    let _e91 = cell_18;
                     let _e92 = self.v_cell_next(_e22, _e91, _e41);
-                    cell_10 = _e92;
-                    let _e93 = t_10;
-                    t_10 = _e93.max(end_1);
+                    cell_18 = _e92;
+                    let _e93 = t_21;
+                    t_21 = _e93.max(end_12);
                 }
             }
         }
-        let _e95 = t_10;
-        let _e97 = reads_6;
-        let _e98 = self.v_hit_on_path(path_22, _e95, rt::Scalar(1u32), _e97);
+        let _e95 = t_21;
+        let _e97 = reads_17;
+        let _e98 = self.v_hit_on_path(path_37, _e95, rt::Scalar(1u32), _e97);
         return _e98;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_23: Path,
+        path_38: Path,
         found_8: Found,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_23, found_8, rt::into(params_6)))
+        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_23: Path,
+        path_38: Path,
         found_8: Found,
-        params_6: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Hit {
-        let mut near_3: rt::Scalar<f32>;
+        let mut near_7: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
-        let mut near_gap_1: rt::Scalar<f32>;
+        let mut near_gap_5: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
-        let mut reads_7: rt::Scalar<u32>;
-        let mut t_11: rt::Scalar<f32>;
-        let mut k_1: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut reads_18: rt::Scalar<u32>;
+        let mut t_22: rt::Scalar<f32>;
+        let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_23, found_8, params_6);
+            let _e5 = self.v_refine_none(path_38, found_8, params_18);
             return _e5;
         }
-        near_3 = rt::Scalar(found_8.near);
+        near_7 = rt::Scalar(found_8.near);
         far_3 = rt::Scalar(found_8.far);
-        near_gap_1 = rt::Scalar(found_8.near_gap);
+        near_gap_5 = rt::Scalar(found_8.near_gap);
         far_gap_1 = rt::Scalar(found_8.far_gap);
-        reads_7 = rt::Scalar(found_8.reads);
+        reads_18 = rt::Scalar(found_8.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
-            let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_23, _e19);
-            near_gap_1 = _e20;
+            let _e19 = near_7;
+            let _e20 = self.v_path_gap(path_38, _e19);
+            near_gap_5 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_23, _e21);
+            let _e22 = self.v_path_gap(path_38, _e21);
             far_gap_1 = _e22;
-            let _e23 = reads_7;
-            reads_7 = (_e23 + rt::Scalar(2u32));
+            let _e23 = reads_18;
+            reads_18 = (_e23 + rt::Scalar(2u32));
             let _e26 = far_gap_1;
             if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_7;
+                let _e29 = reads_18;
                 let _e30 = self.v_miss(_e29);
                 return _e30;
             }
         }
         let _e31 = far_3;
-        t_11 = _e31;
+        t_22 = _e31;
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_1;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_6.x())) {
+                let _e35 = k_4;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_18.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = near_gap_1;
+                    let _e38 = near_gap_5;
                     let _e39 = far_gap_1;
                     let drop = (_e38 - _e39);
                     if rt::Scalar::into_branch_condition((!drop.elementwise_gt(rt::Scalar(0f32)))) {
                         break 'naga_break;
                     }
-                    let _e44 = near_3;
+                    let _e44 = near_7;
                     let _e45 = far_3;
-                    let _e46 = near_3;
-                    let _e48 = near_gap_1;
-                    t_11 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
-                    let _e52 = k_1;
-                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_6.x())) {
-                        let _e55 = t_11;
-                        let _e56 = self.v_path_gap(path_23, _e55);
-                        let _e57 = reads_7;
-                        reads_7 = (_e57 + rt::Scalar(1u32));
+                    let _e46 = near_7;
+                    let _e48 = near_gap_5;
+                    t_22 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
+                    let _e52 = k_4;
+                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_18.x())) {
+                        let _e55 = t_22;
+                        let _e56 = self.v_path_gap(path_38, _e55);
+                        let _e57 = reads_18;
+                        reads_18 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
-                            let _e62 = t_11;
+                            let _e62 = t_22;
                             far_3 = _e62;
                             far_gap_1 = _e56;
                         } else {
-                            let _e63 = t_11;
-                            near_3 = _e63;
-                            near_gap_1 = _e56;
+                            let _e63 = t_22;
+                            near_7 = _e63;
+                            near_gap_5 = _e56;
                         }
                     }
-                    let _e64 = k_1;
-                    k_1 = (_e64 + rt::Scalar(1f32));
+                    let _e64 = k_4;
+                    k_4 = (_e64 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e67 = t_11;
-        let _e69 = reads_7;
-        let _e70 = self.v_hit_on_path(path_23, _e67, rt::Scalar(0u32), _e69);
+        let _e67 = t_22;
+        let _e69 = reads_18;
+        let _e70 = self.v_hit_on_path(path_38, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
     pub(crate) fn refine_slope(
         &self,
-        path_24: Path,
+        path_39: Path,
         found_9: Found,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_24, found_9, rt::into(params_7)))
+        rt::into(self.v_refine_slope(path_39, found_9, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_24: Path,
+        path_39: Path,
         found_9: Found,
-        params_7: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_12: rt::Scalar<f32>;
+        let mut t_23: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_9.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_24, found_9);
-        let _e9 = self.v_path_uv(path_24, _e8);
+        let _e8 = self.v_starting_point(path_39, found_9);
+        let _e9 = self.v_path_uv(path_39, _e8);
         let _e10 = self.v_height_and_slope(_e9);
-        let _e12 = self.v_path_height(path_24, _e8);
-        let rise = (_e10.x() - _e12);
-        t_12 = _e8;
-        if rt::Scalar::into_branch_condition(params_7.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e18 = self.v_path_slope(path_24, _e8);
-            let closing = (_e18 - ((_e10.y() * path_24.duv.x()) + (_e10.z() * path_24.duv.y())));
-            if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_12 = (_e8 + (rise / closing));
+        let _e12 = self.v_path_height(path_39, _e8);
+        let rise_3 = (_e10.x() - _e12);
+        t_23 = _e8;
+        if rt::Scalar::into_branch_condition(params_19.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e18 = self.v_path_slope(path_39, _e8);
+            let closing_3 = (_e18 - ((_e10.y() * path_39.duv.x()) + (_e10.z() * path_39.duv.y())));
+            if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
+                t_23 = (_e8 + (rise_3 / closing_3));
             }
         } else {
-            let _e39 = self.v_normal_z(path_24, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_12 = (_e8 - ((rise * path_24.metric.w()) * _e39));
+            let _e39 = self.v_normal_z(path_39, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
+            t_23 = (_e8 - ((rise_3 * path_39.metric.w()) * _e39));
         }
-        let _e42 = t_12;
-        let _e52 = self.v_hit_on_path(path_24, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_9.reads) + rt::Scalar(1u32)));
+        let _e42 = t_23;
+        let _e52 = self.v_hit_on_path(path_39, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_9.reads) + rt::Scalar(1u32)));
         return _e52;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_25: Path,
+        path_40: Path,
         found_10: Found,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_25, found_10, rt::into(params_8)))
+        rt::into(self.v_refine_slope_iterative(path_40, found_10, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_25: Path,
+        path_40: Path,
         found_10: Found,
-        params_8: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_13: rt::Scalar<f32>;
-        let mut reads_8: rt::Scalar<u32>;
-        let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_24: rt::Scalar<f32>;
+        let mut reads_19: rt::Scalar<u32>;
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_10.reads));
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_25, found_10);
-        t_13 = _e8;
-        reads_8 = rt::Scalar(found_10.reads);
+        let _e8 = self.v_starting_point(path_40, found_10);
+        t_24 = _e8;
+        reads_19 = rt::Scalar(found_10.reads);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_2;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_8.x())) {
+                let _e14 = k_5;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_20.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = t_13;
-                    let _e18 = self.v_path_uv(path_25, _e17);
+                    let _e17 = t_24;
+                    let _e18 = self.v_path_uv(path_40, _e17);
                     let _e19 = self.v_height_and_slope(_e18);
-                    let _e20 = reads_8;
-                    reads_8 = (_e20 + rt::Scalar(1u32));
-                    let _e24 = t_13;
-                    let _e25 = self.v_path_height(path_25, _e24);
-                    let rise_1 = (_e19.x() - _e25);
-                    if rt::Scalar::into_branch_condition(params_8.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e30 = t_13;
-                        let _e31 = self.v_path_slope(path_25, _e30);
-                        let closing_1 = (_e31 - ((_e19.y() * path_25.duv.x()) + (_e19.z() * path_25.duv.y())));
-                        if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e44 = t_13;
-                            t_13 = (_e44 + (rise_1 / closing_1));
+                    let _e20 = reads_19;
+                    reads_19 = (_e20 + rt::Scalar(1u32));
+                    let _e24 = t_24;
+                    let _e25 = self.v_path_height(path_40, _e24);
+                    let rise_4 = (_e19.x() - _e25);
+                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e30 = t_24;
+                        let _e31 = self.v_path_slope(path_40, _e30);
+                        let closing_4 = (_e31 - ((_e19.y() * path_40.duv.x()) + (_e19.z() * path_40.duv.y())));
+                        if rt::Scalar::into_branch_condition(closing_4.elementwise_lt(rt::Scalar(0f32))) {
+                            let _e44 = t_24;
+                            t_24 = (_e44 + (rise_4 / closing_4));
                         }
                     } else {
-                        let _e47 = t_13;
-                        let _e54 = self.v_normal_z(path_25, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_13 = (_e47 - ((rise_1 * path_25.metric.w()) * _e54));
+                        let _e47 = t_24;
+                        let _e54 = self.v_normal_z(path_40, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
+                        t_24 = (_e47 - ((rise_4 * path_40.metric.w()) * _e54));
                     }
-                    let _e57 = t_13;
-                    t_13 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_25.exit));
-                    let _e61 = k_2;
-                    k_2 = (_e61 + rt::Scalar(1f32));
+                    let _e57 = t_24;
+                    t_24 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_40.exit));
+                    let _e61 = k_5;
+                    k_5 = (_e61 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e64 = t_13;
-        let _e71 = reads_8;
-        let _e72 = self.v_hit_on_path(path_25, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
+        let _e64 = t_24;
+        let _e71 = reads_19;
+        let _e72 = self.v_hit_on_path(path_40, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
         return _e72;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_26: Path,
+        path_41: Path,
         found_11: Found,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_26, found_11, rt::into(params_9)))
+        rt::into(self.v_refine_true_secant(path_41, found_11, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_26: Path,
+        path_41: Path,
         found_11: Found,
-        params_9: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
-        let mut reads_9: rt::Scalar<u32>;
-        let mut k_3: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut reads_20: rt::Scalar<u32>;
+        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_11);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_26, found_11, params_9);
+            let _e5 = self.v_refine_none(path_41, found_11, params_21);
             return _e5;
         }
         before = rt::Scalar(found_11.near);
         last = rt::Scalar(found_11.far);
         before_gap = rt::Scalar(found_11.near_gap);
         last_gap = rt::Scalar(found_11.far_gap);
-        reads_9 = rt::Scalar(found_11.reads);
+        reads_20 = rt::Scalar(found_11.reads);
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_26, _e19);
+            let _e20 = self.v_path_gap(path_41, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_26, _e21);
+            let _e22 = self.v_path_gap(path_41, _e21);
             last_gap = _e22;
-            let _e23 = reads_9;
-            reads_9 = (_e23 + rt::Scalar(2u32));
+            let _e23 = reads_20;
+            reads_20 = (_e23 + rt::Scalar(2u32));
             let _e26 = last_gap;
             if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_9;
+                let _e29 = reads_20;
                 let _e30 = self.v_miss(_e29);
                 return _e30;
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e33 = k_3;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_9.x())) {
+                let _e33 = k_6;
+                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_21.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -2369,84 +4182,84 @@ impl<'g> Resources<'g> {
                     let _e42 = last;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_25 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
+                    let t_26 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
                     let _e52 = last;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last = t_25;
-                    let _e54 = k_3;
-                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_9.x())) {
-                        let _e57 = self.v_path_gap(path_26, t_25);
+                    last = t_26;
+                    let _e54 = k_6;
+                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_21.x())) {
+                        let _e57 = self.v_path_gap(path_41, t_26);
                         last_gap = _e57;
-                        let _e58 = reads_9;
-                        reads_9 = (_e58 + rt::Scalar(1u32));
+                        let _e58 = reads_20;
+                        reads_20 = (_e58 + rt::Scalar(1u32));
                     }
-                    let _e61 = k_3;
-                    k_3 = (_e61 + rt::Scalar(1f32));
+                    let _e61 = k_6;
+                    k_6 = (_e61 + rt::Scalar(1f32));
                 }
             }
         }
         let _e64 = last;
-        let _e66 = reads_9;
-        let _e67 = self.v_hit_on_path(path_26, _e64, rt::Scalar(0u32), _e66);
+        let _e66 = reads_20;
+        let _e67 = self.v_hit_on_path(path_41, _e64, rt::Scalar(0u32), _e66);
         return _e67;
     }
-    pub(crate) fn refine_stage(&self, path_27: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_27, found_12))
+    pub(crate) fn refine_stage(&self, path_42: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_42, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_27: Path, found_12: Found) -> Hit {
+    fn v_refine_stage(&self, path_42: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[2usize].params;
-                let _e12 = self.v_refine_none(path_27, found_12, _e11);
+                let _e12 = self.v_refine_none(path_42, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[2usize].params;
-                let _e18 = self.v_refine_offset(path_27, found_12, _e17);
+                let _e18 = self.v_refine_offset(path_42, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[2usize].params;
-                let _e24 = self.v_refine_offset_limited(path_27, found_12, _e23);
+                let _e24 = self.v_refine_offset_limited(path_42, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[2usize].params;
-                let _e30 = self.v_refine_slope(path_27, found_12, _e29);
+                let _e30 = self.v_refine_slope(path_42, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[2usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_27, found_12, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_42, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[2usize].params;
-                let _e42 = self.v_refine_binary(path_27, found_12, _e41);
+                let _e42 = self.v_refine_binary(path_42, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[2usize].params;
-                let _e48 = self.v_refine_secant(path_27, found_12, _e47);
+                let _e48 = self.v_refine_secant(path_42, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[2usize].params;
-                let _e54 = self.v_refine_true_secant(path_27, found_12, _e53);
+                let _e54 = self.v_refine_true_secant(path_42, found_12, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[2usize].params;
-                let _e60 = self.v_refine_patch(path_27, found_12, _e59);
+                let _e60 = self.v_refine_patch(path_42, found_12, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[2usize].params;
-                let _e66 = self.v_refine_half_texel(path_27, found_12, _e65);
+                let _e66 = self.v_refine_half_texel(path_42, found_12, _e65);
                 return _e66;
             }
         }
@@ -2501,9 +4314,9 @@ impl<'g> Resources<'g> {
         view: impl rt::Into<rt::Vec3<f32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_10)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -2512,16 +4325,16 @@ impl<'g> Resources<'g> {
         view: rt::Vec3<f32>,
         toward: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_10: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let cosine = normal.dot(toward);
-        if rt::Scalar::into_branch_condition(cosine.elementwise_gt(rt::Scalar(0f32))) {
+        let cosine_1 = normal.dot(toward);
+        if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
             let lobe = normal.dot((toward + view).normalize()).max(rt::Scalar(0f32));
             let _e15 = self.surface_settings.specular;
             let _e19 = rt::Scalar(self.surface_settings.shininess);
             let _e20 = self.v_whole_power(lobe, _e19);
             let specular = (_e15.xyz() * _e20);
-            return ((color_1 * cosine) + specular);
+            return ((color_1 * cosine_1) + specular);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -2570,1635 +4383,145 @@ impl<'g> Resources<'g> {
         color_3: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        let mut light_2: rt::Vec3<f32>;
-        let mut k_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut light_6: rt::Vec3<f32>;
+        let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e7 = self.surface_settings.diffuse;
         let diffuse = (_e7.xyz() * color_3);
         let _e12 = self.frame.ambient;
-        light_2 = (_e12.xyz() * diffuse);
+        light_6 = (_e12.xyz() * diffuse);
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = k_4;
+                let _e18 = k_7;
                 let _e21 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e18.elementwise_lt(_e21)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = k_4;
+                    let _e25 = k_7;
                     let _e27 = self.frame.lights[rt::Scalar::into_array_index(_e25)];
                     let _e28 = self.v_toward_light(_e27, position_1);
                     let _e30 = self.v_shade_stage(normal_2, view_2, _e28.direction, diffuse);
-                    let _e31 = light_2;
-                    let _e34 = k_4;
+                    let _e31 = light_6;
+                    let _e34 = k_7;
                     let _e37 = self.frame.lights[rt::Scalar::into_array_index(_e34)].color;
-                    let _e41 = k_4;
-                    light_2 = (_e31 + ((_e30 * _e37.xyz()) * (rt::Scalar(_e28.falloff) * visible[rt::Scalar::into_array_index(_e41)].x())));
-                    let _e47 = k_4;
-                    k_4 = (_e47 + rt::Scalar(1u32));
+                    let _e41 = k_7;
+                    light_6 = (_e31 + ((_e30 * _e37.xyz()) * (rt::Scalar(_e28.falloff) * visible[rt::Scalar::into_array_index(_e41)].x())));
+                    let _e47 = k_7;
+                    k_7 = (_e47 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e50 = light_2;
+        let _e50 = light_6;
         return _e50;
     }
-    pub(crate) fn search_cells(
-        &self,
-        path_28: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_cells(path_28, rt::into(params_11)))
+    pub(crate) fn search_stage(&self, path_43: Path) -> Found {
+        rt::into(self.v_search_stage(path_43))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_cells(
-        &self,
-        path_28: Path,
-        params_11: rt::Vec4<f32>,
-    ) -> Found {
-        let mut cell_11: rt::Vec2<f32>;
-        let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
-
-        let _e2 = self.v_grid_of(path_28);
-        let _e4 = self.v_cell_of(_e2.origin);
-        cell_11 = _e4;
-        let limit_1 = params_11.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e12 = reads_10;
-                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(limit_1)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e14 = cell_11;
-                    let _e15 = self.v_cell_leave(_e2, _e14);
-                    let end_2 = _e15.x().min(_e15.y()).min(rt::Scalar(path_28.exit));
-                    let _e21 = cell_11;
-                    let _e22 = t_14;
-                    let _e23 = self.v_cell_gap(path_28, _e2, _e21, _e22);
-                    let _e24 = reads_10;
-                    reads_10 = (_e24 + rt::Scalar(1u32));
-                    let _e27 = t_14;
-                    let span_5 = (end_2 - _e27).max(rt::Scalar(0f32));
-                    let _e31 = t_14;
-                    let _e32 = reads_10;
-                    let _e35 = reads_10;
-                    let _e36 = self.v_found_in_cell(_e23, _e31, span_5, _e32.elementwise_eq(rt::Scalar(1u32)), _e35);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
-                        return _e36;
-                    }
-                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(path_28.exit))) {
-                        let _e43 = t_14;
-                        let _e47 = reads_10;
-                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_28.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
-                    }
-                    let _e49 = cell_11;
-                    let _e50 = self.v_cell_next(_e2, _e49, _e15);
-                    cell_11 = _e50;
-                    let _e51 = t_14;
-                    t_14 = _e51.max(end_2);
-                }
-            }
-        }
-        let _e54 = t_14;
-        let _e56 = reads_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
-    }
-    pub(crate) fn stays_inside(
-        &self,
-        path_29: Path,
-        grid_7: Grid,
-        offset: impl rt::Into<rt::Vec2<f32>>,
-        apex: impl rt::Into<rt::Scalar<f32>>,
-        slope_1: impl rt::Into<rt::Scalar<f32>>,
-        t_15: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_stays_inside(path_29, grid_7, rt::into(offset), rt::into(apex), rt::into(slope_1), rt::into(t_15)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_stays_inside(
-        &self,
-        path_29: Path,
-        grid_7: Grid,
-        offset: rt::Vec2<f32>,
-        apex: rt::Scalar<f32>,
-        slope_1: rt::Scalar<f32>,
-        t_15: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut most: rt::Scalar<f32>;
-        let mut local_16: rt::Scalar<bool>;
-        let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
-
-        let rest_1 = (rt::Scalar(path_29.exit) - t_15);
-        let _e8 = self.v_path_height(path_29, t_15);
-        let height_1 = (_e8 - apex);
-        let terms = (path_29.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_29.exit)) * path_29.h.z().abs()));
-        let _e21 = self.v_path_slope(path_29, t_15);
-        let rise_2 = ((_e21 + (path_29.h.z().min(rt::Scalar(0f32)) * rest_1)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_1;
-        if rt::Scalar::into_branch_condition(rise_2.elementwise_lt(rt::Scalar(0f32))) {
-            let _e34 = most;
-            most = _e34.min((height_1 / (rt::Scalar(0f32) - rise_2)));
-        }
-        let _e39 = most;
-        let end_3 = (t_15 + _e39);
-        let _e51 = self.v_height_size();
-        let far_4 = (((grid_7.origin.abs() + (grid_7.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
-        let of_heights = (rt::Scalar(0.0000009536743f32) * (path_29.h.x().abs() + (end_3 * (path_29.h.y().abs() + (end_3 * path_29.h.z().abs())))));
-        let lost_1 = (of_heights + ((rt::Scalar(0.0000009536743f32) * slope_1) * (far_4.x() + far_4.y())));
-        let gap_2 = (height_1 - (rt::Scalar(2f32) * lost_1));
-        let _e83 = self.v_height_size();
-        let aside_1 = (((grid_7.origin - offset) + (grid_7.step * t_15)) / _e83);
-        let c_5 = (((slope_1 * aside_1.length()) - gap_2) * ((slope_1 * aside_1.length()) + gap_2));
-        if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_16 = c_5.elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local_16 = rt::Scalar(true);
-        }
-        let _e100 = local_16;
-        if rt::Scalar::into_branch_condition(_e100) {
-            return rt::Scalar(0f32);
-        }
-        let b_3 = (((slope_1 * slope_1) * aside_1.dot(path_29.duv)) - (gap_2 * rise_2));
-        let a_3 = (((slope_1 * slope_1) * path_29.duv.dot(path_29.duv)) - (rise_2 * rise_2));
-        let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
-        if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
-            let root_1 = discriminant_1.sqrt();
-            if rt::Scalar::into_branch_condition(b_3.elementwise_ge(rt::Scalar(0f32))) {
-                leave_3 = ((rt::Scalar(0f32) - c_5) / (b_3 + root_1));
-            } else {
-                if rt::Scalar::into_branch_condition(a_3.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_3 = ((root_1 - b_3) / a_3);
-                }
-            }
-        }
-        let _e133 = leave_3;
-        let _e134 = most;
-        leave_3 = _e133.min(_e134);
-        let _e137 = leave_3;
-        let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_1 * (aside_1 + (path_29.duv * _e137)).length()) + lost_1).elementwise_le((height_1 + (rise_2 * _e143)))) {
-            let _e147 = leave_3;
-            return _e147;
-        }
-        return rt::Scalar(0f32);
-    }
-    pub(crate) fn search_cone(
-        &self,
-        path_30: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_cone(path_30, rt::into(params_12)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_cone(
-        &self,
-        path_30: Path,
-        params_12: rt::Vec4<f32>,
-    ) -> Found {
-        let mut cell_12: rt::Vec2<f32>;
-        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_11: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut next_1: rt::Scalar<f32>;
-
-        let _e2 = self.v_grid_of(path_30);
-        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_cell_of(_e2.origin);
-        cell_12 = _e9;
-        let limit_2 = params_12.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e17 = reads_11;
-                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_2)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e19 = reads_11;
-                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
-                    let _e22 = cell_12;
-                    let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
-                    let _e25 = reads_11;
-                    reads_11 = (_e25 + rt::Scalar(1u32));
-                    let _e28 = cell_12;
-                    let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_30.exit));
-                    let _e35 = t_16;
-                    let span_6 = (end_4 - _e35).max(rt::Scalar(0f32));
-                    let _e40 = cell_12;
-                    let _e43 = t_16;
-                    let at_13 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let _e46 = self.v_nearest_corner(at_13);
-                    let _e47 = self.v_corner_height(_e24, _e46);
-                    let _e48 = t_16;
-                    next_1 = _e48;
-                    let _e50 = t_16;
-                    let _e51 = self.v_path_height(path_30, _e50);
-                    if rt::Scalar::into_branch_condition(_e51.elementwise_gt(_e47)) {
-                        let _e53 = cell_12;
-                        let texel_5 = (_e53 + _e46);
-                        let _e55 = self.v_cone_slope(path_30, texel_5);
-                        let _e56 = reads_11;
-                        reads_11 = (_e56 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e55.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e61 = t_16;
-                            let _e62 = t_16;
-                            let _e63 = self.v_stays_inside(path_30, _e2, texel_5, _e47, _e55, _e62);
-                            next_1 = (_e61 + _e63);
-                        }
-                    }
-                    let _e65 = next_1;
-                    if rt::Scalar::into_branch_condition(_e65.elementwise_lt(end_4)) {
-                        let _e67 = cell_12;
-                        let _e68 = t_16;
-                        let _e69 = self.v_gap_to(path_30, _e2, _e67, _e24, _e68);
-                        let _e70 = t_16;
-                        let _e71 = reads_11;
-                        let _e72 = self.v_found_in_cell(_e69, _e70, span_6, first_3, _e71);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e72.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e72;
-                        }
-                        let _e76 = t_16;
-                        next_1 = _e76.max(end_4);
-                    }
-                    let _e78 = next_1;
-                    if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_30.exit))) {
-                        let _e82 = t_16;
-                        let _e84 = reads_11;
-                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_30.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
-                    }
-                    let _e88 = cell_12;
-                    let _e89 = next_1;
-                    let _e90 = self.v_cell_after(_e2, _e88, _e29, forward_3, _e89);
-                    cell_12 = _e90;
-                    let _e91 = next_1;
-                    t_16 = _e91;
-                }
-            }
-        }
-        let _e93 = t_16;
-        let _e95 = reads_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e93, rt::Scalar(path_30.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e95);
-    }
-    pub(crate) fn search_cone_moved(
-        &self,
-        path_31: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_cone_moved(path_31, rt::into(params_13)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_cone_moved(
-        &self,
-        path_31: Path,
-        params_13: rt::Vec4<f32>,
-    ) -> Found {
-        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_17: rt::Scalar<bool>;
-
-        let aside_2 = path_31.duv.length();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e14 = k_5;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_13.x())) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e17 = t_17;
-                    let _e18 = self.v_path_gap(path_31, _e17);
-                    let _e19 = reads_12;
-                    reads_12 = (_e19 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
-                        let _e24 = t_17;
-                        if rt::Scalar::into_branch_condition(_e24.elementwise_eq(rt::Scalar(0f32))) {
-                            local_17 = _e18.elementwise_lt(rt::Scalar(0f32));
-                        } else {
-                            local_17 = rt::Scalar(false);
-                        }
-                        let _e32 = local_17;
-                        if rt::Scalar::into_branch_condition(_e32) {
-                            let _e34 = reads_12;
-                            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e18, _e18, _e34);
-                        }
-                        let _e39 = near_4;
-                        let _e40 = t_17;
-                        let _e41 = near_gap_2;
-                        let _e42 = reads_12;
-                        return <Found>::new(FOUND_BRACKET, _e39, _e40, _e41, _e18, _e42);
-                    }
-                    let _e44 = t_17;
-                    near_4 = _e44;
-                    near_gap_2 = _e18;
-                    let _e45 = t_17;
-                    let _e46 = self.v_path_uv(path_31, _e45);
-                    let _e48 = self.v_search_texel_between(path_31, _e46, rt::Scalar(0i32));
-                    let _e50 = self.v_slope_of(_e48.x());
-                    let _e51 = reads_12;
-                    reads_12 = (_e51 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e50.elementwise_lt(rt::Scalar(0f32))) {
-                        break 'naga_break;
-                    }
-                    let _e57 = t_17;
-                    let rest_2 = (rt::Scalar(path_31.exit) - _e57);
-                    let _e59 = t_17;
-                    let _e60 = self.v_path_slope(path_31, _e59);
-                    let rise_3 = (_e60 + (path_31.h.z().min(rt::Scalar(0f32)) * rest_2));
-                    let terms_1 = (path_31.h.x().abs() + (rt::Scalar(path_31.exit) * (path_31.h.y().abs() + (rt::Scalar(path_31.exit) * path_31.h.z().abs()))));
-                    let far_5 = (((path_31.uv.abs() + (path_31.duv.abs() * rt::Scalar(path_31.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e50);
-                    let lost_2 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_5.x()) + far_5.y()));
-                    let closing_2 = (((_e50 * aside_2) - rise_3) * rt::Scalar(1.000001f32));
-                    if rt::Scalar::into_branch_condition(closing_2.elementwise_le(rt::Scalar(0f32))) {
-                        let _e107 = t_17;
-                        let _e109 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e107, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
-                    }
-                    let _e113 = t_17;
-                    t_17 = (_e113 + ((_e18 - lost_2).max(rt::Scalar(0f32)) / closing_2));
-                    let _e119 = t_17;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_31.exit))) {
-                        let _e123 = near_4;
-                        let _e125 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
-                    }
-                    let _e129 = k_5;
-                    k_5 = (_e129 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e133 = t_17;
-        let _e135 = t_17;
-        let _e136 = self.v_path_height(path_31, _e135);
-        let _e137 = reads_12;
-        return <Found>::new(FOUND_ABOVE, _e133, rt::Scalar(path_31.exit), _e136, rt::Scalar(0f32), _e137);
-    }
-    pub(crate) fn search_dilation_erosion(
-        &self,
-        path_32: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_32, rt::into(params_14)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_dilation_erosion(
-        &self,
-        path_32: Path,
-        params_14: rt::Vec4<f32>,
-    ) -> Found {
-        let mut cell_13: rt::Vec2<f32>;
-        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut next_2: rt::Scalar<f32>;
-        let mut looks: rt::Scalar<bool>;
-        let mut local_18: rt::Scalar<bool>;
-        let mut local_19: rt::Scalar<bool>;
-        let mut local_20: rt::Scalar<bool>;
-        let mut local_21: rt::Scalar<bool>;
-
-        let _e2 = self.v_grid_of(path_32);
-        let _e5 = self.surface_settings.height_size;
-        let n_7 = _e5.cast_elem_as_i32();
-        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e13 = self.v_cell_of(_e2.origin);
-        cell_13 = _e13;
-        let limit_3 = params_14.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e23 = reads_13;
-                if rt::Scalar::into_branch_condition(_e23.elementwise_lt(limit_3)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e25 = cell_13;
-                    let _e26 = self.v_cell_leave(_e2, _e25);
-                    let end_5 = _e26.x().min(_e26.y()).min(rt::Scalar(path_32.exit));
-                    let _e32 = t_18;
-                    let span_7 = (end_5 - _e32).max(rt::Scalar(0f32));
-                    let _e36 = t_18;
-                    next_2 = _e36;
-                    looks = params_14.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e43 = cell_13.x();
-                    let _e46 = self.v_image_of(_e43.cast_elem_as_i32(), n_7.x());
-                    let _e48 = cell_13.y();
-                    let _e51 = self.v_image_of(_e48.cast_elem_as_i32(), n_7.y());
-                    if rt::Scalar::into_branch_condition((!_e46.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_18 = _e51.y().elementwise_eq(rt::Scalar(2i32));
-                    } else {
-                        local_18 = rt::Scalar(true);
-                    }
-                    let _e62 = local_18;
-                    if rt::Scalar::into_branch_condition(_e62) {
-                        looks = rt::Scalar(true);
-                    } else {
-                        let _e70 = self.v_search_texel(path_32, <rt::Vec2<i32>>::from_scalars(_e46.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_32.level).cast_elem_as_i32());
-                        let _e71 = reads_13;
-                        reads_13 = (_e71 + rt::Scalar(1u32));
-                        let _e74 = cell_13;
-                        let _e76 = self.v_leaves_window(_e2, _e74, params_14.z());
-                        let _e79 = t_18;
-                        let reach = (_e76.min(rt::Scalar(path_32.exit)) - _e79).max(rt::Scalar(0f32));
-                        let _e83 = t_18;
-                        let furthest = (_e83 + reach);
-                        let rounded = (path_32.h.x().abs() + (furthest * (path_32.h.y().abs() + (furthest * path_32.h.z().abs()))));
-                        let _e98 = t_18;
-                        let _e99 = self.v_path_height(path_32, _e98);
-                        let _e105 = t_18;
-                        let _e106 = self.v_path_slope(path_32, _e105);
-                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded)), _e106, path_32.h.z());
-                        if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e113 = t_18;
-                            safe_ = _e113;
-                            let _e114 = t_18;
-                            next_2 = (_e114 + reach);
-                            let _e116 = self.v_least_at(gap_3, reach);
-                            let _e117 = self.v_quadratic(gap_3, _e116);
-                            if rt::Scalar::into_branch_condition(_e117.elementwise_le(rt::Scalar(0f32))) {
-                                let _e120 = t_18;
-                                let _e121 = self.v_first_root(gap_3, reach);
-                                next_2 = (_e120 + _e121.min(reach));
-                            }
-                        }
-                        let _e124 = looks;
-                        if rt::Scalar::into_branch_condition((!_e124)) {
-                            let _e128 = next_2;
-                            local_19 = _e128.elementwise_lt(end_5);
-                        } else {
-                            local_19 = rt::Scalar(false);
-                        }
-                        let _e131 = local_19;
-                        if rt::Scalar::into_branch_condition(_e131) {
-                            let _e134 = self.v_path_height(path_32, end_5);
-                            local_20 = _e134.elementwise_lt(_e70.x());
-                        } else {
-                            local_20 = rt::Scalar(false);
-                        }
-                        let _e138 = local_20;
-                        if rt::Scalar::into_branch_condition(_e138) {
-                            let _e139 = safe_;
-                            let _e140 = reads_13;
-                            let _e141 = self.v_bracket_between(path_32, _e139, end_5, _e140);
-                            return _e141;
-                        }
-                    }
-                    let _e142 = next_2;
-                    if rt::Scalar::into_branch_condition((!_e142.elementwise_lt(end_5))) {
-                        let _e147 = t_18;
-                        local_21 = (!end_5.elementwise_gt(_e147));
-                    } else {
-                        local_21 = rt::Scalar(true);
-                    }
-                    let _e151 = local_21;
-                    if rt::Scalar::into_branch_condition(_e151) {
-                        let _e152 = looks;
-                        if rt::Scalar::into_branch_condition(_e152) {
-                            let _e153 = reads_13;
-                            reads_13 = (_e153 + rt::Scalar(1u32));
-                            let _e156 = cell_13;
-                            let _e158 = self.v_height_cell(_e156.cast_elem_as_i32());
-                            let _e159 = cell_13;
-                            let _e160 = t_18;
-                            let _e161 = self.v_gap_to(path_32, _e2, _e159, _e158, _e160);
-                            let _e162 = t_18;
-                            let _e163 = t_18;
-                            let _e166 = reads_13;
-                            let _e167 = self.v_found_in_cell(_e161, _e162, span_7, _e163.elementwise_eq(rt::Scalar(0f32)), _e166);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e167.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e167;
-                            }
-                        }
-                        let _e171 = t_18;
-                        next_2 = _e171.max(end_5);
-                    }
-                    let _e173 = next_2;
-                    if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_32.exit))) {
-                        let _e177 = t_18;
-                        let _e179 = reads_13;
-                        return <Found>::new(FOUND_MISS, _e177, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e179);
-                    }
-                    let _e183 = cell_13;
-                    let _e184 = next_2;
-                    let _e185 = self.v_cell_after(_e2, _e183, _e26, forward_4, _e184);
-                    cell_13 = _e185;
-                    let _e186 = next_2;
-                    t_18 = _e186;
-                }
-            }
-        }
-        let _e188 = t_18;
-        let _e190 = reads_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e188, rt::Scalar(path_32.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e190);
-    }
-    pub(crate) fn stays_above(
-        &self,
-        above_1: impl rt::Into<rt::Vec3<f32>>,
-        slope_2: impl rt::Into<rt::Scalar<f32>>,
-        left: impl rt::Into<rt::Scalar<f32>>,
-        speed: impl rt::Into<rt::Scalar<f32>>,
-        lost: impl rt::Into<rt::Scalar<f32>>,
-        span_3: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_stays_above(rt::into(above_1), rt::into(slope_2), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_3)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_stays_above(
-        &self,
-        above_1: rt::Vec3<f32>,
-        slope_2: rt::Scalar<f32>,
-        left: rt::Scalar<f32>,
-        speed: rt::Scalar<f32>,
-        lost: rt::Scalar<f32>,
-        span_3: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let rise_4 = (slope_2 * speed.abs());
-        let gap_4 = ((above_1.x() + (slope_2 * left)) - lost);
-        if rt::Scalar::into_branch_condition(gap_4.elementwise_le(rt::Scalar(0f32))) {
-            return rt::Scalar(0f32);
-        }
-        let closing_3 = ((rise_4 - above_1.y()) + (rt::Scalar(0.0000009536743f32) * (rise_4 + above_1.y().abs())));
-        if rt::Scalar::into_branch_condition(above_1.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_4, (rt::Scalar(0f32) - closing_3), above_1.z()), span_3);
-            return _e30;
-        }
-        if rt::Scalar::into_branch_condition(closing_3.elementwise_gt(rt::Scalar(0f32))) {
-            return (gap_4 / closing_3);
-        }
-        return rt::Scalar(300000000000000000000000000000000000000f32);
-    }
-    pub(crate) fn search_frustum(
-        &self,
-        path_33: Path,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_frustum(path_33, rt::into(params_15)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_frustum(
-        &self,
-        path_33: Path,
-        params_15: rt::Vec4<f32>,
-    ) -> Found {
-        let mut cell_14: rt::Vec2<f32>;
-        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_14: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut next_3: rt::Scalar<f32>;
-        let mut slope_3: rt::Scalar<f32>;
-        let mut local_22: rt::Scalar<bool>;
-
-        let _e2 = self.v_grid_of(path_33);
-        let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_cell_of(_e2.origin);
-        cell_14 = _e9;
-        let limit_4 = params_15.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e17 = reads_14;
-                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_4)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e19 = reads_14;
-                    let first_4 = _e19.elementwise_eq(rt::Scalar(0u32));
-                    let _e22 = cell_14;
-                    let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
-                    let _e25 = reads_14;
-                    reads_14 = (_e25 + rt::Scalar(1u32));
-                    let _e28 = cell_14;
-                    let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_6 = _e29.x().min(_e29.y()).min(rt::Scalar(path_33.exit));
-                    let _e35 = t_19;
-                    let span_8 = (end_6 - _e35).max(rt::Scalar(0f32));
-                    let top_4 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
-                    let _e46 = t_19;
-                    let _e47 = self.v_path_height(path_33, _e46);
-                    let _e49 = t_19;
-                    let _e50 = self.v_path_slope(path_33, _e49);
-                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e47 - top_4), _e50, path_33.h.z());
-                    let _e57 = t_19;
-                    let _e61 = t_19;
-                    let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_33.h.x().abs() + (_e57 * (path_33.h.y().abs() + (_e61 * path_33.h.z().abs())))));
-                    let _e71 = t_19;
-                    next_3 = _e71.max(end_6);
-                    slope_3 = rt::Scalar(-1f32);
-                    let _e76 = self.v_least_at(above_4, span_8);
-                    let _e77 = self.v_quadratic(above_4, _e76);
-                    if rt::Scalar::into_branch_condition(_e77.elementwise_gt(of_heights_1)) {
-                        local_22 = above_4.x().elementwise_gt(of_heights_1);
-                    } else {
-                        local_22 = rt::Scalar(false);
-                    }
-                    let _e84 = local_22;
-                    if rt::Scalar::into_branch_condition(_e84) {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_lt(rt::Scalar(path_33.exit))) {
-                            let _e87 = cell_14;
-                            let _e89 = self.v_frustum_slope(path_33, _e87.cast_elem_as_i32(), forward_5);
-                            slope_3 = _e89;
-                            let _e90 = reads_14;
-                            let _e93 = slope_3;
-                            reads_14 = (_e90 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e93.elementwise_ge(rt::Scalar(0f32))));
-                        }
-                    } else {
-                        let _e98 = cell_14;
-                        let _e99 = t_19;
-                        let _e100 = self.v_gap_to(path_33, _e2, _e98, _e24, _e99);
-                        let _e101 = t_19;
-                        let _e102 = reads_14;
-                        let _e103 = self.v_found_in_cell(_e100, _e101, span_8, first_4, _e102);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e103.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e103;
-                        }
-                    }
-                    let _e107 = slope_3;
-                    if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e111 = cell_14;
-                        let _e114 = t_19;
-                        let at_14 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_2 = at_14.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_14), forward_5);
-                        let _e126 = t_19;
-                        let far_6 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                        let _e134 = slope_3;
-                        let lost_3 = (<rt::Vec2<f32>>::from_scalars(of_heights_1, of_heights_1) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_6));
-                        let _e140 = t_19;
-                        let rest_3 = (rt::Scalar(path_33.exit) - _e140);
-                        let _e142 = slope_3;
-                        let _e147 = self.v_stays_above(above_4, _e142, left_2.x(), _e2.step.x(), lost_3.x(), rest_3);
-                        let _e148 = slope_3;
-                        let _e153 = self.v_stays_above(above_4, _e148, left_2.y(), _e2.step.y(), lost_3.y(), rest_3);
-                        let _e154 = next_3;
-                        let _e155 = t_19;
-                        next_3 = _e154.max((_e155 + _e147.min(_e153)));
-                    }
-                    let _e159 = next_3;
-                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_33.exit))) {
-                        let _e163 = t_19;
-                        let _e165 = reads_14;
-                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
-                    }
-                    let _e169 = slope_3;
-                    if rt::Scalar::into_branch_condition(_e169.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e172 = cell_14;
-                        let _e173 = next_3;
-                        let _e174 = self.v_cell_after(_e2, _e172, _e29, forward_5, _e173);
-                        cell_14 = _e174;
-                    } else {
-                        let _e175 = cell_14;
-                        let _e176 = self.v_cell_next(_e2, _e175, _e29);
-                        cell_14 = _e176;
-                    }
-                    let _e177 = next_3;
-                    t_19 = _e177;
-                }
-            }
-        }
-        let _e179 = t_19;
-        let _e181 = reads_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
-    }
-    pub(crate) fn search_linear(
-        &self,
-        path_34: Path,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_linear(path_34, rt::into(params_16)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_linear(
-        &self,
-        path_34: Path,
-        params_16: rt::Vec4<f32>,
-    ) -> Found {
-        let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_3: rt::Scalar<f32>;
-        let mut reads_15: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
-
-        let cosine_1 = (path_34.h.y().abs() * path_34.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_16.x() * params_16.y().mix_scalar(rt::Scalar(1f32), cosine_1)).ceil());
-        let _e22 = self.v_path_gap(path_34, rt::Scalar(0f32));
-        near_gap_3 = _e22;
-        let _e26 = near_gap_3;
-        if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
-            let _e30 = near_gap_3;
-            let _e31 = near_gap_3;
-            let _e32 = reads_15;
-            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e30, _e31, _e32);
-        }
-        'naga_break: loop {
-            'naga_continue: {
-                let _e38 = k_6;
-                if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e41 = k_6;
-                    let t_26 = (rt::Scalar(path_34.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_34, t_26);
-                    let _e45 = reads_15;
-                    reads_15 = (_e45 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
-                        let _e51 = near_5;
-                        let _e52 = near_gap_3;
-                        let _e53 = reads_15;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_26, _e52, _e44, _e53);
-                    }
-                    near_5 = t_26;
-                    near_gap_3 = _e44;
-                    let _e55 = k_6;
-                    k_6 = (_e55 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e59 = near_5;
-        let _e60 = near_5;
-        let _e61 = near_gap_3;
-        let _e62 = near_gap_3;
-        let _e63 = reads_15;
-        return <Found>::new(FOUND_MISS, _e59, _e60, _e61, _e62, _e63);
-    }
-    pub(crate) fn search_none(
-        &self,
-        path_35: Path,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_none(path_35, rt::into(params_17)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_none(
-        &self,
-        path_35: Path,
-        params_17: rt::Vec4<f32>,
-    ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_35.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
-    }
-    pub(crate) fn search_pyramid(
-        &self,
-        path_36: Path,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_pyramid(path_36, rt::into(params_18)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_pyramid(
-        &self,
-        path_36: Path,
-        params_18: rt::Vec4<f32>,
-    ) -> Found {
-        let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_2: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_15: rt::Vec2<i32>;
-        let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_16: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_23: rt::Scalar<bool>;
-        let mut local_24: rt::Scalar<bool>;
-        let mut local_25: rt::Scalar<bool>;
-        let mut local_26: rt::Scalar<bool>;
-
-        let _e2 = self.v_grid_of(path_36);
-        let _e5 = self.surface_settings.height_size;
-        let n_8 = _e5.cast_elem_as_i32();
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_36.exit));
-        'naga_break: loop {
-            'naga_continue: {
-                let _e20 = top;
-                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e20).elementwise_lt(n_8.x().max(n_8.y()))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e27 = top;
-                    top = (_e27 + rt::Scalar(1u32));
-                    let _e30 = level_2;
-                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e30).cast_elem_as_f32().elementwise_lt(long)) {
-                        let _e35 = level_2;
-                        level_2 = (_e35 + rt::Scalar(1u32));
-                    }
-                }
-            }
-        }
-        let _e39 = self.v_cell_of(_e2.origin);
-        cell_15 = _e39.cast_elem_as_i32();
-        let limit_5 = params_18.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e52 = reads_16;
-                if rt::Scalar::into_branch_condition(_e52.elementwise_lt(limit_5)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e55 = cell_15.x();
-                    let _e57 = self.v_image_of(_e55, n_8.x());
-                    let _e59 = cell_15.y();
-                    let _e61 = self.v_image_of(_e59, n_8.y());
-                    let place_3 = <rt::Vec2<i32>>::from_scalars(_e57.x(), _e61.x());
-                    let _e65 = level_2;
-                    let above_level = (_e65 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_3.x() >> above_level), (place_3.y() >> above_level));
-                    let _e74 = parent.x();
-                    if rt::Scalar::into_branch_condition(_e74.elementwise_ge(rt::Scalar(0i32))) {
-                        let _e80 = parent.x();
-                        if rt::Scalar::into_branch_condition((!_e80.elementwise_ne(over.x()))) {
-                            let _e87 = parent.y();
-                            local_24 = _e87.elementwise_ne(over.y());
-                        } else {
-                            local_24 = rt::Scalar(true);
-                        }
-                        let _e91 = local_24;
-                        local_23 = _e91;
-                    } else {
-                        local_23 = rt::Scalar(false);
-                    }
-                    let left_3 = local_23;
-                    if rt::Scalar::into_branch_condition(left_3) {
-                        let _e96 = level_2;
-                        let _e97 = top;
-                        local_25 = _e96.elementwise_lt(_e97);
-                    } else {
-                        local_25 = rt::Scalar(false);
-                    }
-                    let _e100 = local_25;
-                    if rt::Scalar::into_branch_condition(_e100) {
-                        level_2 = above_level;
-                    }
-                    let _e102 = cell_15.x();
-                    let _e104 = level_2;
-                    let _e105 = self.v_node_extent(_e102, _e57, n_8.x(), _e104);
-                    let _e107 = cell_15.y();
-                    let _e109 = level_2;
-                    let _e110 = self.v_node_extent(_e107, _e61, n_8.y(), _e109);
-                    let _e115 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e105);
-                    let _e120 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e110);
-                    let end_7 = _e115.min(_e120).min(rt::Scalar(path_36.exit));
-                    let _e124 = t_20;
-                    let span_9 = (end_7 - _e124).max(rt::Scalar(0f32));
-                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e105.x(), _e110.x());
-                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e105.y() - rt::Scalar(1i32)), (_e110.y() - rt::Scalar(1i32)));
-                    let _e138 = reads_16;
-                    reads_16 = (_e138 + rt::Scalar(1u32));
-                    let _e141 = level_2;
-                    if rt::Scalar::into_branch_condition(_e141.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e144 = cell_15;
-                        let _e146 = cell_15;
-                        let _e147 = self.v_height_cell(_e146);
-                        let _e148 = t_20;
-                        let _e149 = self.v_gap_to(path_36, _e2, _e144.cast_elem_as_f32(), _e147, _e148);
-                        let _e150 = t_20;
-                        let _e151 = t_20;
-                        let _e154 = reads_16;
-                        let _e155 = self.v_found_in_cell(_e149, _e150, span_9, _e151.elementwise_eq(rt::Scalar(0f32)), _e154);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e155.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e155;
-                        }
-                    } else {
-                        let _e160 = level_2;
-                        let _e163 = level_2;
-                        let _e167 = level_2;
-                        let _e171 = self.v_search_texel(path_36, <rt::Vec2<i32>>::from_scalars((place_3.x() >> _e160), (place_3.y() >> _e163)), rt::Scalar(0i32), (_e167.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        let highest_1 = _e171.y();
-                        let _e173 = t_20;
-                        let furthest_1 = (_e173 + span_9);
-                        let rounded_1 = (path_36.h.x().abs() + (furthest_1 * (path_36.h.y().abs() + (furthest_1 * path_36.h.z().abs()))));
-                        let _e188 = t_20;
-                        let _e189 = self.v_path_height(path_36, _e188);
-                        let _e194 = t_20;
-                        let _e195 = self.v_path_slope(path_36, _e194);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e189 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e195, path_36.h.z());
-                        if rt::Scalar::into_branch_condition((!gap_5.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e205 = self.v_least_at(gap_5, span_9);
-                            let _e206 = self.v_quadratic(gap_5, _e205);
-                            local_26 = _e206.elementwise_le(rt::Scalar(0f32));
-                        } else {
-                            local_26 = rt::Scalar(true);
-                        }
-                        let _e210 = local_26;
-                        if rt::Scalar::into_branch_condition(_e210) {
-                            if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e214 = t_20;
-                                let _e215 = self.v_first_root(gap_5, span_9);
-                                t_20 = (_e214 + _e215.min(span_9));
-                            }
-                            let _e220 = t_20;
-                            let _e223 = self.v_cell_of((_e2.origin + (_e2.step * _e220)));
-                            cell_15 = _e223.cast_elem_as_i32().clamp(low_1, last_1);
-                            let _e226 = level_2;
-                            level_2 = (_e226 - rt::Scalar(1u32));
-                            parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-                            break 'naga_continue;
-                        }
-                    }
-                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_36.exit))) {
-                        let _e235 = t_20;
-                        let _e237 = reads_16;
-                        return <Found>::new(FOUND_MISS, _e235, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e237);
-                    }
-                    let _e245 = self.v_cell_of((_e2.origin + (_e2.step * end_7)));
-                    cell_15 = _e245.cast_elem_as_i32().clamp(low_1, last_1);
-                    if rt::Scalar::into_branch_condition(_e115.elementwise_le(end_7)) {
-                        cell_15.set_x((low_1.x() - rt::Scalar(1i32)).select(_e105.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
-                    }
-                    if rt::Scalar::into_branch_condition(_e120.elementwise_le(end_7)) {
-                        cell_15.set_y((low_1.y() - rt::Scalar(1i32)).select(_e110.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
-                    }
-                    let _e271 = level_2;
-                    let _e276 = level_2;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_3.x() >> (_e271 + rt::Scalar(1u32))), (place_3.y() >> (_e276 + rt::Scalar(1u32))));
-                    let _e281 = t_20;
-                    t_20 = _e281.max(end_7);
-                }
-            }
-        }
-        let _e284 = t_20;
-        let _e286 = reads_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e284, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e286);
-    }
-    pub(crate) fn texel_extent(
-        &self,
-        texel_2: impl rt::Into<rt::Scalar<i32>>,
-        n_3: impl rt::Into<rt::Scalar<i32>>,
-        level_3: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_3), rt::into(level_3)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_texel_extent(
-        &self,
-        texel_2: rt::Scalar<i32>,
-        n_3: rt::Scalar<i32>,
-        level_3: rt::Scalar<u32>,
-    ) -> rt::Vec2<i32> {
-        let mut local_27: rt::Scalar<bool>;
-
-        let _e3 = self.v_wrap_index(texel_2, n_3);
-        let first_5 = ((_e3 >> level_3) << level_3);
-        let last_2 = (first_5 + (rt::Scalar(1i32) << level_3)).min(n_3);
-        if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
-            let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_27 = _e16.elementwise_eq(WRAP_REPEAT);
-        } else {
-            local_27 = rt::Scalar(true);
-        }
-        let _e20 = local_27;
-        if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
-        }
-        let _e28 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_2 = (rt::Scalar(2i32) * n_3);
-            let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
-            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_3)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
-            }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_2) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_5) + rt::Scalar(1i32)));
-        }
-        return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
-    }
-    pub(crate) fn search_pyramid_texels(
-        &self,
-        path_37: Path,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_37, rt::into(params_19)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_pyramid_texels(
-        &self,
-        path_37: Path,
-        params_19: rt::Vec4<f32>,
-    ) -> Found {
-        let mut level_4: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut texel_3: rt::Vec2<i32>;
-        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_17: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut highest: rt::Scalar<f32>;
-        let mut sinks: rt::Scalar<f32>;
-
-        let _e4 = self.surface_settings.height_size;
-        let n_9 = _e4.cast_elem_as_i32();
-        let _e7 = self.v_height_size();
-        let origin_1 = (path_37.uv * _e7);
-        let _e10 = self.v_height_size();
-        let step_1 = (path_37.duv * _e10);
-        'naga_break: loop {
-            'naga_continue: {
-                let _e14 = level_4;
-                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(n_9.x().max(n_9.y()))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e21 = level_4;
-                    level_4 = (_e21 + rt::Scalar(1u32));
-                }
-            }
-        }
-        let _e24 = self.v_cell_of(origin_1);
-        texel_3 = _e24.cast_elem_as_i32();
-        let limit_6 = params_19.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e33 = reads_17;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_lt(limit_6)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e36 = texel_3.x();
-                    let _e38 = self.v_wrap_index(_e36, n_9.x());
-                    let _e40 = texel_3.y();
-                    let _e42 = self.v_wrap_index(_e40, n_9.y());
-                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
-                    highest = rt::Scalar(0f32);
-                    let _e46 = level_4;
-                    if rt::Scalar::into_branch_condition(_e46.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e51 = rt::texture::Read::read_texel((&self.height_map), place_4, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-                        highest = _e51.x();
-                    } else {
-                        let _e54 = level_4;
-                        let _e57 = level_4;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e54), (place_4.y() >> _e57));
-                        let _e61 = level_4;
-                        let _e65 = self.v_search_texel(path_37, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        highest = _e65.y();
-                    }
-                    let _e67 = reads_17;
-                    reads_17 = (_e67 + rt::Scalar(1u32));
-                    let _e71 = texel_3.x();
-                    let _e73 = level_4;
-                    let _e74 = self.v_texel_extent(_e71, n_9.x(), _e73);
-                    let _e76 = texel_3.y();
-                    let _e78 = level_4;
-                    let _e79 = self.v_texel_extent(_e76, n_9.y(), _e78);
-                    let _e82 = self.v_leaves_extent(origin_1.x(), step_1.x(), _e74);
-                    let _e85 = self.v_leaves_extent(origin_1.y(), step_1.y(), _e79);
-                    let leave_6 = <rt::Vec2<f32>>::from_scalars(_e82, _e85);
-                    let _e92 = t_21;
-                    let end_8 = leave_6.x().min(leave_6.y()).min(rt::Scalar(path_37.exit)).max(_e92);
-                    let _e94 = t_21;
-                    let _e95 = self.v_path_height(path_37, _e94);
-                    let _e96 = highest;
-                    let _e98 = t_21;
-                    let _e99 = self.v_path_slope(path_37, _e98);
-                    let gap_6 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_37.h.z());
-                    sinks = rt::Scalar(0f32);
-                    if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e108 = t_21;
-                        let _e110 = self.v_first_root(gap_6, (end_8 - _e108));
-                        sinks = _e110;
-                    }
-                    let low_2 = <rt::Vec2<i32>>::from_scalars(_e74.x(), _e79.x());
-                    let last_3 = <rt::Vec2<i32>>::from_scalars((_e74.y() - rt::Scalar(1i32)), (_e79.y() - rt::Scalar(1i32)));
-                    let _e121 = sinks;
-                    if rt::Scalar::into_branch_condition(_e121.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e124 = t_21;
-                        let _e125 = sinks;
-                        t_21 = (_e124 + _e125);
-                        let _e127 = level_4;
-                        if rt::Scalar::into_branch_condition(_e127.elementwise_eq(rt::Scalar(0u32))) {
-                            let _e131 = t_21;
-                            let _e132 = reads_17;
-                            return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e131, rt::Scalar(0f32), rt::Scalar(0f32), _e132);
-                        }
-                        let _e137 = level_4;
-                        level_4 = (_e137 - rt::Scalar(1u32));
-                        let _e140 = t_21;
-                        let _e143 = self.v_cell_of((origin_1 + (step_1 * _e140)));
-                        texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_3);
-                    } else {
-                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_37.exit))) {
-                            let _e149 = t_21;
-                            let _e151 = reads_17;
-                            return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
-                        }
-                        let _e157 = self.v_cell_of((origin_1 + (step_1 * end_8)));
-                        texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_3);
-                        if rt::Scalar::into_branch_condition(leave_6.x().elementwise_le(end_8)) {
-                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
-                        }
-                        if rt::Scalar::into_branch_condition(leave_6.y().elementwise_le(end_8)) {
-                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e79.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
-                        }
-                        t_21 = end_8;
-                    }
-                }
-            }
-        }
-        let _e183 = t_21;
-        let _e185 = reads_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e183, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e185);
-    }
-    pub(crate) fn search_relaxed_cone(
-        &self,
-        path_38: Path,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_38, rt::into(params_20)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_relaxed_cone(
-        &self,
-        path_38: Path,
-        params_20: rt::Vec4<f32>,
-    ) -> Found {
-        let mut cell_16: rt::Vec2<f32>;
-        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_18: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_28: rt::Scalar<bool>;
-        let mut start: rt::Scalar<f32>;
-        let mut gap: rt::Scalar<f32>;
-        let mut next_4: rt::Scalar<f32>;
-        let mut local_29: rt::Scalar<bool>;
-
-        let _e2 = self.v_grid_of(path_38);
-        let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_3 = path_38.duv.length();
-        let _e11 = self.v_path_slope(path_38, rt::Scalar(0f32));
-        let terms_2 = (path_38.h.x().abs() + (rt::Scalar(path_38.exit) * path_38.h.y().abs()));
-        let _e32 = self.v_height_size();
-        let far_7 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_38.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e32);
-        let _e35 = self.v_cell_of(_e2.origin);
-        cell_16 = _e35;
-        let limit_7 = params_20.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e47 = reads_18;
-                if rt::Scalar::into_branch_condition(_e47.elementwise_lt(limit_7)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e49 = cell_16;
-                    let _e50 = self.v_cell_leave(_e2, _e49);
-                    let end_9 = _e50.x().min(_e50.y()).min(rt::Scalar(path_38.exit));
-                    let _e56 = t_22;
-                    let span_10 = (end_9 - _e56).max(rt::Scalar(0f32));
-                    let _e60 = cell_16;
-                    let _e61 = cell_16;
-                    let _e63 = self.v_height_cell(_e61.cast_elem_as_i32());
-                    let _e64 = t_22;
-                    let _e65 = self.v_gap_to(path_38, _e2, _e60, _e63, _e64);
-                    let _e66 = reads_18;
-                    reads_18 = (_e66 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e65.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e72 = near_6;
-                        let _e73 = t_22;
-                        if rt::Scalar::into_branch_condition(_e72.elementwise_lt(_e73)) {
-                            let _e77 = near_gap_4;
-                            local_28 = _e77.elementwise_gt(rt::Scalar(0f32));
-                        } else {
-                            local_28 = rt::Scalar(false);
-                        }
-                        let _e81 = local_28;
-                        if rt::Scalar::into_branch_condition(_e81) {
-                            let _e82 = near_6;
-                            let _e83 = t_22;
-                            let _e84 = near_gap_4;
-                            let _e86 = reads_18;
-                            let _e87 = self.v_entered_once(path_38, _e2, _e82, _e83, _e84, _e65.x(), _e86);
-                            return _e87;
-                        }
-                        let _e88 = t_22;
-                        let _e89 = t_22;
-                        let _e92 = reads_18;
-                        let _e93 = self.v_found_in_cell(_e65, _e88, span_10, _e89.elementwise_eq(rt::Scalar(0f32)), _e92);
-                        return _e93;
-                    }
-                    let _e94 = t_22;
-                    start = _e94;
-                    gap = _e65.x();
-                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e101 = t_22;
-                        let _e102 = t_22;
-                        let _e105 = reads_18;
-                        let _e106 = self.v_found_in_cell(_e65, _e101, span_10, _e102.elementwise_eq(rt::Scalar(0f32)), _e105);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e106.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e106;
-                        }
-                        let _e110 = t_22;
-                        start = _e110.max(end_9);
-                        gap = rt::Scalar(_e106.far_gap);
-                    }
-                    let _e113 = start;
-                    if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(path_38.exit))) {
-                        let _e117 = t_22;
-                        let _e119 = reads_18;
-                        return <Found>::new(FOUND_MISS, _e117, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e119);
-                    }
-                    let _e123 = start;
-                    near_6 = _e123;
-                    let _e124 = gap;
-                    near_gap_4 = _e124;
-                    let _e125 = cell_16;
-                    let _e127 = cell_16;
-                    let _e130 = start;
-                    let _e133 = self.v_nearest_corner(((_e2.origin - _e127) + (_e2.step * _e130)));
-                    let _e135 = self.v_cone_slope(path_38, (_e125 + _e133));
-                    let _e136 = reads_18;
-                    reads_18 = (_e136 + rt::Scalar(1u32));
-                    let _e139 = start;
-                    next_4 = _e139;
-                    if rt::Scalar::into_branch_condition(_e135.elementwise_ge(rt::Scalar(0f32))) {
-                        let closing_4 = (((_e135 * aside_3) - _e11) * rt::Scalar(1.000001f32));
-                        let _e147 = gap;
-                        let room = (_e147 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e135 * (far_7.x() + far_7.y())))));
-                        next_4 = rt::Scalar(300000000000000000000000000000000000000f32);
-                        if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
-                            let _e159 = start;
-                            next_4 = (_e159 + (room.max(rt::Scalar(0f32)) / closing_4));
-                        }
-                    }
-                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e169 = next_4;
-                        let _e170 = t_22;
-                        local_29 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_38.exit))));
-                    } else {
-                        local_29 = rt::Scalar(false);
-                    }
-                    let _e178 = local_29;
-                    if rt::Scalar::into_branch_condition(_e178) {
-                        let _e180 = t_22;
-                        let _e182 = gap;
-                        let _e183 = reads_18;
-                        return <Found>::new(FOUND_ABOVE, _e180, rt::Scalar(path_38.exit), _e182, rt::Scalar(0f32), _e183);
-                    }
-                    let _e186 = next_4;
-                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_38.exit))) {
-                        let _e190 = self.v_path_gap(path_38, rt::Scalar(path_38.exit));
-                        let _e191 = reads_18;
-                        reads_18 = (_e191 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e190.elementwise_le(rt::Scalar(0f32))) {
-                            let _e196 = start;
-                            let _e198 = gap;
-                            let _e199 = reads_18;
-                            let _e200 = self.v_entered_once(path_38, _e2, _e196, rt::Scalar(path_38.exit), _e198, _e190, _e199);
-                            return _e200;
-                        }
-                        let _e202 = start;
-                        let _e204 = reads_18;
-                        return <Found>::new(FOUND_MISS, _e202, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e204);
-                    }
-                    let _e208 = cell_16;
-                    let _e209 = next_4;
-                    let _e210 = self.v_cell_after(_e2, _e208, _e50, forward_6, _e209);
-                    cell_16 = _e210;
-                    let _e211 = next_4;
-                    t_22 = _e211;
-                }
-            }
-        }
-        let _e213 = t_22;
-        let _e215 = reads_18;
-        return <Found>::new(FOUND_EXHAUSTED, _e213, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e215);
-    }
-    pub(crate) fn search_relaxed_cone_resting(
-        &self,
-        path_39: Path,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_39, rt::into(params_21)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_relaxed_cone_resting(
-        &self,
-        path_39: Path,
-        params_21: rt::Vec4<f32>,
-    ) -> Found {
-        let mut cell_17: rt::Vec2<f32>;
-        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_19: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_30: rt::Scalar<bool>;
-        let mut next_5: rt::Scalar<f32>;
-
-        let _e2 = self.v_grid_of(path_39);
-        let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_cell_of(_e2.origin);
-        cell_17 = _e9;
-        let limit_8 = params_21.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e21 = reads_19;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(limit_8)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e23 = cell_17;
-                    let _e25 = self.v_height_cell(_e23.cast_elem_as_i32());
-                    let _e26 = reads_19;
-                    reads_19 = (_e26 + rt::Scalar(1u32));
-                    let _e29 = cell_17;
-                    let _e30 = self.v_cell_leave(_e2, _e29);
-                    let end_10 = _e30.x().min(_e30.y()).min(rt::Scalar(path_39.exit));
-                    let _e36 = t_23;
-                    let span_11 = (end_10 - _e36).max(rt::Scalar(0f32));
-                    let _e40 = cell_17;
-                    let _e41 = t_23;
-                    let _e42 = self.v_gap_to(path_39, _e2, _e40, _e25, _e41);
-                    if rt::Scalar::into_branch_condition(_e42.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e46 = near_7;
-                        let _e47 = t_23;
-                        if rt::Scalar::into_branch_condition(_e46.elementwise_lt(_e47)) {
-                            let _e51 = near_gap_5;
-                            local_30 = _e51.elementwise_gt(rt::Scalar(0f32));
-                        } else {
-                            local_30 = rt::Scalar(false);
-                        }
-                        let _e55 = local_30;
-                        if rt::Scalar::into_branch_condition(_e55) {
-                            let _e56 = near_7;
-                            let _e57 = t_23;
-                            let _e58 = near_gap_5;
-                            let _e60 = reads_19;
-                            let _e61 = self.v_entered_once(path_39, _e2, _e56, _e57, _e58, _e42.x(), _e60);
-                            return _e61;
-                        }
-                        let _e62 = t_23;
-                        let _e63 = t_23;
-                        let _e66 = reads_19;
-                        let _e67 = self.v_found_in_cell(_e42, _e62, span_11, _e63.elementwise_eq(rt::Scalar(0f32)), _e66);
-                        return _e67;
-                    }
-                    let _e68 = t_23;
-                    let _e69 = t_23;
-                    let _e72 = reads_19;
-                    let _e73 = self.v_found_in_cell(_e42, _e68, span_11, _e69.elementwise_eq(rt::Scalar(0f32)), _e72);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e73.status).elementwise_ne(FOUND_ABOVE)) {
-                        return _e73;
-                    }
-                    let _e77 = t_23;
-                    let start_2 = _e77.max(end_10);
-                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_39.exit))) {
-                        let _e82 = t_23;
-                        let _e84 = reads_19;
-                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
-                    }
-                    near_7 = start_2;
-                    near_gap_5 = rt::Scalar(_e73.far_gap);
-                    let _e90 = cell_17;
-                    let _e95 = self.v_nearest_corner(((_e2.origin - _e90) + (_e2.step * start_2)));
-                    let _e96 = self.v_corner_height(_e25, _e95);
-                    next_5 = start_2;
-                    let _e98 = self.v_path_height(path_39, start_2);
-                    if rt::Scalar::into_branch_condition(_e98.elementwise_gt(_e96)) {
-                        let _e100 = cell_17;
-                        let texel_6 = (_e100 + _e95);
-                        let _e102 = self.v_cone_slope(path_39, texel_6);
-                        let _e103 = reads_19;
-                        reads_19 = (_e103 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e102.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e108 = self.v_stays_inside(path_39, _e2, texel_6, _e96, _e102, start_2);
-                            next_5 = (start_2 + _e108);
-                        }
-                    }
-                    let _e110 = next_5;
-                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(path_39.exit))) {
-                        let _e114 = self.v_path_gap(path_39, rt::Scalar(path_39.exit));
-                        let _e115 = reads_19;
-                        reads_19 = (_e115 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e114.elementwise_le(rt::Scalar(0f32))) {
-                            let _e121 = near_gap_5;
-                            let _e122 = reads_19;
-                            let _e123 = self.v_entered_once(path_39, _e2, start_2, rt::Scalar(path_39.exit), _e121, _e114, _e122);
-                            return _e123;
-                        }
-                        let _e126 = reads_19;
-                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
-                    }
-                    let _e130 = cell_17;
-                    let _e131 = next_5;
-                    let _e132 = self.v_cell_after(_e2, _e130, _e30, forward_7, _e131);
-                    cell_17 = _e132;
-                    let _e133 = next_5;
-                    t_23 = _e133;
-                }
-            }
-        }
-        let _e135 = t_23;
-        let _e137 = reads_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e135, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
-    }
-    pub(crate) fn search_sphere(
-        &self,
-        path_40: Path,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_sphere(path_40, rt::into(params_22)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_sphere(
-        &self,
-        path_40: Path,
-        params_22: rt::Vec4<f32>,
-    ) -> Found {
-        let mut cell_18: rt::Vec2<f32>;
-        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_20: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut next_6: rt::Scalar<f32>;
-        let mut local_31: rt::Scalar<bool>;
-
-        let _e2 = self.v_grid_of(path_40);
-        let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_40, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_40, rt::Scalar(path_40.exit));
-        let climb = _e9.abs().max(_e12.abs());
-        let speed_2 = (<rt::Vec3<f32>>::new_21(path_40.duv, climb).length() * rt::Scalar(1.000001f32));
-        let far_8 = (path_40.uv.abs() + (path_40.duv.abs() * rt::Scalar(path_40.exit)));
-        let height_terms = (path_40.h.x().abs() + (rt::Scalar(path_40.exit) * (path_40.h.y().abs() + (rt::Scalar(path_40.exit) * path_40.h.z().abs()))));
-        let lost_4 = (rt::Scalar(0.0000009536743f32) * (((far_8.x() + far_8.y()) + height_terms) + rt::Scalar(1f32)));
-        let _e51 = self.v_cell_of(_e2.origin);
-        cell_18 = _e51;
-        let limit_9 = params_22.x().cast_elem_as_u32();
-        'naga_break: loop {
-            'naga_continue: {
-                let _e59 = reads_20;
-                if rt::Scalar::into_branch_condition(_e59.elementwise_lt(limit_9)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e61 = cell_18;
-                    let _e62 = self.v_cell_leave(_e2, _e61);
-                    let end_11 = _e62.x().min(_e62.y()).min(rt::Scalar(path_40.exit));
-                    let _e68 = t_24;
-                    let span_12 = (end_11 - _e68).max(rt::Scalar(0f32));
-                    let _e72 = t_24;
-                    let _e73 = self.v_path_uv(path_40, _e72);
-                    let _e74 = t_24;
-                    let _e75 = self.v_path_height(path_40, _e74);
-                    let _e77 = self.v_distance_at(path_40, _e73, _e75, params_22.z());
-                    let free = (_e77 - lost_4);
-                    let _e79 = reads_20;
-                    reads_20 = (_e79 + rt::Scalar(2u32));
-                    let _e82 = t_24;
-                    next_6 = _e82;
-                    if rt::Scalar::into_branch_condition(free.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e86 = t_24;
-                        next_6 = (_e86 + (free / speed_2));
-                    }
-                    if rt::Scalar::into_branch_condition(params_22.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e92 = next_6;
-                        let _e93 = t_24;
-                        if rt::Scalar::into_branch_condition((!(_e92 - _e93).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_40.exit))))) {
-                            let _e101 = t_24;
-                            let _e103 = reads_20;
-                            return <Found>::new(FOUND_ABOVE, _e101, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e103);
-                        }
-                    } else {
-                        let _e107 = next_6;
-                        if rt::Scalar::into_branch_condition((!_e107.elementwise_lt(end_11))) {
-                            let _e112 = t_24;
-                            local_31 = (!end_11.elementwise_gt(_e112));
-                        } else {
-                            local_31 = rt::Scalar(true);
-                        }
-                        let _e116 = local_31;
-                        if rt::Scalar::into_branch_condition(_e116) {
-                            let _e117 = reads_20;
-                            reads_20 = (_e117 + rt::Scalar(1u32));
-                            let _e120 = cell_18;
-                            let _e121 = cell_18;
-                            let _e123 = self.v_height_cell(_e121.cast_elem_as_i32());
-                            let _e124 = t_24;
-                            let _e125 = self.v_gap_to(path_40, _e2, _e120, _e123, _e124);
-                            let _e126 = t_24;
-                            let _e127 = t_24;
-                            let _e130 = reads_20;
-                            let _e131 = self.v_found_in_cell(_e125, _e126, span_12, _e127.elementwise_eq(rt::Scalar(0f32)), _e130);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e131.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e131;
-                            }
-                            let _e135 = t_24;
-                            next_6 = _e135.max(end_11);
-                        }
-                    }
-                    let _e137 = next_6;
-                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(path_40.exit))) {
-                        let _e141 = t_24;
-                        let _e143 = reads_20;
-                        return <Found>::new(FOUND_MISS, _e141, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
-                    }
-                    let _e147 = cell_18;
-                    let _e148 = next_6;
-                    let _e149 = self.v_cell_after(_e2, _e147, _e62, forward_8, _e148);
-                    cell_18 = _e149;
-                    let _e150 = next_6;
-                    t_24 = _e150;
-                }
-            }
-        }
-        let _e152 = t_24;
-        let _e154 = reads_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e152, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e154);
-    }
-    pub(crate) fn search_stage(&self, path_41: Path) -> Found {
-        rt::into(self.v_search_stage(path_41))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_41: Path) -> Found {
+    fn v_search_stage(&self, path_43: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[1usize].params;
-                let _e11 = self.v_search_none(path_41, _e10);
+                let _e11 = self.v_search_none(path_43, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[1usize].params;
-                let _e17 = self.v_search_linear(path_41, _e16);
+                let _e17 = self.v_search_linear(path_43, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[1usize].params;
-                let _e23 = self.v_search_cells(path_41, _e22);
+                let _e23 = self.v_search_cells(path_43, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[1usize].params;
-                let _e29 = self.v_search_frustum(path_41, _e28);
+                let _e29 = self.v_search_frustum(path_43, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[1usize].params;
-                let _e35 = self.v_search_cone(path_41, _e34);
+                let _e35 = self.v_search_cone(path_43, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[1usize].params;
-                let _e41 = self.v_search_pyramid(path_41, _e40);
+                let _e41 = self.v_search_pyramid(path_43, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[1usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_41, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_43, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[1usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_41, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_43, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[1usize].params;
-                let _e59 = self.v_search_sphere(path_41, _e58);
+                let _e59 = self.v_search_sphere(path_43, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[1usize].params;
-                let _e65 = self.v_search_cone_moved(path_41, _e64);
+                let _e65 = self.v_search_cone_moved(path_43, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[1usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_41, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_43, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[1usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_41, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_43, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn shade_hit(&self, pixel_2: PixelIn, at_7: Entered, hit_4: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_2, at_7, hit_4, visible_1))
+    pub(crate) fn seed_of(&self, hit_7: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_2: PixelIn, at_7: Entered, hit_4: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_seed_of(&self, hit_7: Hit) -> rt::Scalar<u32> {
+        let place_7 = ((hit_7.uv - hit_7.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_7.y());
+        let _e12 = self.v_mixed((place_7.x() ^ _e10));
+        return _e12;
+    }
+    pub(crate) fn shade_hit(&self, pixel_2: PixelIn, at_10: Entered, hit_8: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_2, at_10, hit_8, visible_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_hit(&self, pixel_2: PixelIn, at_10: Entered, hit_8: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
         let mut local_32: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_7.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_32 = rt::Scalar(hit_4.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_10.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_32 = rt::Scalar(hit_8.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_32 = rt::Scalar(true);
         }
         let _e14 = local_32;
         if rt::Scalar::into_branch_condition(_e14) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_4.reads));
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_8.reads));
         }
-        let _e42 = self.v_height_at(hit_4.uv);
-        let _e43 = self.v_hit_position(at_7, hit_4);
-        let _e45 = self.v_mesostructure_normal(at_7, hit_4.uv);
+        let _e42 = self.v_height_at(hit_8.uv);
+        let _e43 = self.v_hit_position(at_10, hit_8);
+        let _e45 = self.v_mesostructure_normal(at_10, hit_8.uv);
         let view_3 = (pixel_2.origin - _e43).normalize();
-        let _e50 = self.v_color_or_white(hit_4.uv);
+        let _e50 = self.v_color_or_white(hit_8.uv);
         let _e51 = self.v_reflected_light(_e43, _e45, view_3, _e50, visible_1);
         let _e56 = self.frame.forward;
         let depth = (_e43 - pixel_2.origin).dot(_e56.xyz());
         let _e60 = self.v_height_size();
-        let _e66 = self.v_cell_of(((hit_4.uv * _e60) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_4.exhausted), hit_4.uv, _e42, _e43, _e45, depth, rt::Scalar(hit_4.t), _e66.cast_elem_as_i32(), rt::Scalar(hit_4.reads));
+        let _e66 = self.v_cell_of(((hit_8.uv * _e60) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), hit_8.uv, _e42, _e43, _e45, depth, rt::Scalar(hit_8.t), _e66.cast_elem_as_i32(), rt::Scalar(hit_8.reads));
     }
     pub(crate) fn surface_plane(
         &self,
@@ -4224,26 +4547,26 @@ impl<'g> Resources<'g> {
         let e2_ = (pixel_3.c.position - a_4);
         let n_10 = e1_.cross(e2_);
         let nn = n_10.dot(n_10);
-        let toward_3 = n_10.dot(pixel_3.direction);
-        let distance = (n_10.dot((a_4 - pixel_3.origin)) / toward_3);
-        let point_5 = (pixel_3.origin + (pixel_3.direction * distance));
+        let toward_4 = n_10.dot(pixel_3.direction);
+        let distance_1 = (n_10.dot((a_4 - pixel_3.origin)) / toward_4);
+        let point_5 = (pixel_3.origin + (pixel_3.direction * distance_1));
         let from_a = (point_5 - a_4);
         let wb = (from_a.cross(e2_).dot(n_10) / nn);
         let wc = (e1_.cross(from_a).dot(n_10) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_12 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
-        let tangent = (((pixel_3.a.tangent * wa) + (pixel_3.b.tangent * wb)) + (pixel_3.c.tangent * wc));
+        let uv_13 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
+        let tangent_1 = (((pixel_3.a.tangent * wa) + (pixel_3.b.tangent * wb)) + (pixel_3.c.tangent * wc));
         let bitangent = (((pixel_3.a.bitangent * wa) + (pixel_3.b.bitangent * wb)) + (pixel_3.c.bitangent * wc));
         let normal_3 = ((((pixel_3.a.normal * wa) + (pixel_3.b.normal * wb)) + (pixel_3.c.normal * wc)).normalize() * rt::Scalar(pixel_3.side));
-        let along = pixel_3.direction.length();
-        let direction = (pixel_3.direction / rt::Vec3::splat_from_scalar(along));
-        let tt = tangent.dot(tangent);
-        let tb = tangent.dot(bitangent);
+        let along_1 = pixel_3.direction.length();
+        let direction_1 = (pixel_3.direction / rt::Vec3::splat_from_scalar(along_1));
+        let tt = tangent_1.dot(tangent_1);
+        let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
-        let td_1 = tangent.dot(direction);
-        let bd_1 = bitangent.dot(direction);
+        let td_1 = tangent_1.dot(direction_1);
+        let bd_1 = bitangent.dot(direction_1);
         let area_2 = ((tt * bb) - (tb * tb));
-        let descent = (rt::Scalar(0f32) - normal_3.dot(direction));
+        let descent = (rt::Scalar(0f32) - normal_3.dot(direction_1));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
             local_33 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
         } else {
@@ -4258,8 +4581,8 @@ impl<'g> Resources<'g> {
         let scale = _e120.max(rt::Scalar(0.000000001f32));
         let _e125 = rt::Scalar(self.surface_settings.bias_m);
         let base_height = ((rt::Scalar(0f32) - _e125) / scale);
-        let slope_5 = ((rt::Scalar(0f32) - descent) / scale);
-        let eye = ((rt::Scalar(0f32) - distance) * along);
+        let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
+        let eye = ((rt::Scalar(0f32) - distance_1) * along_1);
         let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
         enter = top_5.max(eye);
         leave_4 = ((base_height * scale) / descent);
@@ -4270,10 +4593,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
             let _e157 = enter;
             let _e158 = leave_4;
-            let _e160 = self.v_inside_unit(uv_12.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
+            let _e160 = self.v_inside_unit(uv_13.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
             interval_2 = _e160;
             let _e164 = interval_2;
-            let _e165 = self.v_inside_unit(uv_12.y(), duv_1.y(), _e164);
+            let _e165 = self.v_inside_unit(uv_13.y(), duv_1.y(), _e164);
             interval_2 = _e165;
             let _e167 = interval_2.x();
             enter = _e167;
@@ -4287,16 +4610,16 @@ impl<'g> Resources<'g> {
         }
         let _e175 = enter;
         let _e178 = enter;
-        let entry_height = (base_height + (slope_5 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
+        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
         let _e182 = enter;
         let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e188 = enter;
         let _e193 = leave_4;
         let _e194 = enter;
         let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_45 = <Path>::new((uv_12 + (duv_1 * _e188)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
+        let path_46 = <Path>::new((uv_13 + (duv_1 * _e188)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
         let _e203 = valid;
-        return <Entered>::new(_e203, path_45, point_5, uv_12, tangent, bitangent, normal_3);
+        return <Entered>::new(_e203, path_46, point_5, uv_13, tangent_1, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_4: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_4))
@@ -4312,186 +4635,407 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn trace(&self, path_42: Path) -> Hit {
-        rt::into(self.v_trace(path_42))
+    pub(crate) fn trace(&self, path_44: Path) -> Hit {
+        rt::into(self.v_trace(path_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_42: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_42);
-        let _e2 = self.v_refine_stage(path_42, _e1);
+    fn v_trace(&self, path_44: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_44);
+        let _e2 = self.v_refine_stage(path_44, _e1);
         return _e2;
-    }
-    pub(crate) fn shadow_none(
-        &self,
-        at_8: Entered,
-        hit_5: Hit,
-        light_3: Toward,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_none(at_8, hit_5, light_3, rt::into(params_24)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_none(
-        &self,
-        at_8: Entered,
-        hit_5: Hit,
-        light_3: Toward,
-        params_24: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        return rt::Scalar(1f32);
-    }
-    pub(crate) fn shadow_search_stage(&self, path_43: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_43))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_43: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
-        match rt::Scalar::into_inner(_e5) {
-            0u32 => {
-                let _e10 = self.surface_settings.choices[5usize].params;
-                let _e11 = self.v_search_none(path_43, _e10);
-                return _e11;
-            }
-            1u32 => {
-                let _e16 = self.surface_settings.choices[5usize].params;
-                let _e17 = self.v_search_linear(path_43, _e16);
-                return _e17;
-            }
-            2u32 => {
-                let _e22 = self.surface_settings.choices[5usize].params;
-                let _e23 = self.v_search_cells(path_43, _e22);
-                return _e23;
-            }
-            3u32 => {
-                let _e28 = self.surface_settings.choices[5usize].params;
-                let _e29 = self.v_search_frustum(path_43, _e28);
-                return _e29;
-            }
-            4u32 => {
-                let _e34 = self.surface_settings.choices[5usize].params;
-                let _e35 = self.v_search_cone(path_43, _e34);
-                return _e35;
-            }
-            5u32 => {
-                let _e40 = self.surface_settings.choices[5usize].params;
-                let _e41 = self.v_search_pyramid(path_43, _e40);
-                return _e41;
-            }
-            6u32 => {
-                let _e46 = self.surface_settings.choices[5usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_43, _e46);
-                return _e47;
-            }
-            7u32 => {
-                let _e52 = self.surface_settings.choices[5usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_43, _e52);
-                return _e53;
-            }
-            8u32 => {
-                let _e58 = self.surface_settings.choices[5usize].params;
-                let _e59 = self.v_search_sphere(path_43, _e58);
-                return _e59;
-            }
-            9u32 => {
-                let _e64 = self.surface_settings.choices[5usize].params;
-                let _e65 = self.v_search_cone_moved(path_43, _e64);
-                return _e65;
-            }
-            10u32 => {
-                let _e70 = self.surface_settings.choices[5usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_43, _e70);
-                return _e71;
-            }
-            _ => {
-                let _e76 = self.surface_settings.choices[5usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_43, _e76);
-                return _e77;
-            }
-        }
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_9: Entered,
-        hit_6: Hit,
-        light_4: Toward,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        at_11: Entered,
+        hit_9: Hit,
+        light_7: Toward,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_9, hit_6, light_4, rt::into(params_25)))
+        rt::into(self.v_shadow_ray(at_11, hit_9, light_7, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_9: Entered,
-        hit_6: Hit,
-        light_4: Toward,
-        params_25: rt::Vec4<f32>,
+        at_11: Entered,
+        hit_9: Hit,
+        light_7: Toward,
+        params_24: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_light_ray(at_9, hit_6, light_4);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.state).elementwise_eq(LIGHT_RAY_LIT)) {
-            return rt::Scalar(1f32);
-        }
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.state).elementwise_eq(LIGHT_RAY_DARK)) {
-            return rt::Scalar(0f32);
-        }
-        let _e14 = self.v_shadow_search_stage(_e4.path);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), rt::Scalar(_e14.status).elementwise_eq(FOUND_MISS));
+        let _e4 = self.v_free_way(at_11, hit_9, light_7);
+        return _e4;
     }
-    pub(crate) fn shadow_stage(&self, at_10: Entered, hit_7: Hit, light_5: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_10, hit_7, light_5))
+    pub(crate) fn shadow_none(
+        &self,
+        at_12: Entered,
+        hit_10: Hit,
+        light_8: Toward,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_none(at_12, hit_10, light_8, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_10: Entered, hit_7: Hit, light_5: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_none(
+        &self,
+        at_12: Entered,
+        hit_10: Hit,
+        light_8: Toward,
+        params_25: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        return rt::Scalar(1f32);
+    }
+    pub(crate) fn shadow_entry(
+        &self,
+        at_13: Entered,
+        hit_11: Hit,
+        light_9: Toward,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_entry(at_13, hit_11, light_9, rt::into(params_26)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_entry(
+        &self,
+        at_13: Entered,
+        hit_11: Hit,
+        light_9: Toward,
+        params_26: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_from_hit(at_13, hit_11, light_9);
+        if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e11 = self.v_way_out(_e4, light_9);
+        if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(1f32);
+        }
+        let _e16 = self.v_path_height(_e4, _e11);
+        let _e19 = rt::Scalar(self.surface_settings.bias_m);
+        let _e24 = rt::Scalar(self.surface_settings.scale_m);
+        let base_height_1 = ((rt::Scalar(0f32) - _e19) / _e24.max(rt::Scalar(0.000000001f32)));
+        let _e28 = self.v_path_uv(_e4, _e11);
+        let down_1 = <Path>::new(_e28, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - base_height_1) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level));
+        let _e48 = self.v_search_stage(down_1);
+        let _e49 = self.v_refine_stage(down_1, _e48);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e49.found).elementwise_eq(rt::Scalar(0u32))) {
+            return rt::Scalar(1f32);
+        }
+        let _e58 = self.v_height_size();
+        let apart = ((_e49.uv - _e4.uv).abs() * _e58);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart.x().max(apart.y()).elementwise_le(params_26.x()));
+    }
+    pub(crate) fn shadow_soft(
+        &self,
+        at_14: Entered,
+        hit_12: Hit,
+        light_10: Toward,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_soft(at_14, hit_12, light_10, rt::into(params_27)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_soft(
+        &self,
+        at_14: Entered,
+        hit_12: Hit,
+        light_10: Toward,
+        params_27: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_8: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let count_1 = params_27.x().cast_elem_as_u32();
+        let _e6 = self.v_seed_of(hit_12);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e11 = k_8;
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_1)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e13 = free;
+                    let _e14 = k_8;
+                    let _e15 = self.v_point_of_disc(light_10, _e6, _e14, count_1);
+                    let _e16 = self.v_free_way(at_14, hit_12, _e15);
+                    free = (_e13 + _e16);
+                    let _e18 = k_8;
+                    k_8 = (_e18 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e21 = free;
+        return (_e21 / count_1.cast_elem_as_f32());
+    }
+    pub(crate) fn shadow_heuristic(
+        &self,
+        at_15: Entered,
+        hit_13: Hit,
+        light_11: Toward,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_heuristic(at_15, hit_13, light_11, rt::into(params_28)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_heuristic(
+        &self,
+        at_15: Entered,
+        hit_13: Hit,
+        light_11: Toward,
+        params_28: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_9: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let _e4 = self.v_from_hit(at_15, hit_13, light_11);
+        if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e11 = self.v_way_out(_e4, light_11);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e16 = k_9;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_28.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e19 = k_9;
+                    let part_3 = (_e19 / params_28.x());
+                    let _e22 = most_1;
+                    let _e24 = self.v_path_gap(_e4, (part_3 * _e11));
+                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_3)));
+                    let _e31 = k_9;
+                    k_9 = (_e31 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e35 = most_1;
+        return (rt::Scalar(1f32) - (params_28.y() * _e35).min(rt::Scalar(1f32)));
+    }
+    pub(crate) fn turn_of(&self, v: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_turn_of(rt::into(v)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
+        let mut turn_3: rt::Scalar<f32>;
+
+        let x_4 = v.x().abs();
+        let y = v.y().abs();
+        if rt::Scalar::into_branch_condition((!(x_4 + y).elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e13 = self.v_eighth_turn((x_4.min(y) / x_4.max(y)));
+        turn_3 = _e13;
+        if rt::Scalar::into_branch_condition(y.elementwise_gt(x_4)) {
+            let _e16 = turn_3;
+            turn_3 = (rt::Scalar(0.25f32) - _e16);
+        }
+        if rt::Scalar::into_branch_condition(v.x().elementwise_lt(rt::Scalar(0f32))) {
+            let _e22 = turn_3;
+            turn_3 = (rt::Scalar(0.5f32) - _e22);
+        }
+        if rt::Scalar::into_branch_condition(v.y().elementwise_lt(rt::Scalar(0f32))) {
+            let _e28 = turn_3;
+            turn_3 = (rt::Scalar(1f32) - _e28);
+        }
+        let _e31 = turn_3;
+        let _e32 = turn_3;
+        return _e31.select(rt::Scalar(0f32), _e32.elementwise_ge(rt::Scalar(1f32)));
+    }
+    pub(crate) fn shadow_horizon(
+        &self,
+        at_16: Entered,
+        hit_14: Hit,
+        light_12: Toward,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_horizon(at_16, hit_14, light_12, rt::into(params_29)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_horizon(
+        &self,
+        at_16: Entered,
+        hit_14: Hit,
+        light_12: Toward,
+        params_29: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut local_34: rt::Scalar<bool>;
+
+        let up_1 = at_16.normal.dot(light_12.direction);
+        let across_1 = (light_12.direction - (at_16.normal * up_1)).length();
+        let _e13 = self.v_climb(at_16, light_12.direction);
+        let map_1 = self.surface_settings.maps[2usize];
+        let along_2 = (_e13.xy() * map_1.tile_m);
+        let baked = along_2.length();
+        if rt::Scalar::into_branch_condition((!(!across_1.elementwise_gt(rt::Scalar(0.000001f32))))) {
+            local_34 = (!baked.elementwise_gt(rt::Scalar(0f32)));
+        } else {
+            local_34 = rt::Scalar(true);
+        }
+        let _e32 = local_34;
+        if rt::Scalar::into_branch_condition(_e32) {
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(rt::Scalar(0f32)));
+        }
+        let _e38 = self.v_turn_of(along_2);
+        let azimuth_1 = (_e38 * params_29.x());
+        let first_6 = azimuth_1.floor();
+        let count_2 = params_29.x().cast_elem_as_i32();
+        let before_2 = (first_6.cast_elem_as_i32() % count_2);
+        let part_4 = (azimuth_1 - first_6);
+        let _e48 = self.v_shadow_texel_between(hit_14.uv, before_2);
+        let low_3 = _e48.x();
+        let _e54 = self.v_shadow_texel_between(hit_14.uv, ((before_2 + rt::Scalar(1i32)) % count_2));
+        let sine_1 = (low_3 + ((_e54.x() - low_3) * part_4));
+        let far_9 = ((sine_1 / (rt::Scalar(1f32) - (sine_1 * sine_1)).max(rt::Scalar(0f32)).sqrt()) * (baked / across_1));
+        let _e68 = self.v_from_hit(at_16, hit_14, light_12);
+        let _e69 = self.v_own_slope(_e68);
+        let _e72 = rt::Scalar(self.surface_settings.scale_m);
+        let near_8 = (_e69 * (_e72 / across_1));
+        let slope_5 = far_9.max(near_8);
+        let whole = (rt::Scalar(1f32) + (slope_5 * slope_5)).sqrt();
+        let above_4 = ((up_1 - (across_1 * slope_5)) / whole);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(light_12.radius).elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), above_4.elementwise_gt(rt::Scalar(0f32)));
+        }
+        let beside = ((across_1 + (up_1 * slope_5)) / whole);
+        if rt::Scalar::into_branch_condition((!beside.elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), above_4.elementwise_gt(rt::Scalar(0f32)));
+        }
+        let _e106 = self.v_part_above((above_4 / (beside * rt::Scalar(light_12.radius))));
+        return _e106;
+    }
+    pub(crate) fn shadow_visibility(
+        &self,
+        at_17: Entered,
+        hit_15: Hit,
+        light_13: Toward,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_visibility(at_17, hit_15, light_13, rt::into(params_30)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_visibility(
+        &self,
+        at_17: Entered,
+        hit_15: Hit,
+        light_13: Toward,
+        params_30: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e5 = self.v_climb(at_17, light_13.direction);
+        if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let map_2 = self.surface_settings.maps[2usize];
+        let along_3 = (_e5.xy() * map_2.tile_m);
+        let _e21 = rt::Scalar(self.surface_settings.scale_m);
+        let height_3 = (_e5.z() * _e21);
+        let squared_3 = ((height_3 * height_3) / (along_3.dot(along_3) + (height_3 * height_3)));
+        let azimuths = params_30.x().cast_elem_as_i32();
+        let elevations_1 = params_30.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_3);
+        let azimuth_2 = (_e32 * params_30.x());
+        let elevation_1 = ((squared_3 * params_30.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_30.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_30.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_5 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(hit_15, a_5, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            return _e56;
+        }
+        let a0_ = (azimuth_2.floor().cast_elem_as_i32() % azimuths);
+        let a1_ = ((a0_ + rt::Scalar(1i32)) % azimuths);
+        let e0_ = elevation_1.floor().cast_elem_as_i32();
+        let e1_1 = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
+        let along_azimuth = (azimuth_2 - azimuth_2.floor());
+        let along_elevation = (elevation_1 - elevation_1.floor());
+        let _e74 = self.v_open_part(hit_15, a1_, e0_, elevations_1);
+        let _e75 = self.v_open_part(hit_15, a0_, e1_1, elevations_1);
+        if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
+            let _e79 = self.v_open_part(hit_15, a0_, e0_, elevations_1);
+            return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
+        }
+        let _e86 = self.v_open_part(hit_15, a1_, e1_1, elevations_1);
+        return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
+    }
+    pub(crate) fn shadow_stage(&self, at_18: Entered, hit_16: Hit, light_14: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_18, hit_16, light_14))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_stage(&self, at_18: Entered, hit_16: Hit, light_14: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_shadow_none(at_10, hit_7, light_5, _e12);
+                let _e13 = self.v_shadow_ray(at_18, hit_16, light_14, _e12);
                 return _e13;
             }
-            _ => {
+            1u32 => {
                 let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_shadow_ray(at_10, hit_7, light_5, _e18);
+                let _e19 = self.v_shadow_none(at_18, hit_16, light_14, _e18);
                 return _e19;
+            }
+            2u32 => {
+                let _e24 = self.surface_settings.choices[4usize].params;
+                let _e25 = self.v_shadow_entry(at_18, hit_16, light_14, _e24);
+                return _e25;
+            }
+            3u32 => {
+                let _e30 = self.surface_settings.choices[4usize].params;
+                let _e31 = self.v_shadow_soft(at_18, hit_16, light_14, _e30);
+                return _e31;
+            }
+            4u32 => {
+                let _e36 = self.surface_settings.choices[4usize].params;
+                let _e37 = self.v_shadow_heuristic(at_18, hit_16, light_14, _e36);
+                return _e37;
+            }
+            5u32 => {
+                let _e42 = self.surface_settings.choices[4usize].params;
+                let _e43 = self.v_shadow_horizon(at_18, hit_16, light_14, _e42);
+                return _e43;
+            }
+            _ => {
+                let _e48 = self.surface_settings.choices[4usize].params;
+                let _e49 = self.v_shadow_visibility(at_18, hit_16, light_14, _e48);
+                return _e49;
             }
         }
     }
-    pub(crate) fn visible_lights(&self, at_11: Entered, hit_8: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_11, hit_8))
+    pub(crate) fn visible_lights(&self, at_19: Entered, hit_17: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_19, hit_17))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_11: Entered, hit_8: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_19: Entered, hit_17: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut local_34: rt::Scalar<bool>;
-        let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_35: rt::Scalar<bool>;
+        let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_11.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_34 = rt::Scalar(hit_8.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_19.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_35 = rt::Scalar(hit_17.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_34 = rt::Scalar(true);
+            local_35 = rt::Scalar(true);
         }
-        let _e14 = local_34;
+        let _e14 = local_35;
         if rt::Scalar::into_branch_condition(_e14) {
             let _e15 = visible_2;
             return _e15;
         }
-        let _e16 = self.v_hit_position(at_11, hit_8);
+        let _e16 = self.v_hit_position(at_19, hit_17);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_7;
+                let _e19 = k_10;
                 let _e22 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = k_7;
+                    let _e26 = k_10;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, _e16);
-                    let _e30 = self.v_shadow_stage(at_11, hit_8, _e29);
-                    let _e31 = k_7;
+                    let _e30 = self.v_shadow_stage(at_19, hit_17, _e29);
+                    let _e31 = k_10;
                     visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e37 = k_7;
-                    k_7 = (_e37 + rt::Scalar(1u32));
+                    let _e37 = k_10;
+                    k_10 = (_e37 + rt::Scalar(1u32));
                 }
             }
         }
@@ -4503,17 +5047,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {
-        let mut hit_9: Hit;
+        let mut hit_18: Hit;
 
         let _e1 = self.v_surface_stage(pixel_5);
         let _e3 = self.v_miss(rt::Scalar(0u32));
-        hit_9 = _e3;
+        hit_18 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_trace(_e1.path);
-            hit_9 = _e9;
+            hit_18 = _e9;
         }
-        let _e10 = hit_9;
-        let _e11 = hit_9;
+        let _e10 = hit_18;
+        let _e11 = hit_18;
         let _e12 = self.v_visible_lights(_e1, _e11);
         let _e13 = self.v_shade_hit(pixel_5, _e1, _e10, _e12);
         return _e13;
@@ -4530,6 +5074,7 @@ impl<'g> Resources<'g> {
             normal_map: bound.normal_map,
             search_map: bound.slot(crate::MapSlot::Search),
             shadow_search_map: bound.slot(crate::MapSlot::ShadowSearch),
+            shadow_texels: bound.slot(crate::MapSlot::Shadow),
             surface_settings: bound.surface_settings,
         }
     }

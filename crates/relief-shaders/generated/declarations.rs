@@ -6,12 +6,17 @@ use crate::wgsl::{Declaration, Module, Sampling};
 pub const MODULES: &[Module] = &[
     Module { path: "bindings", head: r#""# },
     Module { path: "constants", head: r#""# },
+    Module { path: "shared/angle", head: r#"// Angles in turns, a turn being the whole circle, in plain arithmetic: the trigonometric functions of GPUs
+// differ from one to the next.
+"# },
     Module { path: "shared/cell", head: r#"// Ray against one dual cell, shared by the searches that visit cells and the patch refinement.
 //
 // In a cell the bilinear surface along the path is a quadratic: the gap between path and surface, with s
 // counted from the parameter t where the path enters the cell, is c.x + c.y s + c.z s².
 "# },
     Module { path: "shared/cone", head: r#"// Cones on texels, shared by the searches that step over them.
+"# },
+    Module { path: "shared/disc", head: r#"// The disc of a light, as a point of the surface sees it.
 "# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
 //
@@ -50,6 +55,8 @@ pub const MODULES: &[Module] = &[
 // written by the linker.
 "# },
     Module { path: "shared/settings", head: r#"// What is the same for all pixels: of a picture, of a surface in it, and of a pass over some of its rows.
+"# },
+    Module { path: "shared/shadow_ray", head: r#"// Whether a ray to a light is free, by the search for shadows.
 "# },
     Module { path: "shared/tangent_plane", head: r#"// The surface's tangent plane at a point, for the refinements that take the slope into account.
 "# },
@@ -209,11 +216,34 @@ pub const MODULES: &[Module] = &[
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so
 // that the power is a product of squares and has the same bits everywhere.
 "# },
+    Module { path: "shadow/entry", head: r#"// A ray from where the light enters the relief down to the hit: a view ray.
+//
+// Oliveira and Policarpo 2005, section 2.1.
+"# },
+    Module { path: "shadow/heuristic", head: r#"// The heuristic of interactive engines: what stands out of the ray to the light, the more the nearer.
+//
+// Tatarchuk 2006, as named by Szirmay-Kalos and Umenhoffer 2008, section 6.
+"# },
+    Module { path: "shadow/horizon", head: r#"// Horizons around the hit, baked for some azimuths and interpolated between them.
+//
+// Max 1988; Szirmay-Kalos and Umenhoffer 2008, section 6.1. The horizon's slope holds along a direction of the
+// texture, so that it is turned into the hit's own frame, which on a curved mesh is another everywhere. What
+// the hit's own cell hides is known, and not left to texels beside it.
+"# },
     Module { path: "shadow/none", head: r#"// No shadows: all of a light arrives.
 "# },
     Module { path: "shadow/ray", head: r#"// A ray from the hit to the light, through the relief of the same surface.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 6.
+"# },
+    Module { path: "shadow/soft", head: r#"// Rays from the hit to points of the light's disc.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 6: several light vectors for a light.
+"# },
+    Module { path: "shadow/visibility", head: r#"// Precomputed visibility: whether something is seen in fixed directions.
+//
+// Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008, section 6.2: the nearest direction, or the three
+// that are close to the light's, interpolated.
 "# },
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.
@@ -571,6 +601,92 @@ pub const DECLARATIONS: &[Declaration] = &[
         text: r#"const CONE_HALF_RATIO = 0.125;"#,
     },
     Declaration {
+        module: "shared/angle",
+        name: "eighth_turn",
+        sampling: None,
+        uses: &[],
+        text: r#"// A polynomial for the arc tangent over the circle's radians, up to an eighth of a turn, off by 2e-6 turns at
+// most (Abramowitz and Stegun 1964, 4.4.49).
+fn eighth_turn(tangent: f32) -> f32 {
+    let s = tangent * tangent;
+    let series = 0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351)));
+    return tangent * series * 0.159154943;
+}"#,
+    },
+    Declaration {
+        module: "shared/angle",
+        name: "turn_of",
+        sampling: None,
+        uses: &["eighth_turn"],
+        text: r#"// The angle of a vector in turns, from 0 up to 1, counted from the first axis to the second; 0 of none.
+fn turn_of(v: vec2f) -> f32 {
+    let x = abs(v.x);
+    let y = abs(v.y);
+    if (!(x + y > 0.0)) {
+        return 0.0;
+    }
+    var turn = eighth_turn(min(x, y) / max(x, y));
+    if (y > x) {
+        turn = 0.25 - turn;
+    }
+    if (v.x < 0.0) {
+        turn = 0.5 - turn;
+    }
+    if (v.y < 0.0) {
+        turn = 1.0 - turn;
+    }
+    return select(turn, 0.0, turn >= 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/angle",
+        name: "quarter_sine",
+        sampling: None,
+        uses: &[],
+        text: r#"// The sine of an angle of up to a quarter of a turn, off by 4e-6 at most.
+fn quarter_sine(turn: f32) -> f32 {
+    let x = turn * 6.28318531;
+    let s = x * x;
+    return x * (1.0 + s * (-0.166666667 + s * (0.00833333333 + s * (-0.000198412698 + s * 0.00000275573192))));
+}"#,
+    },
+    Declaration {
+        module: "shared/angle",
+        name: "sine_of",
+        sampling: None,
+        uses: &["quarter_sine"],
+        text: r#"// The sine of any angle.
+fn sine_of(turn: f32) -> f32 {
+    let part = turn - floor(turn);
+    let sine = quarter_sine(0.25 - abs(0.25 - abs(part - 0.5)));
+    return select(sine, 0.0 - sine, part > 0.5);
+}"#,
+    },
+    Declaration {
+        module: "shared/angle",
+        name: "turned",
+        sampling: None,
+        uses: &["sine_of"],
+        text: r#"// The unit vector at an angle.
+fn turned(turn: f32) -> vec2f {
+    return vec2f(sine_of(turn + 0.25), sine_of(turn));
+}"#,
+    },
+    Declaration {
+        module: "shared/angle",
+        name: "turn_of_sine",
+        sampling: None,
+        uses: &[],
+        text: r#"// The arc sine over the circle's radians, in turns, off by 1e-5 turns at most (Abramowitz and Stegun 1964,
+// 4.4.45).
+fn turn_of_sine(sine: f32) -> f32 {
+    let x = min(abs(sine), 1.0);
+    let series = 1.5707288 + x * (-0.2121144 + x * (0.0742610 - x * 0.0187293));
+    let turn = 0.25 - sqrt(1.0 - x) * series * 0.159154943;
+    return select(turn, 0.0 - turn, sine < 0.0);
+}"#,
+    },
+    Declaration {
         module: "shared/cell",
         name: "NEVER",
         sampling: None,
@@ -918,6 +1034,87 @@ fn entered_once(
 }"#,
     },
     Declaration {
+        module: "shared/disc",
+        name: "GOLDEN_TURN",
+        sampling: None,
+        uses: &[],
+        text: r#"// The golden section of a turn: points at multiples of it lie evenly around a disc.
+const GOLDEN_TURN = 0.618033989;"#,
+    },
+    Declaration {
+        module: "shared/disc",
+        name: "UNITS",
+        sampling: None,
+        uses: &[],
+        text: r#"// So many numbers are told apart from 0 up to 1.
+const UNITS = 16777216.0;"#,
+    },
+    Declaration {
+        module: "shared/disc",
+        name: "mixed",
+        sampling: None,
+        uses: &[],
+        text: r#"// Mixes the bits of a number; the same everywhere.
+fn mixed(seed: u32) -> u32 {
+    var x = seed ^ (seed >> 16u);
+    x = x * 0x7feb352du;
+    x = x ^ (x >> 15u);
+    x = x * 0x846ca68bu;
+    return x ^ (x >> 16u);
+}"#,
+    },
+    Declaration {
+        module: "shared/disc",
+        name: "unit_of",
+        sampling: None,
+        uses: &["UNITS"],
+        text: r#"// A number from 0 up to 1.
+fn unit_of(bits: u32) -> f32 {
+    return f32(bits >> 8u) / UNITS;
+}"#,
+    },
+    Declaration {
+        module: "shared/disc",
+        name: "seed_of",
+        sampling: None,
+        uses: &["Hit", "UNITS", "mixed"],
+        text: r#"// What the random numbers of a hit begin with.
+fn seed_of(hit: Hit) -> u32 {
+    let place = vec2u((hit.uv - floor(hit.uv)) * UNITS);
+    return mixed(place.x ^ mixed(place.y));
+}"#,
+    },
+    Declaration {
+        module: "shared/disc",
+        name: "point_of_disc",
+        sampling: None,
+        uses: &["GOLDEN_TURN", "Toward", "mixed", "turned", "unit_of"],
+        text: r#"// The light, seen as the point of its disc that is number `k` of `count`. The points lie in rings of the same
+// area, at random in each, one golden section after the other, and turned at random together.
+fn point_of_disc(light: Toward, seed: u32, k: u32, count: u32) -> Toward {
+    let ring = (f32(k) + unit_of(mixed(seed + k + 1u))) / f32(count);
+    let place = turned(f32(k) * GOLDEN_TURN + unit_of(seed)) * (sqrt(ring) * light.radius);
+    // Two unit vectors across the direction to the light's centre.
+    let other = select(0.0, 1.0, abs(light.direction.x) > 0.6);
+    let right = normalize(cross(vec3f(1.0 - other, other, 0.0), light.direction));
+    let up = cross(light.direction, right);
+    let toward = light.direction + right * place.x + up * place.y;
+    let along = length(toward);
+    return Toward(toward / along, light.falloff, light.distance * along, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/disc",
+        name: "part_above",
+        sampling: None,
+        uses: &["turn_of_sine"],
+        text: r#"// The part of a disc of radius 1 that is above a straight line, of which its centre is this much above.
+fn part_above(height: f32) -> f32 {
+    let x = clamp(height, -1.0, 1.0);
+    return clamp(0.5 + x * sqrt(1.0 - x * x) * 0.318309886 + 2.0 * turn_of_sine(x), 0.0, 1.0);
+}"#,
+    },
+    Declaration {
         module: "shared/height",
         name: "CELL_LIMIT",
         sampling: None,
@@ -1201,9 +1398,11 @@ const NEAREST_LIGHT = 0.000001;"#,
     if (light.place.w > 0.5) {
         let toward = light.place.xyz - position;
         let squared = dot(toward, toward);
-        return Toward(normalize(toward), 1.0 / max(squared, NEAREST_LIGHT), sqrt(squared));
+        let distance = sqrt(squared);
+        let falloff = 1.0 / max(squared, NEAREST_LIGHT);
+        return Toward(normalize(toward), falloff, distance, light.color.w / distance);
     }
-    return Toward(normalize(light.place.xyz), 1.0, NEVER);
+    return Toward(normalize(light.place.xyz), 1.0, NEVER, light.color.w);
 }"#,
     },
     Declaration {
@@ -1225,59 +1424,81 @@ fn near_uv(uv: vec2f) -> vec2f {
     },
     Declaration {
         module: "shared/light_ray",
+        name: "climb",
+        sampling: None,
+        uses: &["Entered", "LEAST_SCALE_M", "surface_settings"],
+        text: r#"// Change of the texture coordinates, and of the normalised height, with a metre in a direction of the world.
+fn climb(at: Entered, direction: vec3f) -> vec3f {
+    let metric = at.path.metric;
+    let td = dot(at.tangent, direction);
+    let bd = dot(at.bitangent, direction);
+    let area = metric.x * metric.z - metric.y * metric.y;
+    let duv = vec2f(td * metric.z - bd * metric.y, bd * metric.x - td * metric.y) / area;
+    return vec3f(duv, dot(at.normal, direction) / max(surface_settings.scale_m, LEAST_SCALE_M));
+}"#,
+    },
+    Declaration {
+        module: "shared/light_ray",
+        name: "from_hit",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "RAY_SHADOW", "Toward", "climb", "height_at", "near_uv"],
+        text: r#"// The straight way from a hit toward a light, begun on the surface, and without an end.
+fn from_hit(at: Entered, hit: Hit, light: Toward) -> Path {
+    let change = climb(at, light.direction);
+    let uv = near_uv(hit.uv);
+    let h = vec3f(height_at(uv), change.z, 0.0);
+    return Path(uv, change.xy, h, 0.0, 0.0, at.path.metric, RAY_SHADOW, at.path.level);
+}"#,
+    },
+    Declaration {
+        module: "shared/light_ray",
+        name: "way_out",
+        sampling: None,
+        uses: &["Path", "Toward", "WRAP_CLAMP", "inside_unit", "surface_settings"],
+        text: r#"// How far a rising way goes through the relief: to the highest level, the footprint's edge or the light.
+fn way_out(path: Path, light: Toward) -> f32 {
+    var way = min((1.0 - path.h.x) / path.h.y, light.distance);
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        var interval = inside_unit(path.uv.x, path.duv.x, vec2f(0.0, way));
+        interval = inside_unit(path.uv.y, path.duv.y, interval);
+        way = interval.y;
+    }
+    return way;
+}"#,
+    },
+    Declaration {
+        module: "shared/light_ray",
         name: "light_ray",
         sampling: None,
-        uses: &["Entered", "Hit", "LEAST_SCALE_M", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "Path", "RAY_SHADOW", "ROUNDING", "Toward", "WRAP_CLAMP", "cell_leave", "cell_of", "gap_to", "grid_of", "height_at", "height_cell", "inside_unit", "near_uv", "surface_settings"],
+        uses: &["Entered", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "LIGHT_RAY_OPEN", "LightRay", "Path", "ROUNDING", "Toward", "cell_leave", "cell_of", "from_hit", "gap_to", "grid_of", "height_at", "height_cell", "path_uv", "way_out"],
         text: r#"// The ray from a hit to a light. A light below the base plane lights nothing.
 //
 // In the hit's own cell the gap to the surface, s from the hit, is s (c.y + c.z s): the root at the hit is
 // taken out. The path begins where the ray leaves the cell.
 fn light_ray(at: Entered, hit: Hit, light: Toward) -> LightRay {
-    let metric = at.path.metric;
-    let td = dot(at.tangent, light.direction);
-    let bd = dot(at.bitangent, light.direction);
-    let area = metric.x * metric.z - metric.y * metric.y;
-    let duv = vec2f(td * metric.z - bd * metric.y, bd * metric.x - td * metric.y) / area;
-    let slope = dot(at.normal, light.direction) / max(surface_settings.scale_m, LEAST_SCALE_M);
-    let uv = near_uv(hit.uv);
-    let height = height_at(uv);
-    let from_hit = Path(uv, duv, vec3f(height, slope, 0.0), 0.0, 0.0, metric, RAY_SHADOW, at.path.level);
-    if (!(slope > 0.0)) {
-        return LightRay(LIGHT_RAY_DARK, from_hit);
+    let way = from_hit(at, hit, light);
+    if (!(way.h.y > 0.0)) {
+        return LightRay(LIGHT_RAY_DARK, way);
     }
-    var exit = min((1.0 - height) / slope, light.distance);
-    if (surface_settings.wrap == WRAP_CLAMP) {
-        var interval = inside_unit(uv.x, duv.x, vec2f(0.0, exit));
-        interval = inside_unit(uv.y, duv.y, interval);
-        exit = interval.y;
-    }
+    let exit = way_out(way, light);
     if (!(exit > 0.0)) {
-        return LightRay(LIGHT_RAY_LIT, from_hit);
+        return LightRay(LIGHT_RAY_LIT, way);
     }
-    let grid = grid_of(from_hit);
+    let grid = grid_of(way);
     let cell = cell_of(grid.origin);
     let leave = cell_leave(grid, cell);
     let end = max(min(min(leave.x, leave.y), exit), 0.0);
-    let c = gap_to(from_hit, grid, cell, height_cell(vec2i(cell)), 0.0);
+    let c = gap_to(way, grid, cell, height_cell(vec2i(cell)), 0.0);
     if (c.y < 0.0 || c.y + c.z * end < 0.0) {
-        return LightRay(LIGHT_RAY_DARK, from_hit);
+        return LightRay(LIGHT_RAY_DARK, way);
     }
     if (end >= exit) {
-        return LightRay(LIGHT_RAY_LIT, from_hit);
+        return LightRay(LIGHT_RAY_LIT, way);
     }
-    let start = uv + duv * end;
+    let start = path_uv(way, end);
     let gap = end * (c.y + c.z * end);
-    let above = height_at(start) + gap + ROUNDING;
-    let path = Path(
-        start,
-        duv,
-        vec3f(above, slope, 0.0),
-        exit - end,
-        0.0,
-        metric,
-        RAY_SHADOW,
-        at.path.level,
-    );
+    let h = vec3f(height_at(start) + gap + ROUNDING, way.h.y, 0.0);
+    let path = Path(start, way.duv, h, exit - end, 0.0, way.metric, way.ray, way.level);
     return LightRay(LIGHT_RAY_OPEN, path);
 }"#,
     },
@@ -1334,6 +1555,23 @@ fn search_texel_between(path: Path, uv: vec2f, layer: i32) -> vec4f {
         text: r#"// A texel of the map that shadows are looked up in. One read.
 fn shadow_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
     return decoded(textureLoad(shadow_texels, place, layer, level), surface_settings.maps[SLOT_SHADOW]);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "shadow_texel_between",
+        sampling: None,
+        uses: &["bilinear", "shadow_texel", "surface_settings", "texels_around"],
+        text: r#"// The map that shadows are looked up in, between the four texels around a place. One read.
+fn shadow_texel_between(uv: vec2f, layer: i32) -> vec4f {
+    let at = texels_around(uv, surface_settings.height_size);
+    return bilinear(
+        shadow_texel(vec2i(at.columns.x, at.rows.x), layer, 0),
+        shadow_texel(vec2i(at.columns.y, at.rows.x), layer, 0),
+        shadow_texel(vec2i(at.columns.x, at.rows.y), layer, 0),
+        shadow_texel(vec2i(at.columns.y, at.rows.y), layer, 0),
+        at.part,
+    );
 }"#,
     },
     Declaration {
@@ -1773,7 +2011,8 @@ struct Probe {
 struct Light {
     // Direction toward the light (w = 0), or its position (w = 1).
     place: vec4f,
-    // Linear RGB: irradiance of a directional light, intensity of a point light.
+    // Linear RGB: irradiance of a directional light, intensity of a point light. The fourth part is how large
+    // its disc is: the tangent of half the angle under which it is seen, or its radius in metres.
     color: vec4f,
 }"#,
     },
@@ -1830,6 +2069,8 @@ struct MapSettings {
     layers: u32,
     low: vec4f,
     step: vec4f,
+    // Metres of a tile along u and v in the metric that it was baked in.
+    tile_m: vec2f,
 }"#,
     },
     Declaration {
@@ -1878,6 +2119,24 @@ struct PassSettings {
     rows: u32,
     // 1 for the last sample of a pixel.
     is_last: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/shadow_ray",
+        name: "free_way",
+        sampling: None,
+        uses: &["Entered", "FOUND_MISS", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "Toward", "light_ray", "shadow_search_stage"],
+        text: r#"// 1 where nothing is between the hit and the light, else 0.
+fn free_way(at: Entered, hit: Hit, light: Toward) -> f32 {
+    let ray = light_ray(at, hit, light);
+    if (ray.state == LIGHT_RAY_LIT) {
+        return 1.0;
+    }
+    if (ray.state == LIGHT_RAY_DARK) {
+        return 0.0;
+    }
+    let found = shadow_search_stage(ray.path);
+    return select(0.0, 1.0, found.status == FOUND_MISS);
 }"#,
     },
     Declaration {
@@ -2025,6 +2284,8 @@ struct Toward {
     falloff: f32,
     // Metres to it; more than any other number for one that is infinitely far away.
     distance: f32,
+    // Radius of its disc over its distance: the tangent of half the angle under which it is seen.
+    radius: f32,
 }"#,
     },
     Declaration {
@@ -2904,7 +3165,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "search/sphere",
         name: "search_sphere",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_after", "cell_leave", "cell_of", "distance_at", "found_in_cell", "gap_to", "grid_of", "height_cell", "path_height", "path_slope", "path_uv"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_after", "cell_leave", "cell_of", "climb", "distance_at", "found_in_cell", "gap_to", "grid_of", "height_cell", "path_height", "path_slope", "path_uv"],
         text: r#"fn search_sphere(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -3282,6 +3543,127 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
 }"#,
     },
     Declaration {
+        module: "shadow/entry",
+        name: "shadow_entry",
+        sampling: None,
+        uses: &["Entered", "Hit", "LEAST_SCALE_M", "Path", "RAY_VIEW", "Toward", "from_hit", "height_size", "path_height", "path_uv", "refine_stage", "search_stage", "surface_settings", "way_out"],
+        text: r#"fn shadow_entry(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    let up = from_hit(at, hit, light);
+    if (!(up.h.y > 0.0)) {
+        return 0.0;
+    }
+    let way = way_out(up, light);
+    if (!(way > 0.0)) {
+        return 1.0;
+    }
+    let top = path_height(up, way);
+    let base_height = (0.0 - surface_settings.bias_m) / max(surface_settings.scale_m, LEAST_SCALE_M);
+    let down = Path(
+        path_uv(up, way),
+        vec2f(0.0, 0.0) - up.duv,
+        vec3f(top, 0.0 - up.h.y, 0.0),
+        way,
+        (top - base_height) / up.h.y,
+        up.metric,
+        RAY_VIEW,
+        up.level,
+    );
+    let end = refine_stage(down, search_stage(down));
+    if (end.found == 0u) {
+        return 1.0;
+    }
+    let apart = abs(end.uv - up.uv) * height_size();
+    return select(0.0, 1.0, max(apart.x, apart.y) <= params.x);
+}"#,
+    },
+    Declaration {
+        module: "shadow/heuristic",
+        name: "shadow_heuristic",
+        sampling: None,
+        uses: &["Entered", "Hit", "Toward", "from_hit", "path_gap", "way_out"],
+        text: r#"fn shadow_heuristic(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    let path = from_hit(at, hit, light);
+    if (!(path.h.y > 0.0)) {
+        return 0.0;
+    }
+    let way = way_out(path, light);
+    var most = 0.0;
+    var k = 1.0;
+    while (k < params.x) {
+        let part = k / params.x;
+        most = max(most, (0.0 - path_gap(path, part * way)) * (1.0 - part));
+        k = k + 1.0;
+    }
+    return 1.0 - min(params.y * most, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shadow/horizon",
+        name: "NO_AZIMUTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// A light this near to the base normal, as the sine of the angle to it, has no azimuth, and no horizon before
+// it.
+const NO_AZIMUTH = 0.000001;"#,
+    },
+    Declaration {
+        module: "shadow/horizon",
+        name: "own_slope",
+        sampling: None,
+        uses: &["Path", "cell_leave", "cell_of", "gap_to", "grid_of", "height_cell"],
+        text: r#"// The slope, in heights for each unit of the path's parameter, under which the surface of the hit's own cell is
+// seen from the hit along a way. There the gap between a level ray and the surface has no constant: the hit is
+// on the surface.
+fn own_slope(way: Path) -> f32 {
+    let grid = grid_of(way);
+    let cell = cell_of(grid.origin);
+    let leave = cell_leave(grid, cell);
+    let end = max(min(leave.x, leave.y), 0.0);
+    let level = Path(way.uv, way.duv, vec3f(way.h.x, 0.0, 0.0), end, 0.0, way.metric, way.ray, way.level);
+    let c = gap_to(level, grid, cell, height_cell(vec2i(cell)), 0.0);
+    return 0.0 - min(c.y, c.y + c.z * end);
+}"#,
+    },
+    Declaration {
+        module: "shadow/horizon",
+        name: "shadow_horizon",
+        sampling: None,
+        uses: &["Entered", "Hit", "NO_AZIMUTH", "SLOT_SHADOW", "Toward", "climb", "from_hit", "own_slope", "part_above", "shadow_texel_between", "surface_settings", "turn_of"],
+        text: r#"fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    let up = dot(at.normal, light.direction);
+    let across = length(light.direction - at.normal * up);
+    let change = climb(at, light.direction);
+    let map = surface_settings.maps[SLOT_SHADOW];
+    let along = change.xy * map.tile_m;
+    let baked = length(along);
+    if (!(across > NO_AZIMUTH) || !(baked > 0.0)) {
+        return select(0.0, 1.0, up > 0.0);
+    }
+    let azimuth = turn_of(along) * params.x;
+    let first = floor(azimuth);
+    let count = i32(params.x);
+    let before = i32(first) % count;
+    let part = azimuth - first;
+    let low = shadow_texel_between(hit.uv, before).x;
+    let sine = low + (shadow_texel_between(hit.uv, (before + 1) % count).x - low) * part;
+    // From the metres of the bake to those of the hit.
+    let far = sine / sqrt(max(1.0 - sine * sine, 0.0)) * (baked / across);
+    let near = own_slope(from_hit(at, hit, light)) * (surface_settings.scale_m / across);
+    let slope = max(far, near);
+    // How far the light's centre is above the horizon: sine and cosine of the angle.
+    let whole = sqrt(1.0 + slope * slope);
+    let above = (up - across * slope) / whole;
+    if (!(light.radius > 0.0)) {
+        return select(0.0, 1.0, above > 0.0);
+    }
+    let beside = (across + up * slope) / whole;
+    if (!(beside > 0.0)) {
+        return select(0.0, 1.0, above > 0.0);
+    }
+    return part_above(above / (beside * light.radius));
+}"#,
+    },
+    Declaration {
         module: "shadow/none",
         name: "shadow_none",
         sampling: None,
@@ -3294,17 +3676,74 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "shadow/ray",
         name: "shadow_ray",
         sampling: None,
-        uses: &["Entered", "FOUND_MISS", "Hit", "LIGHT_RAY_DARK", "LIGHT_RAY_LIT", "Toward", "light_ray", "shadow_search_stage"],
+        uses: &["Entered", "Hit", "Toward", "free_way"],
         text: r#"fn shadow_ray(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
-    let ray = light_ray(at, hit, light);
-    if (ray.state == LIGHT_RAY_LIT) {
-        return 1.0;
+    return free_way(at, hit, light);
+}"#,
+    },
+    Declaration {
+        module: "shadow/soft",
+        name: "shadow_soft",
+        sampling: None,
+        uses: &["Entered", "Hit", "Toward", "free_way", "point_of_disc", "seed_of"],
+        text: r#"fn shadow_soft(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    let count = u32(params.x);
+    let seed = seed_of(hit);
+    var free = 0.0;
+    var k = 0u;
+    while (k < count) {
+        free = free + free_way(at, hit, point_of_disc(light, seed, k, count));
+        k = k + 1u;
     }
-    if (ray.state == LIGHT_RAY_DARK) {
+    return free / f32(count);
+}"#,
+    },
+    Declaration {
+        module: "shadow/visibility",
+        name: "open_part",
+        sampling: None,
+        uses: &["Hit", "shadow_texel_between"],
+        text: r#"// The part of the texels around a hit that see nothing in a direction.
+fn open_part(hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
+    return 1.0 - shadow_texel_between(hit.uv, azimuth * elevations + elevation).z;
+}"#,
+    },
+    Declaration {
+        module: "shadow/visibility",
+        name: "shadow_visibility",
+        sampling: None,
+        uses: &["Entered", "Hit", "SLOT_SHADOW", "Toward", "climb", "open_part", "surface_settings", "turn_of"],
+        text: r#"fn shadow_visibility(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
+    let change = climb(at, light.direction);
+    if (!(change.z > 0.0)) {
         return 0.0;
     }
-    let found = shadow_search_stage(ray.path);
-    return select(0.0, 1.0, found.status == FOUND_MISS);
+    let map = surface_settings.maps[SLOT_SHADOW];
+    let along = change.xy * map.tile_m;
+    let height = change.z * surface_settings.scale_m;
+    let squared = height * height / (dot(along, along) + height * height);
+    let azimuths = i32(params.x);
+    let elevations = i32(params.y);
+    let azimuth = turn_of(along) * params.x;
+    let elevation = clamp(squared * params.y - 0.5, 0.0, params.y - 1.0);
+    if (params.z < 2.0) {
+        let a = i32(floor(azimuth + 0.5)) % azimuths;
+        return open_part(hit, a, i32(floor(elevation + 0.5)), elevations);
+    }
+    let a0 = i32(floor(azimuth)) % azimuths;
+    let a1 = (a0 + 1) % azimuths;
+    let e0 = i32(floor(elevation));
+    let e1 = min(e0 + 1, elevations - 1);
+    let along_azimuth = azimuth - floor(azimuth);
+    let along_elevation = elevation - floor(elevation);
+    let right = open_part(hit, a1, e0, elevations);
+    let above = open_part(hit, a0, e1, elevations);
+    if (along_azimuth + along_elevation <= 1.0) {
+        let corner = open_part(hit, a0, e0, elevations);
+        return corner + (right - corner) * along_azimuth + (above - corner) * along_elevation;
+    }
+    let corner = open_part(hit, a1, e1, elevations);
+    return corner + (above - corner) * (1.0 - along_azimuth) + (right - corner) * (1.0 - along_elevation);
 }"#,
     },
     Declaration {

@@ -118,13 +118,14 @@ impl Shared for Choice {
 }
 
 impl Shared for MapSettings {
-    const SIZE: usize = 48;
+    const SIZE: usize = 64;
 
     fn write(&self, bytes: &mut [u8]) {
         self.coded.write(&mut bytes[0..]);
         self.layers.write(&mut bytes[4..]);
         self.low.write(&mut bytes[16..]);
         self.step.write(&mut bytes[32..]);
+        self.tile_m.write(&mut bytes[48..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -133,44 +134,45 @@ impl Shared for MapSettings {
             layers: Shared::read(&bytes[4..]),
             low: Shared::read(&bytes[16..]),
             step: Shared::read(&bytes[32..]),
+            tile_m: Shared::read(&bytes[48..]),
         }
     }
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 512;
+    const SIZE: usize = 592;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
         self.maps.write(&mut bytes[192..]);
-        self.diffuse.write(&mut bytes[432..]);
-        self.specular.write(&mut bytes[448..]);
-        self.height_size.write(&mut bytes[464..]);
-        self.color_size.write(&mut bytes[472..]);
-        self.normal_size.write(&mut bytes[480..]);
-        self.wrap.write(&mut bytes[488..]);
-        self.shininess.write(&mut bytes[492..]);
-        self.has_color.write(&mut bytes[496..]);
-        self.has_normal.write(&mut bytes[500..]);
-        self.scale_m.write(&mut bytes[504..]);
-        self.bias_m.write(&mut bytes[508..]);
+        self.diffuse.write(&mut bytes[512..]);
+        self.specular.write(&mut bytes[528..]);
+        self.height_size.write(&mut bytes[544..]);
+        self.color_size.write(&mut bytes[552..]);
+        self.normal_size.write(&mut bytes[560..]);
+        self.wrap.write(&mut bytes[568..]);
+        self.shininess.write(&mut bytes[572..]);
+        self.has_color.write(&mut bytes[576..]);
+        self.has_normal.write(&mut bytes[580..]);
+        self.scale_m.write(&mut bytes[584..]);
+        self.bias_m.write(&mut bytes[588..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
             maps: Shared::read(&bytes[192..]),
-            diffuse: Shared::read(&bytes[432..]),
-            specular: Shared::read(&bytes[448..]),
-            height_size: Shared::read(&bytes[464..]),
-            color_size: Shared::read(&bytes[472..]),
-            normal_size: Shared::read(&bytes[480..]),
-            wrap: Shared::read(&bytes[488..]),
-            shininess: Shared::read(&bytes[492..]),
-            has_color: Shared::read(&bytes[496..]),
-            has_normal: Shared::read(&bytes[500..]),
-            scale_m: Shared::read(&bytes[504..]),
-            bias_m: Shared::read(&bytes[508..]),
+            diffuse: Shared::read(&bytes[512..]),
+            specular: Shared::read(&bytes[528..]),
+            height_size: Shared::read(&bytes[544..]),
+            color_size: Shared::read(&bytes[552..]),
+            normal_size: Shared::read(&bytes[560..]),
+            wrap: Shared::read(&bytes[568..]),
+            shininess: Shared::read(&bytes[572..]),
+            has_color: Shared::read(&bytes[576..]),
+            has_normal: Shared::read(&bytes[580..]),
+            scale_m: Shared::read(&bytes[584..]),
+            bias_m: Shared::read(&bytes[588..]),
         }
     }
 }

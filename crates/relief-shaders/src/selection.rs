@@ -124,9 +124,10 @@ impl Choice {
 }
 
 impl Default for Selection {
-    /// The first variant of every stage.
+    /// The first variant of every stage, and for shadows a search that can.
     fn default() -> Self {
-        Self { choices: std::array::from_fn(|place| Choice::new(&STAGES[place], 0)) }
+        let choices = std::array::from_fn(|place| Choice::new(&STAGES[place], 0));
+        Self { choices }.with_search_for_shadows()
     }
 }
 
@@ -148,7 +149,19 @@ impl Selection {
         let mut selection = Self::default();
         selection.choices[SEARCH] = Choice::new(&STAGES[SEARCH], CELLS);
         selection.choices[REFINE] = Choice::new(&STAGES[REFINE], PATCH);
-        selection
+        selection.with_search_for_shadows()
+    }
+
+    /// The same with the search for shadows that goes with the view's: that one with its parameters, or where
+    /// it is of no use for shadows `cells`.
+    fn with_search_for_shadows(mut self) -> Self {
+        self.choices[SHADOW_SEARCH] = self.choices[SEARCH];
+        let promised = self.choices[SEARCH].promises().shadow;
+        let is_taken = || self.check_taken(SHADOW_SEARCH, SHADOW).is_ok();
+        if promised == Guarantee::Impossible || (self.uses(SHADOW_SEARCH) && !is_taken()) {
+            self.choices[SHADOW_SEARCH] = Choice::new(&STAGES[SHADOW_SEARCH], CELLS);
+        }
+        self
     }
 
     /// A method by name, with its settings.
@@ -174,8 +187,8 @@ impl Selection {
     }
 
     /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default
-    /// parameters. A shadow that sends rays is given the search that is chosen so far, with its parameters,
-    /// or where that is of no use for shadows `cells`, until another `shadow-search` is chosen.
+    /// parameters. With a search or a shadow the search for shadows is chosen, too: that of the view, or where
+    /// it is of no use for shadows `cells`. Another `shadow-search` is chosen after these.
     ///
     /// # Errors
     ///
@@ -184,17 +197,14 @@ impl Selection {
         let (place, stage) = stage(key).ok_or_else(|| SelectionError::NoStage(key.to_owned()))?;
         let number = registry::find(stage.title, stage.entries, name)?;
         self.choices[place] = Choice::new(stage, number);
-        if place == SHADOW && self.uses(SHADOW_SEARCH) {
-            self.choices[SHADOW_SEARCH] = self.choices[SEARCH];
-            let promised = self.choices[SEARCH].promises().shadow;
-            if promised == Guarantee::Impossible || self.check_taken(SHADOW_SEARCH, SHADOW).is_err() {
-                self.choices[SHADOW_SEARCH] = Choice::new(&STAGES[SHADOW_SEARCH], CELLS);
-            }
+        if place == SEARCH || place == SHADOW {
+            *self = self.with_search_for_shadows();
         }
         Ok(())
     }
 
-    /// Sets a parameter, as in `set("search.steps", 64.0)`.
+    /// Sets a parameter, as in `set("search.steps", 64.0)`. Where the search for shadows is that of the view,
+    /// with the same parameters, it stays that.
     ///
     /// # Errors
     ///
@@ -202,13 +212,22 @@ impl Selection {
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), SelectionError> {
         let parts = key.split_once('.').and_then(|(of, name)| Some((stage(of)?, name)));
         let ((place, stage), name) = parts.ok_or_else(|| SelectionError::Key(key.to_owned()))?;
+        let is_view_search = |choices: &[Choice]| {
+            let [view, shadow] =
+                [SEARCH, SHADOW_SEARCH].map(|stage| (choices[stage].number, choices[stage].params));
+            view == shadow
+        };
+        let follows = place == SEARCH && is_view_search(&self.choices);
         let Choice { entry, params, .. } = &mut self.choices[place];
-        let Some((place, param)) = entry.param(name) else {
+        let Some((param_place, param)) = entry.param(name) else {
             let entries = entry.params.iter().map(|param| param.name).collect();
             let (stage, entry, name) = (stage.title, entry.name, name.to_owned());
             return Err(SelectionError::NoParam { stage, entry, name, entries });
         };
-        params[place] = checked(key, param, value)?;
+        params[param_place] = checked(key, param, value)?;
+        if follows {
+            *self = self.with_search_for_shadows();
+        }
         Ok(())
     }
 

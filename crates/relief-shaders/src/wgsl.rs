@@ -289,10 +289,15 @@ mod tests {
         for gone in ["search_linear", "frustum", "shade_", "color_map", "map_sampler", "override", "switch"] {
             assert!(!trace.contains(gone), "{gone}");
         }
-        // Shading is the same whatever was searched for.
+        // Shading without rays to the lights is the same whatever was searched for.
         let frustum = Selection::method("frustum").expect("a method");
-        let shade = |selection| assemble(selection, Root::Shade, Sampling::Exact);
-        assert_eq!(shade(&cone), shade(&frustum));
+        let shade = |selection: &Selection, shadow| {
+            let mut selection = *selection;
+            selection.choose("shadow", shadow).expect("a shadow");
+            assemble(&selection, Root::Shade, Sampling::Exact)
+        };
+        assert_eq!(shade(&cone, "none"), shade(&frustum, "none"));
+        assert!(shade(&frustum, "ray").contains("fn search_frustum("));
         assert!(assemble(&cone, Root::Shade, Sampling::Fast).contains("map_sampler"));
     }
 }

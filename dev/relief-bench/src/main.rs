@@ -1,4 +1,5 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `frame`, `probe`, `sheet` and `trace`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `frame`, `probe`, `shadow`, `sheet` and
+//! `trace`.
 //! Results are kept in `docs/`.
 
 use std::process::ExitCode;
@@ -10,6 +11,7 @@ mod bake;
 mod frame;
 mod probe;
 mod samples;
+mod shadow;
 mod sheet;
 mod trace;
 
@@ -33,6 +35,8 @@ enum Command {
     Frame(frame::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
     Probe(probe::Arguments),
+    /// How near every shadow comes to rays of the exact search
+    Shadow(shadow::Arguments),
     /// What a new user sees of every map in a folder
     Sheet(sheet::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
@@ -45,6 +49,7 @@ fn main() -> ExitCode {
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
+        Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
     };

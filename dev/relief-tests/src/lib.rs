@@ -12,6 +12,7 @@ pub mod probes;
 pub mod rays;
 pub mod rng;
 pub mod search;
+pub mod shadows;
 
 use std::path::PathBuf;
 

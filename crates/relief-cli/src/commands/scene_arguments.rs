@@ -208,6 +208,15 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     point_light: Vec<LightSpec>,
+    /// Diameter of a directional light in degrees, 0 to 90, for soft shadows [default: 0.53, as the sun's]
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        allow_hyphen_values = true,
+        help_heading = "Camera and light",
+        hide_short_help = true
+    )]
+    light_angle: Option<f64>,
     /// Light from everywhere, linear red, green and blue [default: 0.12,0.12,0.12]
     #[arg(
         long,
@@ -322,6 +331,7 @@ impl SceneArguments {
             tone: self.tone,
             light: self.light.filter(|_| self.point_light.is_empty()),
             lights: (!self.point_light.is_empty()).then(lights),
+            light_angle: self.light_angle,
             ambient: self.ambient.map(colour),
             background: self.background.map(colour),
             backend: self.backend,

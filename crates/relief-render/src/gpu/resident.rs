@@ -172,9 +172,15 @@ impl Resident {
         changed |= hold(&mut self.normals, surface.normal_map.as_ref(), Arc::ptr_eq, || {
             textures::picture(gpu, "normal map", surface.normal_map.as_deref(), precision, true)
         })?;
-        for (slot, held) in MapSlot::ALL.into_iter().zip(&mut self.slots) {
+        for (place, slot) in MapSlot::ALL.into_iter().enumerate() {
             let map = surface.maps.iter().find(|(of, _)| *of == slot).map(|(_, map)| map);
-            changed |= hold(held, map, Arc::ptr_eq, || textures::baked(gpu, slot, map.map(|map| &**map)))?;
+            // The searches of view and shadow read the same map as a rule: it is there once.
+            let (before, rest) = self.slots.split_at_mut(place);
+            let is_same =
+                |held: &&Held<BakedMap>| held.of.as_ref().zip(map).is_some_and(|(a, b)| Arc::ptr_eq(a, b));
+            let shared = before.iter().flatten().find(is_same).map(|held| held.view.clone());
+            let upload = || textures::baked(gpu, slot, map.map(|map| &**map));
+            changed |= hold(&mut rest[0], map, Arc::ptr_eq, || shared.map_or_else(upload, Ok))?;
         }
         let wrap = surface.height_map.wrap();
         if self.sampler.as_ref().is_none_or(|(of, _)| *of != wrap) {

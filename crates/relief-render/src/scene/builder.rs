@@ -15,7 +15,7 @@ pub(super) const DEFAULT_EYE: DVec3 = DVec3::new(0.6, 0.9, 1.1);
 pub(super) const DEFAULT_FOV: f64 = 40.0;
 /// The direction toward the default light: from the upper left of the built-in views, as people expect it of
 /// a relief.
-const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
+pub(super) const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
 const DEFAULT_AMBIENT: Vec3 = Vec3::splat(0.12);
 const DEFAULT_BACKGROUND: Vec3 = Vec3::splat(0.05);
 /// The default method.

@@ -6,6 +6,7 @@ use crate::material::MaterialError;
 use crate::mesh::MeshError;
 use relief_core::{ByteSize, HeightMapError};
 use relief_io::ReadError;
+use relief_maps::MapsError;
 use relief_shaders::SelectionError;
 use std::path::PathBuf;
 
@@ -60,6 +61,9 @@ pub enum SceneError {
     /// A map cannot be read.
     #[error(transparent)]
     Read(#[from] ReadError),
+    /// A map that a surface reads cannot be baked.
+    #[error(transparent)]
+    Maps(#[from] MapsError),
     /// The picture would take more memory than allowed.
     #[error(
         "a picture of {width}x{height} pixels needs {} MiB of memory, {limit} are allowed: make it smaller or raise the limit",

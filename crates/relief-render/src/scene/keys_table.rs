@@ -33,7 +33,7 @@ pub enum Form {
     Settings,
     /// A table of `diffuse`, `specular` and `shininess`.
     Material,
-    /// A list of tables of `direction` or `position`, `color` and `intensity`.
+    /// A list of tables of `direction` and `angle`, or `position` and `radius`, and `color` and `intensity`.
     Lights,
 }
 
@@ -128,6 +128,7 @@ pub fn keys() -> Vec<Key> {
         scene("tone", Form::Name(tones), "\"none\"", "tone curve"),
         scene("light", Form::Numbers(3), "[-0.6, 0.6, -0.1]", "direction toward the only light"),
         scene("lights", Form::Lights, "", "all lights, in place of it"),
+        scene("light-angle", Form::Number, "0.53", "diameter of lights far away in degrees, 0 to 90"),
         scene("ambient", Form::Numbers(3), "[0.12, 0.12, 0.12]", "light from everywhere, linear"),
         scene("background", Form::Numbers(3), "[0.05, 0.05, 0.05]", "linear colour beside the surfaces"),
         scene("backend", Form::Name(backends), "\"auto\"", "what computes the picture"),
@@ -248,11 +249,14 @@ fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
                     light.position.map(|position| format!("position = {}", list(&position))),
                     light.color.map(|color| format!("color = {}", list(&color))),
                     light.intensity.map(|intensity| format!("intensity = {intensity:?}")),
+                    light.angle.map(|angle| format!("angle = {angle:?}")),
+                    light.radius.map(|radius| format!("radius = {radius:?}")),
                 ];
                 format!("{{ {} }}", parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
             });
             format!("[{}]", each.collect::<Vec<_>>().join(", "))
         }),
+        "light-angle" => spec.light_angle.map(|angle| format!("{angle:?}")),
         "ambient" => spec.ambient.map(|ambient| list(&ambient)),
         "background" => spec.background.map(|background| list(&background)),
         "backend" => spec.backend.map(|backend| quoted(backend.name())),

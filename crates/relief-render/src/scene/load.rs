@@ -1,6 +1,6 @@
 //! From the description of a scene to the scene: defaults, checks, files.
 
-use super::builder::{DEFAULT_EYE, DEFAULT_FOV};
+use super::builder::{DEFAULT_EYE, DEFAULT_FOV, DEFAULT_LIGHT};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::load_surface::{Maps, Parts};
 use super::metres::check_metres;
@@ -9,7 +9,7 @@ use super::{
     SceneSpec, SurfaceSpec,
 };
 use crate::camera::{Camera, CameraError, Projection};
-use crate::light::{Light, LightError};
+use crate::light::{Light, LightError, SUN_DEG};
 use glam::{DVec3, Vec3};
 use relief_core::{ByteSize, HeightMap};
 
@@ -82,8 +82,9 @@ impl SceneSpec {
         check_metres("eye", self.eye.as_ref().map_or(&[], |eye| eye))?;
         check_metres("view-height", self.view_height.as_slice())?;
         check_metres("target", self.target.as_ref().map_or(&[], |target| target))?;
-        for position in self.lights.iter().flatten().filter_map(|light| light.position.as_ref()) {
-            check_metres("lights", position)?;
+        for light in self.lights.iter().flatten() {
+            check_metres("lights", light.position.as_ref().map_or(&[], |position| position))?;
+            check_metres("lights", light.radius.as_slice())?;
         }
         if let Some([width, height]) = self.size
             && ![width, height].iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))
@@ -93,12 +94,10 @@ impl SceneSpec {
         let mut builder = self
             .camera(SceneBuilder::showing(surfaces))?
             .look(self.exposure.unwrap_or_default(), self.tone.unwrap_or_default())
+            .lights(self.lights()?)
             .samples(self.samples.unwrap_or(DEFAULT_SAMPLES))
             .backend(self.backend.unwrap_or_default())
             .sampling(self.sampling.unwrap_or_default());
-        if let Some(lights) = self.lights()? {
-            builder = builder.lights(lights);
-        }
         if let Some(ambient) = self.ambient {
             builder = builder.ambient(ambient.into());
         }
@@ -158,35 +157,45 @@ impl SceneSpec {
         Ok(builder.camera(camera))
     }
 
-    fn lights(&self) -> Result<Option<Vec<Light>>, ValueError> {
+    fn lights(&self) -> Result<Vec<Light>, ValueError> {
+        let angle = self.light_angle.unwrap_or(SUN_DEG);
         match (self.light, &self.lights) {
             (Some(_), Some(_)) => Err(ValueProblem::Excludes("lights").of("light")),
-            (Some(toward), None) => {
-                let light = Light::directional(toward.into(), Vec3::ONE);
-                Ok(Some(vec![light.map_err(|error| ValueProblem::from(error).of("light"))?]))
+            (toward, None) => {
+                let toward = toward.map_or(DEFAULT_LIGHT, DVec3::from);
+                let problem = |key| move |error| ValueProblem::from(error).of(key);
+                let light = Light::directional(toward, Vec3::ONE).map_err(problem("light"))?;
+                Ok(vec![light.with_diameter(angle).map_err(problem("light-angle"))?])
             }
             (None, Some(lights)) => {
-                let lights: Result<Vec<Light>, ValueProblem> = lights.iter().map(LightSpec::light).collect();
-                lights.map(Some).map_err(|problem| problem.of("lights"))
+                // Said of no light, it is wrong all the same.
+                Light::directional(DEFAULT_LIGHT, Vec3::ONE)
+                    .and_then(|light| light.with_diameter(angle))
+                    .map_err(|error| ValueProblem::from(error).of("light-angle"))?;
+                let lights = lights.iter().map(|light| light.light(angle));
+                lights.collect::<Result<_, ValueProblem>>().map_err(|problem| problem.of("lights"))
             }
-            (None, None) => Ok(None),
         }
     }
 }
 
 impl LightSpec {
-    fn light(&self) -> Result<Light, ValueProblem> {
+    /// The light; `angle` is the diameter in degrees of one infinitely far away that does not say its own.
+    fn light(&self, angle: f64) -> Result<Light, ValueProblem> {
         let colour = Vec3::from(self.color.unwrap_or([1.0; 3]));
         let intensity = self.intensity.unwrap_or(1.0);
         if !(intensity >= 0.0 && intensity.is_finite()) {
             let must = "finite and not negative";
             return Err(ValueProblem::Number { value: f64::from(intensity), must });
         }
-        let light = match (self.direction, self.position) {
-            (Some(toward), None) => Light::directional(toward.into(), colour * intensity),
-            (None, Some(position)) => Light::point(position.into(), colour * intensity),
-            _ => Err(LightError::DirectionOrPosition),
-        };
-        Ok(light?)
+        Ok(match (self.direction, self.position) {
+            (Some(_), None) if self.radius.is_some() => return Err(LightError::OtherSize.into()),
+            (None, Some(_)) if self.angle.is_some() => return Err(LightError::OtherSize.into()),
+            (Some(toward), None) => Light::directional(toward.into(), colour * intensity)?
+                .with_diameter(self.angle.unwrap_or(angle))?,
+            (None, Some(position)) => Light::point(position.into(), colour * intensity)?
+                .with_radius(self.radius.unwrap_or_default())?,
+            _ => return Err(LightError::DirectionOrPosition.into()),
+        })
     }
 }

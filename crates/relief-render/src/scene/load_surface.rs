@@ -9,7 +9,7 @@ use crate::mesh::{Builtin, Mesh, Placement};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
 use relief_io::{Convention, Fill, HeightOptions, Picture};
-use relief_shaders::{REFINE, SEARCH, SHADOW, STAGES, Selection};
+use relief_shaders::{REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -17,9 +17,8 @@ use std::sync::Arc;
 /// or what a GPU holds of it.
 const BYTES_PER_HEIGHT: u64 = 4 + 7;
 
-/// Memory that a texel of a height map takes more for each baked map that the surface reads: that map, and
-/// what is at hand while it is baked.
-const BYTES_PER_BAKED: u64 = 16 + 5 * 4 + 6;
+/// Memory that a texel of a height map takes more while a map is baked, besides that map.
+const BYTES_AT_HAND: u64 = 5 * 4 + 6;
 
 /// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the
 /// first part.
@@ -102,8 +101,10 @@ impl Maps {
     /// Leaves less for colours and normals: room for a height map and what is built on it.
     fn take(&mut self, path: &Path, map: &HeightMap, selection: &Selection) -> Result<(), SceneError> {
         let (width, height) = (map.width(), map.height());
-        let bytes = BYTES_PER_HEIGHT + BYTES_PER_BAKED * selection.map_needs().len() as u64;
-        let needed = bytes * u64::from(width) * u64::from(height);
+        let baked = relief_maps::Maps::in_memory().bytes(selection, [width, height])?;
+        let at_hand = if baked > 0 { BYTES_AT_HAND } else { 0 };
+        let texels = u64::from(width) * u64::from(height);
+        let needed = ((BYTES_PER_HEIGHT + at_hand) * texels).saturating_add(baked);
         let (left, limit) = (self.left, self.limit);
         self.left = left.checked_sub(needed).ok_or_else(|| {
             let path = path.to_owned();
@@ -266,6 +267,16 @@ impl SurfaceSpec {
             }
             for key in self.set.keys().filter(of_part) {
                 selection.set(key, self.set[key]).map_err(of_selection)?;
+            }
+        }
+        if selection.choices[SHADOW].entry.states.is_empty() {
+            let search = STAGES[SHADOW_SEARCH].key;
+            let needs = ValueProblem::Needs("a shadow that sends rays to the light");
+            if self.stages.contains_key(search) {
+                return Err(needs.of(search));
+            }
+            if self.set.keys().any(|key| key.split('.').next() == Some(search)) {
+                return Err(needs.of("set"));
             }
         }
         Ok(selection)

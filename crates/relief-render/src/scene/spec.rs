@@ -53,6 +53,9 @@ pub struct SceneSpec {
     pub light: Option<[f64; 3]>,
     /// All lights, in place of `light`.
     pub lights: Option<Vec<LightSpec>>,
+    /// Diameter in degrees, 0 to 90, of lights infinitely far away that do not say their own. By default 0.53,
+    /// as the sun's.
+    pub light_angle: Option<f64>,
     /// Irradiance from everywhere, linear red, green, blue. By default 0.12 each.
     #[serde(deserialize_with = "numbers")]
     pub ambient: Option<[f32; 3]>,
@@ -86,6 +89,10 @@ pub struct LightSpec {
     /// Factor on the colour: irradiance on a surface that faces the light (of a point light, at 1 m). By
     /// default 1.
     pub intensity: Option<f32>,
+    /// Diameter of a light infinitely far away in degrees, 0 to 90.
+    pub angle: Option<f64>,
+    /// Radius of a point light in metres. By default 0.
+    pub radius: Option<f64>,
 }
 
 impl SceneSpec {
@@ -137,6 +144,7 @@ impl SceneSpec {
             tone: over.tone.or(self.tone),
             light: over.light.or(self.light),
             lights: over.lights.or(self.lights),
+            light_angle: over.light_angle.or(self.light_angle),
             ambient: over.ambient.or(self.ambient),
             background: over.background.or(self.background),
             backend: over.backend.or(self.backend),

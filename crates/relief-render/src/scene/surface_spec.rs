@@ -4,7 +4,7 @@ use super::keys::{numbers, parsed, settings};
 use crate::mesh::Builtin;
 use relief_core::Wrap;
 use relief_io::{GreenSign, RawLayout};
-use relief_shaders::{REFINE, SEARCH, STAGES};
+use relief_shaders::{REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -109,7 +109,7 @@ impl SurfaceSpec {
     ///
     /// What belongs to something replaced goes with it: another height file drops how the old one was to be
     /// read (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another method or
-    /// stage its own settings, and a scale without a bias the old bias.
+    /// stage its own settings, another shadow its search, and a scale without a bias the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {
@@ -164,6 +164,11 @@ impl SurfaceSpec {
                 self.method = None;
             }
             self.set.retain(|name, _| !of(name, key));
+        }
+        let [shadow, search] = [SHADOW, SHADOW_SEARCH].map(|stage| STAGES[stage].key);
+        if over.stages.contains_key(shadow) {
+            self.stages.remove(search);
+            self.set.retain(|name, _| !of(name, search));
         }
     }
 }

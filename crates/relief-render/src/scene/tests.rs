@@ -64,6 +64,8 @@ rotation = [90, 0, 0]
 search = "linear"
 refine = "binary"
 shade = "blinn-phong"
+shadow = "soft"
+shadow-search = "frustum"
 set.search.steps = 64
 set.refine.steps = 6
 eye = [1, 2, 3]
@@ -75,9 +77,10 @@ samples = 9
 exposure = -0.5
 tone = "agx"
 lights = [
-    { direction = [0, 1, 0], intensity = 0.5 },
-    { position = [1, 1, 1], color = [1, 0.5, 0.25], intensity = 2 },
+    { direction = [0, 1, 0], intensity = 0.5, angle = 5 },
+    { position = [1, 1, 1], color = [1, 0.5, 0.25], intensity = 2, radius = 0.25 },
 ]
+light-angle = 10
 ambient = [0.1, 0.1, 0.2]
 material = { diffuse = [0.5, 0.6, 0.7], specular = [0, 0, 0], shininess = 100 }
 background = [0, 0, 1]
@@ -114,7 +117,13 @@ fn every_key_is_read() {
         rotation: Some([90.0, 0.0, 0.0]),
         size: None,
         method: None,
-        stages: stages([("search", "linear"), ("refine", "binary"), ("shade", "blinn-phong")]),
+        stages: stages([
+            ("search", "linear"),
+            ("refine", "binary"),
+            ("shade", "blinn-phong"),
+            ("shadow", "soft"),
+            ("shadow-search", "frustum"),
+        ]),
         set: settings.into_iter().collect(),
         material: Some(MaterialSpec {
             diffuse: Some([0.5, 0.6, 0.7]),
@@ -139,14 +148,24 @@ fn every_key_is_read() {
         tone: Some(Tone::Agx),
         light: None,
         lights: Some(vec![
-            LightSpec { direction: Some([0.0, 1.0, 0.0]), intensity: Some(0.5), ..LightSpec::default() },
+            LightSpec {
+                direction: Some([0.0, 1.0, 0.0]),
+                position: None,
+                color: None,
+                intensity: Some(0.5),
+                angle: Some(5.0),
+                radius: None,
+            },
             LightSpec {
                 direction: None,
                 position: Some([1.0, 1.0, 1.0]),
                 color: Some([1.0, 0.5, 0.25]),
                 intensity: Some(2.0),
+                angle: None,
+                radius: Some(0.25),
             },
         ]),
+        light_angle: Some(10.0),
         ambient: Some([0.1, 0.1, 0.2]),
         background: Some([0.0, 0.0, 1.0]),
         backend: Some(BackendChoice::Cpu),
@@ -218,6 +237,19 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         ("eye = [1e30, 0, 0]", "eye"),
         ("target = [0, nan, 0]", "target"),
         ("lights = [{ position = [0, 1e30, 0] }]", "lights"),
+        ("lights = [{ position = [0, 1, 0], radius = -1 }]", "lights"),
+        ("lights = [{ position = [0, 1, 0], radius = 1e30 }]", "lights"),
+        ("lights = [{ position = [0, 1, 0], angle = 1 }]", "lights"),
+        ("lights = [{ direction = [0, 1, 0], radius = 1 }]", "lights"),
+        ("lights = [{ direction = [0, 1, 0], angle = 90.5 }]", "lights"),
+        ("light-angle = -0.1", "light-angle"),
+        ("light-angle = 91", "light-angle"),
+        ("light-angle = nan", "light-angle"),
+        ("light-angle = nan\nlights = []", "light-angle"),
+        ("shadow-search = 'cone'\nshadow = 'horizon'", "shadow-search"),
+        ("set.shadow-search.limit = 4\nshadow = 'none'", "set"),
+        ("set.shadow.samples = 4\nshadow = 'none'", "set"),
+        ("shadow-search = 'relaxed-cone'\nshadow = 'ray'", "shadow-search"),
         ("tile = [1e30, 1]", "tile"),
         ("tile = [1, 1e-30]", "tile"),
     ];
@@ -386,14 +418,21 @@ fn what_belongs_to_something_replaced_goes_with_it() {
     assert_eq!(both.bias, None);
 
     let both = with(SurfaceSpec { method: Some("parallax".into()), ..SurfaceSpec::default() });
-    assert_eq!(both.stages, stages([("shade", "blinn-phong")]));
+    let shadow = [("shade", "blinn-phong"), ("shadow", "soft"), ("shadow-search", "frustum")];
+    assert_eq!(both.stages, stages(shadow));
     assert!(both.set.is_empty());
 
     let set = [("refine.steps".to_owned(), 9.0)].into_iter().collect();
     let both = with(SurfaceSpec { stages: stages([("search", "cells")]), set, ..SurfaceSpec::default() });
-    let named = stages([("search", "cells"), ("refine", "binary"), ("shade", "blinn-phong")]);
+    let [shade, shadow, shadow_search] = shadow;
+    let named = stages([("search", "cells"), ("refine", "binary"), shade, shadow, shadow_search]);
     assert_eq!(both.stages, named);
     assert_eq!(both.set.into_iter().collect::<Vec<_>>(), [("refine.steps".to_owned(), 9.0)]);
+
+    let stages_of_shadow = stages([("shadow", "horizon")]);
+    let both = with(SurfaceSpec { stages: stages_of_shadow, ..SurfaceSpec::default() });
+    assert_eq!(both.stages.get("shadow").map(String::as_str), Some("horizon"));
+    assert_eq!(both.stages.get("shadow-search"), None);
 
     let light = SceneSpec { light: Some([0.0, 1.0, 0.0]), ..SceneSpec::default() };
     let both = file.clone().overridden_by(light);

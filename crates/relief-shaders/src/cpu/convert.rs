@@ -74,11 +74,13 @@ impl From<Option<&BakedMap>> for MapSettings {
     /// Of no map where none is given.
     fn from(map: Option<&BakedMap>) -> Self {
         let Some(map) = map else {
-            return Self::new(0u32, 0u32, [0.0; 4], [0.0; 4]);
+            return Self::new(0u32, 0u32, [0.0; 4], [0.0; 4], [1.0; 2]);
         };
         let coded = u32::from(map.layout().format == MapFormat::Unorm8);
         let codes = map.codes();
-        Self::new(coded, map.layout().layers, codes.map(|codes| codes.low), codes.map(|codes| codes.step))
+        let tile_m = map.identity().metric.tile_m.map(|length| length as f32);
+        let [low, step] = [codes.map(|codes| codes.low), codes.map(|codes| codes.step)];
+        Self::new(coded, map.layout().layers, low, step, tile_m)
     }
 }
 

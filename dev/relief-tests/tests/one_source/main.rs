@@ -26,7 +26,7 @@ use cases::{Case, Draw, probe};
 use compare::Comparison;
 use picture::{Picture, Variation};
 
-/// Rays over all pairs of search and refinement together. Times scale with it.
+/// Rays over all legal pairs of search and refinement together. Times scale with it.
 const RAYS: usize = 1_000_000;
 
 fn named(name: &str) -> &'static NamedMap {
@@ -42,12 +42,16 @@ struct Pair {
 }
 
 impl Pair {
-    /// All pairs, drawn one after the other.
+    /// All legal pairs, drawn one after the other.
     fn all() -> Vec<Pair> {
         let mut rng = Rng::new(1);
         let mut pairs = Vec::new();
         for (s, search) in search::ENTRIES.iter().enumerate() {
             for (r, refine) in refine::ENTRIES.iter().enumerate() {
+                let pair = Selection::pair(search.name, refine.name).expect("listed names");
+                if pair.check_pair().is_err() {
+                    continue;
+                }
                 let draws = maps::ALL.iter().map(|_| Draw::new([search, refine], &mut rng)).collect();
                 pairs.push(Pair { numbers: [s, r], draws });
             }

@@ -1,0 +1,39 @@
+//! Registry entry of the shadow `heuristic`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+
+/// The heuristic of interactive engines.
+pub const ENTRY: Entry = Entry {
+    name: "heuristic",
+    summary: "what stands out of the ray to the light at some points of it, the more the nearer",
+    publication: Publication {
+        paper: "Tatarchuk 2006, Practical Parallax Occlusion Mapping; Szirmay-Kalos and Umenhoffer 2008",
+        section: "6",
+    },
+    maps: &[],
+    params: &[
+        Param {
+            name: "samples",
+            summary: "points of the ray",
+            unit: "",
+            min: 2.0,
+            max: 256.0,
+            default: 16.0,
+            integer: true,
+        },
+        Param {
+            name: "strength",
+            summary: "darkness of what stands one height out of the ray",
+            unit: "",
+            min: 0.0,
+            max: 1024.0,
+            default: 16.0,
+            integer: false,
+        },
+    ],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "It looks plausible, no more: what lies between two points is not seen, and the softness has \
+        nothing to do with the size of the light.",
+};

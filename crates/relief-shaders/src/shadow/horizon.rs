@@ -1,0 +1,35 @@
+//! Registry entry of the shadow `horizon`.
+
+use relief_core::registry::{
+    Entry, Guarantee, Guarantees, MapInput, MapMetric, MapSetting, Param, Publication,
+};
+
+/// Horizons, baked for some azimuths.
+pub const ENTRY: Entry = Entry {
+    name: "horizon",
+    summary: "horizons baked for some azimuths, interpolated: as fast for any light and any disc",
+    publication: Publication {
+        paper: "Max 1988; Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU - State of the Art",
+        section: "6.1",
+    },
+    maps: &[MapInput {
+        metric: MapMetric::Scene,
+        ..MapInput::new("horizon", "").with(&[("azimuths", MapSetting::Param("azimuths"))])
+    }],
+    params: &[Param {
+        name: "azimuths",
+        summary: "azimuths that are baked",
+        unit: "",
+        min: 4.0,
+        max: 256.0,
+        default: 16.0,
+        integer: true,
+    }],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "Where a horizon changes from one azimuth or one texel to the next, a mean of both stands for it: \
+        more azimuths come nearer. The part of the disc above a straight horizon is known. Height and \
+        texture coordinates along the light's direction tell the horizon in the hit's own frame, so that \
+        it follows a curved mesh.",
+};

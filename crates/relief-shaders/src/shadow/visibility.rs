@@ -1,0 +1,56 @@
+//! Registry entry of the shadow `visibility`.
+
+use relief_core::registry::{
+    Entry, Guarantee, Guarantees, MapInput, MapMetric, MapSetting, Param, Publication,
+};
+
+/// Precomputed visibility.
+pub const ENTRY: Entry = Entry {
+    name: "visibility",
+    summary: "whether something is seen in fixed directions, baked: the nearest one, or three interpolated",
+    publication: Publication {
+        paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU - State of the Art",
+        section: "6.2",
+    },
+    maps: &[MapInput {
+        metric: MapMetric::Scene,
+        ..MapInput::new("visibility", "").with(&[
+            ("azimuths", MapSetting::Param("azimuths")),
+            ("elevations", MapSetting::Param("elevations")),
+        ])
+    }],
+    params: &[
+        Param {
+            name: "azimuths",
+            summary: "azimuths of the directions",
+            unit: "",
+            min: 4.0,
+            max: 256.0,
+            default: 16.0,
+            integer: true,
+        },
+        Param {
+            name: "elevations",
+            summary: "elevations of the directions, at most 256 directions in all",
+            unit: "",
+            min: 1.0,
+            max: 64.0,
+            default: 8.0,
+            integer: true,
+        },
+        Param {
+            name: "directions",
+            summary: "directions that are looked at: 1, the nearest, or 3, interpolated",
+            unit: "",
+            min: 1.0,
+            max: 3.0,
+            default: 3.0,
+            integer: true,
+        },
+    ],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "The texels around a hit see the surface or the sky in each of the directions. The light's own is \
+        between them: what they see is taken for what it would.",
+};
