@@ -76,6 +76,17 @@ fn wrong_command_lines_are_refused_with_the_flag_named() {
         ("--green sideways", &["--green", "+y"]),
         ("--raw 0x0,le", &["--raw"]),
         ("--raw 4x4,middle", &["--raw", "le"]),
+        ("--shadow rey", &["--shadow", "ray"]),
+        ("--shadow none --set shadow.samples=4", &["--set", "none"]),
+        ("--shadow soft --set shadow.samples=0", &["shadow.samples", "256"]),
+        ("--shadow horizon --set shadow.azimuths=3", &["shadow.azimuths", "256"]),
+        ("--shadow horizon --shadow-search cone", &["--shadow-search", "rays"]),
+        ("--shadow none --set shadow-search.limit=4", &["--set", "rays"]),
+        ("--shadow-search relaxed-cone", &["--shadow-search", "impossible"]),
+        ("--shadow-search cels", &["--shadow-search", "cells"]),
+        ("--light-angle -1", &["--light-angle", "90"]),
+        ("--light-angle 90.5", &["--light-angle", "90"]),
+        ("--light-angle nan", &["--light-angle"]),
         ("--max-memory 4GB", &["--max-memory", "GiB"]),
         ("--max-memory -1", &["--max-memory"]),
         ("--heigth map.png", &["--height"]),
@@ -146,6 +157,10 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
         ("--height map.png --normal map.png", &["map.png", "normal"]),
         ("--height map.png --max-memory 0", &["--max-memory"]),
         ("--height map.png --max-memory 1KiB", &["--max-memory"]),
+        (
+            "--height map.png --shadow visibility --set shadow.azimuths=256 --set shadow.elevations=2",
+            &["visibility", "256", "layers"],
+        ),
         ("missing.toml", &["missing.toml"]),
         ("map.png", &["map.png", "--height"]),
         ("out", &["out"]),
@@ -298,6 +313,12 @@ fn the_smallest_maps_are_fine() {
                 folder.relief(&render(&format!("--height {map} --method {method} --wrap mirror"))).fine();
             }
             folder.relief(&format!("inspect {map}")).fine();
+        }
+        for shadow in ["ray", "none", "entry", "soft", "heuristic", "horizon", "visibility"] {
+            for wrap in ["repeat", "clamp", "mirror"] {
+                let flags = format!("--height map.png --shadow {shadow} --wrap {wrap} --light-angle 20");
+                folder.relief(&render(&flags)).fine();
+            }
         }
     }
 }

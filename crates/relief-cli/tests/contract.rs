@@ -267,7 +267,7 @@ fn the_channels_are_those_promised() {
     let folder = Folder::new();
     let aov = render(&folder, &View { size: [7, 5], ..VIEW }, &Relief::new(Map::constant(0.5)), "");
     let mut expected =
-        ["hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads"];
+        ["hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "lit"];
     expected.sort_unstable();
     assert_eq!(aov.names(), expected);
     assert!(aov.plane("hit").iter().all(|&hit| hit == 0.0 || hit == 1.0));

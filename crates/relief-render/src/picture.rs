@@ -7,8 +7,8 @@ use crate::job::Rendering;
 use crate::tone::Tone;
 
 /// The names of the channels of [`aov`], in order.
-pub const AOV_CHANNELS: [&str; 12] =
-    ["hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads"];
+pub const AOV_CHANNELS: [&str; 13] =
+    ["hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "lit"];
 
 /// How linear light becomes the colours of a picture.
 ///
@@ -50,11 +50,11 @@ pub fn srgb8(rendering: &Rendering, look: &Look) -> Vec<u8> {
 }
 
 /// The numbers of a pixel, one for each of [`AOV_CHANNELS`]; zeros where its centre shows no surface.
-pub fn aov_of(pixel: &PixelOut) -> [f32; 12] {
+pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
     if pixel.hit == 0 {
-        return [0.0; 12];
+        return [0.0; AOV_CHANNELS.len()];
     }
-    let PixelOut { uv, height, position, normal, depth, reads, .. } = pixel;
+    let PixelOut { uv, height, position, normal, depth, reads, lit, .. } = pixel;
     [
         1.0,
         uv.x,
@@ -68,13 +68,14 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; 12] {
         normal.z,
         *depth,
         *reads as f32,
+        *lit,
     ]
 }
 
 /// The arbitrary output variables of a rendering: a plane of numbers for each of [`AOV_CHANNELS`].
 ///
 /// `hit` is 1 or 0; `uv` is not wrapped; `height` is a texel value; `P` and `N` are in the world; `depth` is
-/// in metres along the view axis. Pixels that no surface covers are 0 throughout.
+/// in metres along the view axis; `lit` is the part of the first light that arrives. Pixels that no surface covers are 0 throughout.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
     let plane = |place: usize| rendering.pixels.iter().map(|pixel| aov_of(pixel)[place]).collect();
     AOV_CHANNELS.into_iter().enumerate().map(|(place, name)| (name, plane(place))).collect()

@@ -324,6 +324,8 @@ pub struct PixelOut {
     pub cell: rt::Vec2<i32>,
     /// Texels and cells that the search and the refinement read.
     pub reads: u32,
+    /// The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without lights.
+    pub lit: f32,
 }
 impl PixelOut {
     pub fn new(
@@ -338,8 +340,9 @@ impl PixelOut {
         t: impl rt::Into<f32>,
         cell: impl rt::Into<rt::Vec2<i32>>,
         reads: impl rt::Into<u32>,
+        lit: impl rt::Into<f32>,
     ) -> Self {
-        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads) }
+        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads), lit: rt::into(lit) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -715,10 +718,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_20 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_21 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_20.x())) + (by * at_20.y())) + ((twist * at_20.x()) * at_20.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_20.x() * grid_1.step.y()) + (at_20.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_21.x())) + (by * at_21.y())) + ((twist * at_21.x()) * at_21.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_21.x() * grid_1.step.y()) + (at_21.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -1707,8 +1710,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
                         let _e111 = cell_9;
                         let _e114 = t_9;
-                        let at_21 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_1 = at_21.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_21), forward_2);
+                        let at_22 = ((_e2.origin - _e111) + (_e2.step * _e114));
+                        let left_1 = at_22.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_22), forward_2);
                         let _e126 = t_9;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e134 = slope_1;
@@ -1879,8 +1882,8 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_4 - _e35).max(rt::Scalar(0f32));
                     let _e40 = cell_10;
                     let _e43 = t_11;
-                    let at_22 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let _e46 = self.v_nearest_corner(at_22);
+                    let at_23 = ((_e2.origin - _e40) + (_e2.step * _e43));
+                    let _e46 = self.v_nearest_corner(at_23);
                     let _e47 = self.v_corner_height(_e24, _e46);
                     let _e48 = t_11;
                     next_2 = _e48;
@@ -2556,94 +2559,95 @@ impl<'g> Resources<'g> {
         let _e9 = self.v_path_slope(path_24, rt::Scalar(0f32));
         let _e12 = self.v_path_slope(path_24, rt::Scalar(path_24.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let speed_1 = (<rt::Vec3<f32>>::new_21(path_24.duv, climb_1).length() * rt::Scalar(1.000001f32));
+        let fastest = <rt::Vec3<f32>>::new_21(path_24.duv, climb_1).length();
+        let speed_1 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
         let far_6 = (path_24.uv.abs() + (path_24.duv.abs() * rt::Scalar(path_24.exit)));
         let height_terms = (path_24.h.x().abs() + (rt::Scalar(path_24.exit) * (path_24.h.y().abs() + (rt::Scalar(path_24.exit) * path_24.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
-        let _e51 = self.v_cell_of(_e2.origin);
-        cell_15 = _e51;
+        let _e52 = self.v_cell_of(_e2.origin);
+        cell_15 = _e52;
         let limit_6 = params_8.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e59 = reads_10;
-                if rt::Scalar::into_branch_condition(_e59.elementwise_lt(limit_6)) {
+                let _e60 = reads_10;
+                if rt::Scalar::into_branch_condition(_e60.elementwise_lt(limit_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e61 = cell_15;
-                    let _e62 = self.v_cell_leave(_e2, _e61);
-                    let end_8 = _e62.x().min(_e62.y()).min(rt::Scalar(path_24.exit));
-                    let _e68 = t_15;
-                    let span_9 = (end_8 - _e68).max(rt::Scalar(0f32));
-                    let _e72 = t_15;
-                    let _e73 = self.v_path_uv(path_24, _e72);
-                    let _e74 = t_15;
-                    let _e75 = self.v_path_height(path_24, _e74);
-                    let _e77 = self.v_distance_at(path_24, _e73, _e75, params_8.z());
-                    let free_1 = (_e77 - lost_3);
-                    let _e79 = reads_10;
-                    reads_10 = (_e79 + rt::Scalar(2u32));
-                    let _e82 = t_15;
-                    next_4 = _e82;
+                    let _e62 = cell_15;
+                    let _e63 = self.v_cell_leave(_e2, _e62);
+                    let end_8 = _e63.x().min(_e63.y()).min(rt::Scalar(path_24.exit));
+                    let _e69 = t_15;
+                    let span_9 = (end_8 - _e69).max(rt::Scalar(0f32));
+                    let _e73 = t_15;
+                    let _e74 = self.v_path_uv(path_24, _e73);
+                    let _e75 = t_15;
+                    let _e76 = self.v_path_height(path_24, _e75);
+                    let _e78 = self.v_distance_at(path_24, _e74, _e76, params_8.z());
+                    let free_1 = (_e78 - lost_3);
+                    let _e80 = reads_10;
+                    reads_10 = (_e80 + rt::Scalar(2u32));
+                    let _e83 = t_15;
+                    next_4 = _e83;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e86 = t_15;
-                        next_4 = (_e86 + (free_1 / speed_1));
+                        let _e87 = t_15;
+                        next_4 = (_e87 + (free_1 / speed_1));
                     }
                     if rt::Scalar::into_branch_condition(params_8.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e92 = next_4;
-                        let _e93 = t_15;
-                        if rt::Scalar::into_branch_condition((!(_e92 - _e93).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_24.exit))))) {
-                            let _e101 = t_15;
-                            let _e103 = reads_10;
-                            return <Found>::new(FOUND_ABOVE, _e101, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e103);
+                        let _e93 = next_4;
+                        let _e94 = t_15;
+                        if rt::Scalar::into_branch_condition((!(_e93 - _e94).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_24.exit))))) {
+                            let _e102 = t_15;
+                            let _e104 = reads_10;
+                            return <Found>::new(FOUND_ABOVE, _e102, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e104);
                         }
                     } else {
-                        let _e107 = next_4;
-                        if rt::Scalar::into_branch_condition((!_e107.elementwise_lt(end_8))) {
-                            let _e112 = t_15;
-                            local_20 = (!end_8.elementwise_gt(_e112));
+                        let _e108 = next_4;
+                        if rt::Scalar::into_branch_condition((!_e108.elementwise_lt(end_8))) {
+                            let _e113 = t_15;
+                            local_20 = (!end_8.elementwise_gt(_e113));
                         } else {
                             local_20 = rt::Scalar(true);
                         }
-                        let _e116 = local_20;
-                        if rt::Scalar::into_branch_condition(_e116) {
-                            let _e117 = reads_10;
-                            reads_10 = (_e117 + rt::Scalar(1u32));
-                            let _e120 = cell_15;
+                        let _e117 = local_20;
+                        if rt::Scalar::into_branch_condition(_e117) {
+                            let _e118 = reads_10;
+                            reads_10 = (_e118 + rt::Scalar(1u32));
                             let _e121 = cell_15;
-                            let _e123 = self.v_height_cell(_e121.cast_elem_as_i32());
-                            let _e124 = t_15;
-                            let _e125 = self.v_gap_to(path_24, _e2, _e120, _e123, _e124);
-                            let _e126 = t_15;
+                            let _e122 = cell_15;
+                            let _e124 = self.v_height_cell(_e122.cast_elem_as_i32());
+                            let _e125 = t_15;
+                            let _e126 = self.v_gap_to(path_24, _e2, _e121, _e124, _e125);
                             let _e127 = t_15;
-                            let _e130 = reads_10;
-                            let _e131 = self.v_found_in_cell(_e125, _e126, span_9, _e127.elementwise_eq(rt::Scalar(0f32)), _e130);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e131.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e131;
+                            let _e128 = t_15;
+                            let _e131 = reads_10;
+                            let _e132 = self.v_found_in_cell(_e126, _e127, span_9, _e128.elementwise_eq(rt::Scalar(0f32)), _e131);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e132.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e132;
                             }
-                            let _e135 = t_15;
-                            next_4 = _e135.max(end_8);
+                            let _e136 = t_15;
+                            next_4 = _e136.max(end_8);
                         }
                     }
-                    let _e137 = next_4;
-                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(path_24.exit))) {
-                        let _e141 = t_15;
-                        let _e143 = reads_10;
-                        return <Found>::new(FOUND_MISS, _e141, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+                    let _e138 = next_4;
+                    if rt::Scalar::into_branch_condition(_e138.elementwise_ge(rt::Scalar(path_24.exit))) {
+                        let _e142 = t_15;
+                        let _e144 = reads_10;
+                        return <Found>::new(FOUND_MISS, _e142, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e144);
                     }
-                    let _e147 = cell_15;
-                    let _e148 = next_4;
-                    let _e149 = self.v_cell_after(_e2, _e147, _e62, forward_5, _e148);
-                    cell_15 = _e149;
-                    let _e150 = next_4;
-                    t_15 = _e150;
+                    let _e148 = cell_15;
+                    let _e149 = next_4;
+                    let _e150 = self.v_cell_after(_e2, _e148, _e63, forward_5, _e149);
+                    cell_15 = _e150;
+                    let _e151 = next_4;
+                    t_15 = _e151;
                 }
             }
         }
-        let _e152 = t_15;
-        let _e154 = reads_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e152, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e154);
+        let _e153 = t_15;
+        let _e155 = reads_10;
+        return <Found>::new(FOUND_EXHAUSTED, _e153, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
     }
     pub(crate) fn search_cone_moved(
         &self,
@@ -2716,30 +2720,31 @@ impl<'g> Resources<'g> {
                     let terms_1 = (path_25.h.x().abs() + (rt::Scalar(path_25.exit) * (path_25.h.y().abs() + (rt::Scalar(path_25.exit) * path_25.h.z().abs()))));
                     let far_7 = (((path_25.uv.abs() + (path_25.duv.abs() * rt::Scalar(path_25.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e50);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
-                    let closing_1 = (((_e50 * aside_1) - rise_2) * rt::Scalar(1.000001f32));
+                    let nearing = ((_e50 * aside_1) - rise_2);
+                    let closing_1 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_1.elementwise_le(rt::Scalar(0f32))) {
-                        let _e107 = t_16;
-                        let _e109 = reads_11;
-                        return <Found>::new(FOUND_MISS, _e107, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e109);
+                        let _e108 = t_16;
+                        let _e110 = reads_11;
+                        return <Found>::new(FOUND_MISS, _e108, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e110);
                     }
-                    let _e113 = t_16;
-                    t_16 = (_e113 + ((_e18 - lost_4).max(rt::Scalar(0f32)) / closing_1));
-                    let _e119 = t_16;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_25.exit))) {
-                        let _e123 = near_3;
-                        let _e125 = reads_11;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                    let _e114 = t_16;
+                    t_16 = (_e114 + ((_e18 - lost_4).max(rt::Scalar(0f32)) / closing_1));
+                    let _e120 = t_16;
+                    if rt::Scalar::into_branch_condition(_e120.elementwise_ge(rt::Scalar(path_25.exit))) {
+                        let _e124 = near_3;
+                        let _e126 = reads_11;
+                        return <Found>::new(FOUND_MISS, _e124, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
                     }
-                    let _e129 = k_1;
-                    k_1 = (_e129 + rt::Scalar(1f32));
+                    let _e130 = k_1;
+                    k_1 = (_e130 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e133 = t_16;
-        let _e135 = t_16;
-        let _e136 = self.v_path_height(path_25, _e135);
-        let _e137 = reads_11;
-        return <Found>::new(FOUND_ABOVE, _e133, rt::Scalar(path_25.exit), _e136, rt::Scalar(0f32), _e137);
+        let _e134 = t_16;
+        let _e136 = t_16;
+        let _e137 = self.v_path_height(path_25, _e136);
+        let _e138 = reads_11;
+        return <Found>::new(FOUND_ABOVE, _e134, rt::Scalar(path_25.exit), _e137, rt::Scalar(0f32), _e138);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
@@ -2854,57 +2859,58 @@ impl<'g> Resources<'g> {
                     let _e139 = start;
                     next_5 = _e139;
                     if rt::Scalar::into_branch_condition(_e135.elementwise_ge(rt::Scalar(0f32))) {
-                        let closing_2 = (((_e135 * aside_2) - _e11) * rt::Scalar(1.000001f32));
-                        let _e147 = gap;
-                        let room = (_e147 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e135 * (far_8.x() + far_8.y())))));
+                        let nearing_1 = ((_e135 * aside_2) - _e11);
+                        let closing_2 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
+                        let _e148 = gap;
+                        let room = (_e148 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e135 * (far_8.x() + far_8.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
-                            let _e159 = start;
-                            next_5 = (_e159 + (room.max(rt::Scalar(0f32)) / closing_2));
+                            let _e160 = start;
+                            next_5 = (_e160 + (room.max(rt::Scalar(0f32)) / closing_2));
                         }
                     }
                     if rt::Scalar::into_branch_condition(params_10.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e169 = next_5;
-                        let _e170 = t_17;
-                        local_23 = (!(_e169 - _e170).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
+                        let _e170 = next_5;
+                        let _e171 = t_17;
+                        local_23 = (!(_e170 - _e171).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
                     } else {
                         local_23 = rt::Scalar(false);
                     }
-                    let _e178 = local_23;
-                    if rt::Scalar::into_branch_condition(_e178) {
-                        let _e180 = t_17;
-                        let _e182 = gap;
-                        let _e183 = reads_12;
-                        return <Found>::new(FOUND_ABOVE, _e180, rt::Scalar(path_26.exit), _e182, rt::Scalar(0f32), _e183);
+                    let _e179 = local_23;
+                    if rt::Scalar::into_branch_condition(_e179) {
+                        let _e181 = t_17;
+                        let _e183 = gap;
+                        let _e184 = reads_12;
+                        return <Found>::new(FOUND_ABOVE, _e181, rt::Scalar(path_26.exit), _e183, rt::Scalar(0f32), _e184);
                     }
-                    let _e186 = next_5;
-                    if rt::Scalar::into_branch_condition(_e186.elementwise_ge(rt::Scalar(path_26.exit))) {
-                        let _e190 = self.v_path_gap(path_26, rt::Scalar(path_26.exit));
-                        let _e191 = reads_12;
-                        reads_12 = (_e191 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e190.elementwise_le(rt::Scalar(0f32))) {
-                            let _e196 = start;
-                            let _e198 = gap;
-                            let _e199 = reads_12;
-                            let _e200 = self.v_entered_once(path_26, _e2, _e196, rt::Scalar(path_26.exit), _e198, _e190, _e199);
-                            return _e200;
+                    let _e187 = next_5;
+                    if rt::Scalar::into_branch_condition(_e187.elementwise_ge(rt::Scalar(path_26.exit))) {
+                        let _e191 = self.v_path_gap(path_26, rt::Scalar(path_26.exit));
+                        let _e192 = reads_12;
+                        reads_12 = (_e192 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e191.elementwise_le(rt::Scalar(0f32))) {
+                            let _e197 = start;
+                            let _e199 = gap;
+                            let _e200 = reads_12;
+                            let _e201 = self.v_entered_once(path_26, _e2, _e197, rt::Scalar(path_26.exit), _e199, _e191, _e200);
+                            return _e201;
                         }
-                        let _e202 = start;
-                        let _e204 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e202, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e204);
+                        let _e203 = start;
+                        let _e205 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e203, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e205);
                     }
-                    let _e208 = cell_16;
-                    let _e209 = next_5;
-                    let _e210 = self.v_cell_after(_e2, _e208, _e50, forward_6, _e209);
-                    cell_16 = _e210;
-                    let _e211 = next_5;
-                    t_17 = _e211;
+                    let _e209 = cell_16;
+                    let _e210 = next_5;
+                    let _e211 = self.v_cell_after(_e2, _e209, _e50, forward_6, _e210);
+                    cell_16 = _e211;
+                    let _e212 = next_5;
+                    t_17 = _e212;
                 }
             }
         }
-        let _e213 = t_17;
-        let _e215 = reads_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e213, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e215);
+        let _e214 = t_17;
+        let _e216 = reads_12;
+        return <Found>::new(FOUND_EXHAUSTED, _e214, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e216);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
@@ -3299,297 +3305,54 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_normal_from_height(at_8, uv_11);
         return _e8;
     }
-    pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
-        rt::into(self.v_mixed(rt::into(seed)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
-        let mut x: rt::Scalar<u32>;
-
-        x = (seed ^ (seed >> rt::Scalar(16u32)));
-        let _e5 = x;
-        x = (_e5 * rt::Scalar(2146121005u32));
-        let _e8 = x;
-        let _e9 = x;
-        x = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
-        let _e13 = x;
-        x = (_e13 * rt::Scalar(2221713035u32));
-        let _e16 = x;
-        let _e17 = x;
-        return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
-    }
-    pub(crate) fn normal_z(
-        &self,
-        path_30: Path,
-        slope_3: impl rt::Into<rt::Vec2<f32>>,
-    ) -> f32 {
-        rt::into(self.v_normal_z(path_30, rt::into(slope_3)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_z(
-        &self,
-        path_30: Path,
-        slope_3: rt::Vec2<f32>,
-    ) -> rt::Scalar<f32> {
-        let m = path_30.metric;
-        let area_1 = ((m.x() * m.z()) - (m.y() * m.y()));
-        let squared_1 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_1);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
-    }
-    pub(crate) fn shadow_texel(
-        &self,
-        place_1: impl rt::Into<rt::Vec2<i32>>,
-        layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_5: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_1), rt::into(layer_2), rt::into(level_5)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_texel(
-        &self,
-        place_1: rt::Vec2<i32>,
-        layer_2: rt::Scalar<i32>,
-        level_5: rt::Scalar<i32>,
-    ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_1, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_5));
-        let _e8 = self.surface_settings.maps[2usize];
-        let _e9 = self.v_decoded(_e4, _e8);
-        return _e9;
-    }
-    pub(crate) fn shadow_texel_between(
-        &self,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
-        layer_3: impl rt::Into<rt::Scalar<i32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_12), rt::into(layer_3)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_texel_between(
-        &self,
-        uv_12: rt::Vec2<f32>,
-        layer_3: rt::Scalar<i32>,
-    ) -> rt::Vec4<f32> {
-        let _e4 = self.surface_settings.height_size;
-        let _e5 = self.v_texels_around(uv_12, _e4);
-        let _e12 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_3, rt::Scalar(0i32));
-        let _e19 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_3, rt::Scalar(0i32));
-        let _e26 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_3, rt::Scalar(0i32));
-        let _e33 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_3, rt::Scalar(0i32));
-        let _e35 = self.v_bilinear(_e12, _e19, _e26, _e33, _e5.part);
-        return _e35;
-    }
-    pub(crate) fn open_part(
-        &self,
-        hit_4: Hit,
-        azimuth: impl rt::Into<rt::Scalar<i32>>,
-        elevation: impl rt::Into<rt::Scalar<i32>>,
-        elevations: impl rt::Into<rt::Scalar<i32>>,
-    ) -> f32 {
-        rt::into(self.v_open_part(hit_4, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_open_part(
-        &self,
-        hit_4: Hit,
-        azimuth: rt::Scalar<i32>,
-        elevation: rt::Scalar<i32>,
-        elevations: rt::Scalar<i32>,
-    ) -> rt::Scalar<f32> {
-        let _e7 = self.v_shadow_texel_between(hit_4.uv, ((azimuth * elevations) + elevation));
-        return (rt::Scalar(1f32) - _e7.z());
-    }
-    pub(crate) fn own_slope(&self, way_1: Path) -> f32 {
-        rt::into(self.v_own_slope(way_1))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_own_slope(&self, way_1: Path) -> rt::Scalar<f32> {
-        let _e1 = self.v_grid_of(way_1);
-        let _e3 = self.v_cell_of(_e1.origin);
-        let _e4 = self.v_cell_leave(_e1, _e3);
-        let end_11 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        let level_7 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_11, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
-        let _e23 = self.v_height_cell(_e3.cast_elem_as_i32());
-        let _e25 = self.v_gap_to(level_7, _e1, _e3, _e23, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e25.y().min((_e25.y() + (_e25.z() * end_11))));
-    }
-    pub(crate) fn turn_of_sine(&self, sine: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_turn_of_sine(rt::into(sine)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of_sine(&self, sine: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_1 = sine.abs().min(rt::Scalar(1f32));
-        let series_1 = (rt::Scalar(1.5707288f32) + (x_1 * (rt::Scalar(-0.2121144f32) + (x_1 * (rt::Scalar(0.074261f32) - (x_1 * rt::Scalar(0.0187293f32)))))));
-        let turn_4 = (rt::Scalar(0.25f32) - (((rt::Scalar(1f32) - x_1).sqrt() * series_1) * rt::Scalar(0.15915494f32)));
-        return turn_4.select((rt::Scalar(0f32) - turn_4), sine.elementwise_lt(rt::Scalar(0f32)));
-    }
-    pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_part_above(&self, height_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_2 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let _e13 = self.v_turn_of_sine(x_2);
-        return ((rt::Scalar(0.5f32) + ((x_2 * (rt::Scalar(1f32) - (x_2 * x_2)).sqrt()) * rt::Scalar(0.31830987f32))) + (rt::Scalar(2f32) * _e13)).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-    }
-    pub(crate) fn pixel_direction(&self, pixel: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_direction(&self, pixel: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e3 = self.frame.corner;
-        let _e7 = self.frame.right;
-        let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel.x())) + (_e14.xyz() * pixel.y()));
-    }
-    pub(crate) fn pixel_eye(&self, pixel_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_eye(&self, pixel_1: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e3 = self.frame.eye;
-        let _e7 = self.frame.eye_right;
-        let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_1.x())) + (_e14.xyz() * pixel_1.y()));
-    }
-    pub(crate) fn pixel_of(
-        &self,
-        a_1: Corner,
-        b_1: Corner,
-        c_4: Corner,
-        side: impl rt::Into<rt::Scalar<f32>>,
-        point_1: impl rt::Into<rt::Vec2<f32>>,
-    ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_1, b_1, c_4, rt::into(side), rt::into(point_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_of(
-        &self,
-        a_1: Corner,
-        b_1: Corner,
-        c_4: Corner,
-        side: rt::Scalar<f32>,
-        point_1: rt::Vec2<f32>,
-    ) -> PixelIn {
-        let _e5 = self.v_pixel_eye(point_1);
-        let _e6 = self.v_pixel_direction(point_1);
-        return <PixelIn>::new(_e5, _e6, side, a_1, b_1, c_4);
-    }
-    pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
-        rt::into(self.v_unit_of(rt::into(bits)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
-        return ((bits >> rt::Scalar(8u32)).cast_elem_as_f32() / rt::Scalar(16777216f32));
-    }
-    pub(crate) fn quarter_sine(&self, turn: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_quarter_sine(rt::into(turn)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_quarter_sine(&self, turn: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_3 = (turn * rt::Scalar(6.2831855f32));
-        let s_2 = (x_3 * x_3);
-        return (x_3 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32))))))))));
-    }
-    pub(crate) fn sine_of(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_sine_of(rt::into(turn_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_sine_of(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_2 = (turn_1 - turn_1.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_2 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_2.elementwise_gt(rt::Scalar(0.5f32)));
-    }
-    pub(crate) fn turned(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_turned(rt::into(turn_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turned(&self, turn_2: rt::Scalar<f32>) -> rt::Vec2<f32> {
-        let _e3 = self.v_sine_of((turn_2 + rt::Scalar(0.25f32)));
-        let _e4 = self.v_sine_of(turn_2);
-        return <rt::Vec2<f32>>::from_scalars(_e3, _e4);
-    }
-    pub(crate) fn point_of_disc(
-        &self,
-        light_4: Toward,
-        seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_2: impl rt::Into<rt::Scalar<u32>>,
-        count: impl rt::Into<rt::Scalar<u32>>,
-    ) -> Toward {
-        rt::into(self.v_point_of_disc(light_4, rt::into(seed_1), rt::into(k_2), rt::into(count)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_point_of_disc(
-        &self,
-        light_4: Toward,
-        seed_1: rt::Scalar<u32>,
-        k_2: rt::Scalar<u32>,
-        count: rt::Scalar<u32>,
-    ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_2) + rt::Scalar(1u32)));
-        let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_2.cast_elem_as_f32() + _e9) / count.cast_elem_as_f32());
-        let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned(((k_2.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_6 = (_e18 * (ring.sqrt() * rt::Scalar(light_4.radius)));
-        let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_4.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
-        let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_4.direction).normalize();
-        let up = light_4.direction.cross(right_2);
-        let toward_2 = ((light_4.direction + (right_2 * place_6.x())) + (up * place_6.y()));
-        let along = toward_2.length();
-        return <Toward>::new((toward_2 / rt::Vec3::splat_from_scalar(along)), rt::Scalar(light_4.falloff), (rt::Scalar(light_4.distance) * along), rt::Scalar(0f32));
-    }
-    pub(crate) fn toward_light(
-        &self,
-        light_5: Light,
-        position: impl rt::Into<rt::Vec3<f32>>,
-    ) -> Toward {
-        rt::into(self.v_toward_light(light_5, rt::into(position)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_toward_light(
-        &self,
-        light_5: Light,
-        position: rt::Vec3<f32>,
-    ) -> Toward {
-        if rt::Scalar::into_branch_condition(light_5.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_3 = (light_5.place.xyz() - position);
-            let squared_2 = toward_3.dot(toward_3);
-            let distance = squared_2.sqrt();
-            let falloff = (rt::Scalar(1f32) / squared_2.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_3.normalize(), falloff, distance, (light_5.color.w() / distance));
-        }
-        return <Toward>::new(light_5.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_5.color.w());
-    }
-    pub(crate) fn ray_to_light(
+    pub(crate) fn shadow_ray(
         &self,
         at_9: Entered,
-        hit_5: Hit,
-        number: impl rt::Into<rt::Scalar<u32>>,
-    ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_9, hit_5, rt::into(number)))
+        hit_4: Hit,
+        light_4: Toward,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_ray(at_9, hit_4, light_4, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_ray_to_light(
+    fn v_shadow_ray(
         &self,
         at_9: Entered,
-        hit_5: Hit,
-        number: rt::Scalar<u32>,
-    ) -> LightRay {
-        let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e7 = self.v_hit_position(at_9, hit_5);
-        let _e8 = self.v_toward_light(_e6, _e7);
-        let _e9 = self.v_light_ray(at_9, hit_5, _e8);
-        return _e9;
+        hit_4: Hit,
+        light_4: Toward,
+        params_12: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_free_way(at_9, hit_4, light_4);
+        return _e4;
     }
-    pub(crate) fn starting_point(&self, path_31: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_31, found_1))
+    pub(crate) fn shadow_none(
+        &self,
+        at_10: Entered,
+        hit_5: Hit,
+        light_5: Toward,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_none(at_10, hit_5, light_5, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_31: Path, found_1: Found) -> rt::Scalar<f32> {
+    fn v_shadow_none(
+        &self,
+        at_10: Entered,
+        hit_5: Hit,
+        light_5: Toward,
+        params_13: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        return rt::Scalar(1f32);
+    }
+    pub(crate) fn starting_point(&self, path_30: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_30, found_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_starting_point(&self, path_30: Path, found_1: Found) -> rt::Scalar<f32> {
         let mut local_29: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_31.base);
+            return rt::Scalar(path_30.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
             local_29 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
@@ -3604,61 +3367,256 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_32: Path,
+        path_31: Path,
         found_2: Found,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_32, found_2, rt::into(params_12)))
+        rt::into(self.v_refine_none(path_31, found_2, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_32: Path,
+        path_31: Path,
         found_2: Found,
-        params_12: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_2.reads));
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_32, found_2);
-        let _e16 = self.v_hit_on_path(path_32, _e14, exhausted_1, rt::Scalar(found_2.reads));
+        let _e14 = self.v_starting_point(path_31, found_2);
+        let _e16 = self.v_hit_on_path(path_31, _e14, exhausted_1, rt::Scalar(found_2.reads));
         return _e16;
+    }
+    pub(crate) fn refine_offset(
+        &self,
+        path_32: Path,
+        found_3: Found,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_offset(path_32, found_3, rt::into(params_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_offset(
+        &self,
+        path_32: Path,
+        found_3: Found,
+        params_15: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_20: rt::Scalar<f32>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_3.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_32, found_3);
+        let _e9 = self.v_path_uv(path_32, _e8);
+        let _e10 = self.v_height_at(_e9);
+        let _e11 = self.v_path_slope(path_32, _e8);
+        t_20 = _e8;
+        if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
+            let _e15 = self.v_path_height(path_32, _e8);
+            t_20 = (_e8 + ((_e10 - _e15) / _e11));
+        }
+        let _e19 = t_20;
+        let _e29 = self.v_hit_on_path(path_32, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_3.reads) + rt::Scalar(1u32)));
+        return _e29;
+    }
+    pub(crate) fn refine_offset_limited(
+        &self,
+        path_33: Path,
+        found_4: Found,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_offset_limited(path_33, found_4, rt::into(params_16)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_offset_limited(
+        &self,
+        path_33: Path,
+        found_4: Found,
+        params_16: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut hit_6: Hit;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_4.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_33, found_4);
+        let _e9 = self.v_path_uv(path_33, _e8);
+        let _e10 = self.v_height_at(_e9);
+        let _e11 = self.v_path_height(path_33, _e8);
+        let rise_m = ((_e10 - _e11) * path_33.metric.w());
+        let _e26 = self.v_hit_on_path(path_33, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
+        hit_6 = _e26;
+        let _e29 = rt::Scalar(hit_6.found);
+        if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
+            rt::Scalar(hit_6.height) = _e10;
+        }
+        let _e33 = hit_6;
+        return _e33;
+    }
+    pub(crate) fn normal_z(
+        &self,
+        path_34: Path,
+        slope_3: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_normal_z(path_34, rt::into(slope_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_z(
+        &self,
+        path_34: Path,
+        slope_3: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let m = path_34.metric;
+        let area_1 = ((m.x() * m.z()) - (m.y() * m.y()));
+        let squared_1 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_1);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
+    }
+    pub(crate) fn refine_slope(
+        &self,
+        path_35: Path,
+        found_5: Found,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope(path_35, found_5, rt::into(params_17)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope(
+        &self,
+        path_35: Path,
+        found_5: Found,
+        params_17: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_21: rt::Scalar<f32>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_5.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_35, found_5);
+        let _e9 = self.v_path_uv(path_35, _e8);
+        let _e10 = self.v_height_and_slope(_e9);
+        let _e12 = self.v_path_height(path_35, _e8);
+        let rise_3 = (_e10.x() - _e12);
+        t_21 = _e8;
+        if rt::Scalar::into_branch_condition(params_17.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e18 = self.v_path_slope(path_35, _e8);
+            let closing_3 = (_e18 - ((_e10.y() * path_35.duv.x()) + (_e10.z() * path_35.duv.y())));
+            if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
+                t_21 = (_e8 + (rise_3 / closing_3));
+            }
+        } else {
+            let _e39 = self.v_normal_z(path_35, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
+            t_21 = (_e8 - ((rise_3 * path_35.metric.w()) * _e39));
+        }
+        let _e42 = t_21;
+        let _e52 = self.v_hit_on_path(path_35, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        return _e52;
+    }
+    pub(crate) fn refine_slope_iterative(
+        &self,
+        path_36: Path,
+        found_6: Found,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope_iterative(path_36, found_6, rt::into(params_18)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope_iterative(
+        &self,
+        path_36: Path,
+        found_6: Found,
+        params_18: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_22: rt::Scalar<f32>;
+        let mut reads_16: rt::Scalar<u32>;
+        let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_6.reads));
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_36, found_6);
+        t_22 = _e8;
+        reads_16 = rt::Scalar(found_6.reads);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e14 = k_2;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_18.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e17 = t_22;
+                    let _e18 = self.v_path_uv(path_36, _e17);
+                    let _e19 = self.v_height_and_slope(_e18);
+                    let _e20 = reads_16;
+                    reads_16 = (_e20 + rt::Scalar(1u32));
+                    let _e24 = t_22;
+                    let _e25 = self.v_path_height(path_36, _e24);
+                    let rise_4 = (_e19.x() - _e25);
+                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e30 = t_22;
+                        let _e31 = self.v_path_slope(path_36, _e30);
+                        let closing_4 = (_e31 - ((_e19.y() * path_36.duv.x()) + (_e19.z() * path_36.duv.y())));
+                        if rt::Scalar::into_branch_condition(closing_4.elementwise_lt(rt::Scalar(0f32))) {
+                            let _e44 = t_22;
+                            t_22 = (_e44 + (rise_4 / closing_4));
+                        }
+                    } else {
+                        let _e47 = t_22;
+                        let _e54 = self.v_normal_z(path_36, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
+                        t_22 = (_e47 - ((rise_4 * path_36.metric.w()) * _e54));
+                    }
+                    let _e57 = t_22;
+                    t_22 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_36.exit));
+                    let _e61 = k_2;
+                    k_2 = (_e61 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e64 = t_22;
+        let _e71 = reads_16;
+        let _e72 = self.v_hit_on_path(path_36, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
+        return _e72;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_33: Path,
-        found_3: Found,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        path_37: Path,
+        found_7: Found,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_33, found_3, rt::into(params_13)))
+        rt::into(self.v_refine_binary(path_37, found_7, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_33: Path,
-        found_3: Found,
-        params_13: rt::Vec4<f32>,
+        path_37: Path,
+        found_7: Found,
+        params_19: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
-        let mut reads_16: rt::Scalar<u32>;
+        let mut reads_17: rt::Scalar<u32>;
         let mut local_30: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
-        let _e3 = self.v_has_interval(found_3);
+        let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_33, found_3, params_13);
+            let _e5 = self.v_refine_none(path_37, found_7, params_19);
             return _e5;
         }
-        near_6 = rt::Scalar(found_3.near);
-        far_2 = rt::Scalar(found_3.far);
-        reads_16 = rt::Scalar(found_3.reads);
-        if rt::Scalar::into_branch_condition((!rt::Scalar(found_3.status).elementwise_eq(FOUND_BRACKET))) {
+        near_6 = rt::Scalar(found_7.near);
+        far_2 = rt::Scalar(found_7.far);
+        reads_17 = rt::Scalar(found_7.reads);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_33, _e18);
+            let _e19 = self.v_path_height(path_37, _e18);
             local_30 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_30 = rt::Scalar(true);
@@ -3668,7 +3626,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_3;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_13.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_19.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3676,9 +3634,9 @@ impl<'g> Resources<'g> {
                     let _e30 = near_6;
                     let _e31 = far_2;
                     let middle_1 = (rt::Scalar(0.5f32) * (_e30 + _e31));
-                    let _e35 = reads_16;
-                    reads_16 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = self.v_path_gap(path_33, middle_1);
+                    let _e35 = reads_17;
+                    reads_17 = (_e35 + rt::Scalar(1u32));
+                    let _e38 = self.v_path_gap(path_37, middle_1);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
                         far_2 = middle_1;
                         crossed = rt::Scalar(true);
@@ -3692,252 +3650,42 @@ impl<'g> Resources<'g> {
         }
         let _e45 = crossed;
         if rt::Scalar::into_branch_condition((!_e45)) {
-            let _e47 = reads_16;
+            let _e47 = reads_17;
             let _e48 = self.v_miss(_e47);
             return _e48;
         }
         let _e49 = near_6;
         let _e50 = far_2;
-        let _e55 = reads_16;
-        let _e56 = self.v_hit_on_path(path_33, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
+        let _e55 = reads_17;
+        let _e56 = self.v_hit_on_path(path_37, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
         return _e56;
-    }
-    pub(crate) fn refine_half_texel(
-        &self,
-        path_34: Path,
-        found_4: Found,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_34, found_4, rt::into(params_14)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_half_texel(
-        &self,
-        path_34: Path,
-        found_4: Found,
-        params_14: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_34, found_4, params_14);
-            return _e6;
-        }
-        let _e8 = self.v_height_size();
-        let speed_2 = (path_34.duv * _e8).length();
-        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_34.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e16 = self.v_refine_none(path_34, found_4, params_14);
-            return _e16;
-        }
-        let half = (rt::Scalar(0.5f32) / speed_2);
-        let backward = (rt::Scalar(found_4.far) - half).max(rt::Scalar(0f32));
-        let forward_8 = (rt::Scalar(found_4.far) + half).min(rt::Scalar(path_34.exit));
-        let _e27 = self.v_path_gap(path_34, backward);
-        let before_1 = _e27.abs();
-        let _e29 = self.v_path_gap(path_34, forward_8);
-        let behind_1 = _e29.abs();
-        if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
-            part_1 = (before_1 / (before_1 + behind_1));
-        }
-        let _e39 = part_1;
-        let _e46 = self.v_hit_on_path(path_34, (backward + ((forward_8 - backward) * _e39)), rt::Scalar(0u32), (rt::Scalar(found_4.reads) + rt::Scalar(2u32)));
-        return _e46;
-    }
-    pub(crate) fn refine_offset(
-        &self,
-        path_35: Path,
-        found_5: Found,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_offset(path_35, found_5, rt::into(params_15)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset(
-        &self,
-        path_35: Path,
-        found_5: Found,
-        params_15: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_20: rt::Scalar<f32>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_5.reads));
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_35, found_5);
-        let _e9 = self.v_path_uv(path_35, _e8);
-        let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_slope(path_35, _e8);
-        t_20 = _e8;
-        if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
-            let _e15 = self.v_path_height(path_35, _e8);
-            t_20 = (_e8 + ((_e10 - _e15) / _e11));
-        }
-        let _e19 = t_20;
-        let _e29 = self.v_hit_on_path(path_35, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
-        return _e29;
-    }
-    pub(crate) fn refine_offset_limited(
-        &self,
-        path_36: Path,
-        found_6: Found,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_36, found_6, rt::into(params_16)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset_limited(
-        &self,
-        path_36: Path,
-        found_6: Found,
-        params_16: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut hit_6: Hit;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_6.reads));
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_36, found_6);
-        let _e9 = self.v_path_uv(path_36, _e8);
-        let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_height(path_36, _e8);
-        let rise_m = ((_e10 - _e11) * path_36.metric.w());
-        let _e26 = self.v_hit_on_path(path_36, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_6.reads) + rt::Scalar(1u32)));
-        hit_6 = _e26;
-        let _e29 = rt::Scalar(hit_6.found);
-        if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_6.height) = _e10;
-        }
-        let _e33 = hit_6;
-        return _e33;
-    }
-    pub(crate) fn refine_patch(
-        &self,
-        path_37: Path,
-        found_7: Found,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_patch(path_37, found_7, rt::into(params_17)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_patch(
-        &self,
-        path_37: Path,
-        found_7: Found,
-        params_17: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_21: rt::Scalar<f32>;
-        let mut cell_18: rt::Vec2<f32>;
-        let mut reads_17: rt::Scalar<u32>;
-        let mut local_31: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_7.reads));
-            return _e7;
-        }
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_37, rt::Scalar(found_7.near), rt::Scalar(1u32), rt::Scalar(found_7.reads));
-            return _e14;
-        }
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_7.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_37, rt::Scalar(found_7.near), rt::Scalar(0u32), rt::Scalar(found_7.reads));
-            return _e21;
-        }
-        let _e22 = self.v_grid_of(path_37);
-        t_21 = rt::Scalar(found_7.near);
-        let _e27 = t_21;
-        let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_18 = _e30;
-        reads_17 = rt::Scalar(found_7.reads);
-        let _e34 = reads_17;
-        let limit_9 = (_e34 + params_17.x().cast_elem_as_u32());
-        'naga_break: loop {
-            'naga_continue: {
-                let _e38 = reads_17;
-                if rt::Scalar::into_branch_condition(_e38.elementwise_lt(limit_9)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e40 = cell_18;
-                    let _e41 = self.v_cell_leave(_e22, _e40);
-                    let end_12 = _e41.x().min(_e41.y()).min(rt::Scalar(found_7.far));
-                    let _e47 = t_21;
-                    let span_12 = (end_12 - _e47).max(rt::Scalar(0f32));
-                    let _e51 = cell_18;
-                    let _e52 = t_21;
-                    let _e53 = self.v_cell_gap(path_37, _e22, _e51, _e52);
-                    let _e54 = reads_17;
-                    reads_17 = (_e54 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e60 = t_21;
-                        let _e62 = reads_17;
-                        let _e63 = self.v_hit_on_path(path_37, _e60, rt::Scalar(0u32), _e62);
-                        return _e63;
-                    }
-                    let _e64 = self.v_first_root(_e53, span_12);
-                    if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e67 = t_21;
-                        let _e70 = reads_17;
-                        let _e71 = self.v_hit_on_path(path_37, (_e67 + _e64), rt::Scalar(0u32), _e70);
-                        return _e71;
-                    }
-                    if rt::Scalar::into_branch_condition(end_12.elementwise_ge(rt::Scalar(found_7.far))) {
-                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_31 = rt::Scalar(found_7.status).elementwise_eq(FOUND_BELOW);
-                        } else {
-                            local_31 = rt::Scalar(true);
-                        }
-                        let _e84 = local_31;
-                        if rt::Scalar::into_branch_condition(_e84) {
-                            let _e87 = reads_17;
-                            let _e88 = self.v_hit_on_path(path_37, rt::Scalar(found_7.far), rt::Scalar(0u32), _e87);
-                            return _e88;
-                        }
-                        let _e89 = reads_17;
-                        let _e90 = self.v_miss(_e89);
-                        return _e90;
-                    }
-                    let _e91 = cell_18;
-                    let _e92 = self.v_cell_next(_e22, _e91, _e41);
-                    cell_18 = _e92;
-                    let _e93 = t_21;
-                    t_21 = _e93.max(end_12);
-                }
-            }
-        }
-        let _e95 = t_21;
-        let _e97 = reads_17;
-        let _e98 = self.v_hit_on_path(path_37, _e95, rt::Scalar(1u32), _e97);
-        return _e98;
     }
     pub(crate) fn refine_secant(
         &self,
         path_38: Path,
         found_8: Found,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_18)))
+        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
         path_38: Path,
         found_8: Found,
-        params_18: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_7: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
         let mut near_gap_5: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut reads_18: rt::Scalar<u32>;
-        let mut t_22: rt::Scalar<f32>;
+        let mut t_23: rt::Scalar<f32>;
         let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_38, found_8, params_18);
+            let _e5 = self.v_refine_none(path_38, found_8, params_20);
             return _e5;
         }
         near_7 = rt::Scalar(found_8.near);
@@ -3962,11 +3710,11 @@ impl<'g> Resources<'g> {
             }
         }
         let _e31 = far_3;
-        t_22 = _e31;
+        t_23 = _e31;
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_4;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_18.x())) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_20.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3981,19 +3729,19 @@ impl<'g> Resources<'g> {
                     let _e45 = far_3;
                     let _e46 = near_7;
                     let _e48 = near_gap_5;
-                    t_22 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
+                    t_23 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
                     let _e52 = k_4;
-                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_18.x())) {
-                        let _e55 = t_22;
+                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_20.x())) {
+                        let _e55 = t_23;
                         let _e56 = self.v_path_gap(path_38, _e55);
                         let _e57 = reads_18;
                         reads_18 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
-                            let _e62 = t_22;
+                            let _e62 = t_23;
                             far_3 = _e62;
                             far_gap_1 = _e56;
                         } else {
-                            let _e63 = t_22;
+                            let _e63 = t_23;
                             near_7 = _e63;
                             near_gap_5 = _e56;
                         }
@@ -4003,170 +3751,62 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e67 = t_22;
+        let _e67 = t_23;
         let _e69 = reads_18;
         let _e70 = self.v_hit_on_path(path_38, _e67, rt::Scalar(0u32), _e69);
         return _e70;
     }
-    pub(crate) fn refine_slope(
-        &self,
-        path_39: Path,
-        found_9: Found,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_slope(path_39, found_9, rt::into(params_19)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope(
-        &self,
-        path_39: Path,
-        found_9: Found,
-        params_19: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_23: rt::Scalar<f32>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_9.reads));
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_39, found_9);
-        let _e9 = self.v_path_uv(path_39, _e8);
-        let _e10 = self.v_height_and_slope(_e9);
-        let _e12 = self.v_path_height(path_39, _e8);
-        let rise_3 = (_e10.x() - _e12);
-        t_23 = _e8;
-        if rt::Scalar::into_branch_condition(params_19.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e18 = self.v_path_slope(path_39, _e8);
-            let closing_3 = (_e18 - ((_e10.y() * path_39.duv.x()) + (_e10.z() * path_39.duv.y())));
-            if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
-                t_23 = (_e8 + (rise_3 / closing_3));
-            }
-        } else {
-            let _e39 = self.v_normal_z(path_39, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_23 = (_e8 - ((rise_3 * path_39.metric.w()) * _e39));
-        }
-        let _e42 = t_23;
-        let _e52 = self.v_hit_on_path(path_39, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_9.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_9.reads) + rt::Scalar(1u32)));
-        return _e52;
-    }
-    pub(crate) fn refine_slope_iterative(
-        &self,
-        path_40: Path,
-        found_10: Found,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_40, found_10, rt::into(params_20)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope_iterative(
-        &self,
-        path_40: Path,
-        found_10: Found,
-        params_20: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_24: rt::Scalar<f32>;
-        let mut reads_19: rt::Scalar<u32>;
-        let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_10.reads));
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_40, found_10);
-        t_24 = _e8;
-        reads_19 = rt::Scalar(found_10.reads);
-        'naga_break: loop {
-            'naga_continue: {
-                let _e14 = k_5;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_20.x())) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e17 = t_24;
-                    let _e18 = self.v_path_uv(path_40, _e17);
-                    let _e19 = self.v_height_and_slope(_e18);
-                    let _e20 = reads_19;
-                    reads_19 = (_e20 + rt::Scalar(1u32));
-                    let _e24 = t_24;
-                    let _e25 = self.v_path_height(path_40, _e24);
-                    let rise_4 = (_e19.x() - _e25);
-                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e30 = t_24;
-                        let _e31 = self.v_path_slope(path_40, _e30);
-                        let closing_4 = (_e31 - ((_e19.y() * path_40.duv.x()) + (_e19.z() * path_40.duv.y())));
-                        if rt::Scalar::into_branch_condition(closing_4.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e44 = t_24;
-                            t_24 = (_e44 + (rise_4 / closing_4));
-                        }
-                    } else {
-                        let _e47 = t_24;
-                        let _e54 = self.v_normal_z(path_40, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_24 = (_e47 - ((rise_4 * path_40.metric.w()) * _e54));
-                    }
-                    let _e57 = t_24;
-                    t_24 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_40.exit));
-                    let _e61 = k_5;
-                    k_5 = (_e61 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e64 = t_24;
-        let _e71 = reads_19;
-        let _e72 = self.v_hit_on_path(path_40, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
-        return _e72;
-    }
     pub(crate) fn refine_true_secant(
         &self,
-        path_41: Path,
-        found_11: Found,
+        path_39: Path,
+        found_9: Found,
         params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_41, found_11, rt::into(params_21)))
+        rt::into(self.v_refine_true_secant(path_39, found_9, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_41: Path,
-        found_11: Found,
+        path_39: Path,
+        found_9: Found,
         params_21: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
-        let mut reads_20: rt::Scalar<u32>;
-        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut reads_19: rt::Scalar<u32>;
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e3 = self.v_has_interval(found_11);
+        let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_41, found_11, params_21);
+            let _e5 = self.v_refine_none(path_39, found_9, params_21);
             return _e5;
         }
-        before = rt::Scalar(found_11.near);
-        last = rt::Scalar(found_11.far);
-        before_gap = rt::Scalar(found_11.near_gap);
-        last_gap = rt::Scalar(found_11.far_gap);
-        reads_20 = rt::Scalar(found_11.reads);
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BRACKET)) {
+        before = rt::Scalar(found_9.near);
+        last = rt::Scalar(found_9.far);
+        before_gap = rt::Scalar(found_9.near_gap);
+        last_gap = rt::Scalar(found_9.far_gap);
+        reads_19 = rt::Scalar(found_9.reads);
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_41, _e19);
+            let _e20 = self.v_path_gap(path_39, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_41, _e21);
+            let _e22 = self.v_path_gap(path_39, _e21);
             last_gap = _e22;
-            let _e23 = reads_20;
-            reads_20 = (_e23 + rt::Scalar(2u32));
+            let _e23 = reads_19;
+            reads_19 = (_e23 + rt::Scalar(2u32));
             let _e26 = last_gap;
             if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_20;
+                let _e29 = reads_19;
                 let _e30 = self.v_miss(_e29);
                 return _e30;
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e33 = k_6;
+                let _e33 = k_5;
                 if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_21.x())) {
                 } else {
                     break 'naga_break;
@@ -4182,28 +3822,169 @@ impl<'g> Resources<'g> {
                     let _e42 = last;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_26 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_11.near), rt::Scalar(found_11.far));
+                    let t_26 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
                     let _e52 = last;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
                     last = t_26;
-                    let _e54 = k_6;
+                    let _e54 = k_5;
                     if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_21.x())) {
-                        let _e57 = self.v_path_gap(path_41, t_26);
+                        let _e57 = self.v_path_gap(path_39, t_26);
                         last_gap = _e57;
-                        let _e58 = reads_20;
-                        reads_20 = (_e58 + rt::Scalar(1u32));
+                        let _e58 = reads_19;
+                        reads_19 = (_e58 + rt::Scalar(1u32));
                     }
-                    let _e61 = k_6;
-                    k_6 = (_e61 + rt::Scalar(1f32));
+                    let _e61 = k_5;
+                    k_5 = (_e61 + rt::Scalar(1f32));
                 }
             }
         }
         let _e64 = last;
-        let _e66 = reads_20;
-        let _e67 = self.v_hit_on_path(path_41, _e64, rt::Scalar(0u32), _e66);
+        let _e66 = reads_19;
+        let _e67 = self.v_hit_on_path(path_39, _e64, rt::Scalar(0u32), _e66);
         return _e67;
+    }
+    pub(crate) fn refine_patch(
+        &self,
+        path_40: Path,
+        found_10: Found,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_patch(path_40, found_10, rt::into(params_22)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_patch(
+        &self,
+        path_40: Path,
+        found_10: Found,
+        params_22: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_24: rt::Scalar<f32>;
+        let mut cell_18: rt::Vec2<f32>;
+        let mut reads_20: rt::Scalar<u32>;
+        let mut local_31: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(rt::Scalar(found_10.reads));
+            return _e7;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
+            let _e14 = self.v_hit_on_path(path_40, rt::Scalar(found_10.near), rt::Scalar(1u32), rt::Scalar(found_10.reads));
+            return _e14;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
+            let _e21 = self.v_hit_on_path(path_40, rt::Scalar(found_10.near), rt::Scalar(0u32), rt::Scalar(found_10.reads));
+            return _e21;
+        }
+        let _e22 = self.v_grid_of(path_40);
+        t_24 = rt::Scalar(found_10.near);
+        let _e27 = t_24;
+        let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
+        cell_18 = _e30;
+        reads_20 = rt::Scalar(found_10.reads);
+        let _e34 = reads_20;
+        let limit_9 = (_e34 + params_22.x().cast_elem_as_u32());
+        'naga_break: loop {
+            'naga_continue: {
+                let _e38 = reads_20;
+                if rt::Scalar::into_branch_condition(_e38.elementwise_lt(limit_9)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e40 = cell_18;
+                    let _e41 = self.v_cell_leave(_e22, _e40);
+                    let end_11 = _e41.x().min(_e41.y()).min(rt::Scalar(found_10.far));
+                    let _e47 = t_24;
+                    let span_12 = (end_11 - _e47).max(rt::Scalar(0f32));
+                    let _e51 = cell_18;
+                    let _e52 = t_24;
+                    let _e53 = self.v_cell_gap(path_40, _e22, _e51, _e52);
+                    let _e54 = reads_20;
+                    reads_20 = (_e54 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e60 = t_24;
+                        let _e62 = reads_20;
+                        let _e63 = self.v_hit_on_path(path_40, _e60, rt::Scalar(0u32), _e62);
+                        return _e63;
+                    }
+                    let _e64 = self.v_first_root(_e53, span_12);
+                    if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e67 = t_24;
+                        let _e70 = reads_20;
+                        let _e71 = self.v_hit_on_path(path_40, (_e67 + _e64), rt::Scalar(0u32), _e70);
+                        return _e71;
+                    }
+                    if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(found_10.far))) {
+                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
+                            local_31 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                        } else {
+                            local_31 = rt::Scalar(true);
+                        }
+                        let _e84 = local_31;
+                        if rt::Scalar::into_branch_condition(_e84) {
+                            let _e87 = reads_20;
+                            let _e88 = self.v_hit_on_path(path_40, rt::Scalar(found_10.far), rt::Scalar(0u32), _e87);
+                            return _e88;
+                        }
+                        let _e89 = reads_20;
+                        let _e90 = self.v_miss(_e89);
+                        return _e90;
+                    }
+                    let _e91 = cell_18;
+                    let _e92 = self.v_cell_next(_e22, _e91, _e41);
+                    cell_18 = _e92;
+                    let _e93 = t_24;
+                    t_24 = _e93.max(end_11);
+                }
+            }
+        }
+        let _e95 = t_24;
+        let _e97 = reads_20;
+        let _e98 = self.v_hit_on_path(path_40, _e95, rt::Scalar(1u32), _e97);
+        return _e98;
+    }
+    pub(crate) fn refine_half_texel(
+        &self,
+        path_41: Path,
+        found_11: Found,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_half_texel(path_41, found_11, rt::into(params_23)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_half_texel(
+        &self,
+        path_41: Path,
+        found_11: Found,
+        params_23: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
+            let _e6 = self.v_refine_none(path_41, found_11, params_23);
+            return _e6;
+        }
+        let _e8 = self.v_height_size();
+        let speed_2 = (path_41.duv * _e8).length();
+        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_41.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e16 = self.v_refine_none(path_41, found_11, params_23);
+            return _e16;
+        }
+        let half = (rt::Scalar(0.5f32) / speed_2);
+        let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
+        let forward_8 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_41.exit));
+        let _e27 = self.v_path_gap(path_41, backward);
+        let before_1 = _e27.abs();
+        let _e29 = self.v_path_gap(path_41, forward_8);
+        let behind_1 = _e29.abs();
+        if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
+            part_1 = (before_1 / (before_1 + behind_1));
+        }
+        let _e39 = part_1;
+        let _e46 = self.v_hit_on_path(path_41, (backward + ((forward_8 - backward) * _e39)), rt::Scalar(0u32), (rt::Scalar(found_11.reads) + rt::Scalar(2u32)));
+        return _e46;
     }
     pub(crate) fn refine_stage(&self, path_42: Path, found_12: Found) -> Hit {
         rt::into(self.v_refine_stage(path_42, found_12))
@@ -4263,158 +4044,6 @@ impl<'g> Resources<'g> {
                 return _e66;
             }
         }
-    }
-    pub(crate) fn whole_power(
-        &self,
-        base: impl rt::Into<rt::Scalar<f32>>,
-        exponent: impl rt::Into<rt::Scalar<u32>>,
-    ) -> f32 {
-        rt::into(self.v_whole_power(rt::into(base), rt::into(exponent)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_whole_power(
-        &self,
-        base: rt::Scalar<f32>,
-        exponent: rt::Scalar<u32>,
-    ) -> rt::Scalar<f32> {
-        let mut result: rt::Scalar<f32> = rt::Scalar(1f32);
-        let mut square: rt::Scalar<f32>;
-        let mut rest: rt::Scalar<u32>;
-
-        square = base;
-        rest = exponent;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e6 = rest;
-                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0u32))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e9 = rest;
-                    if rt::Scalar::into_branch_condition((_e9 % rt::Scalar(2u32)).elementwise_eq(rt::Scalar(1u32))) {
-                        let _e14 = result;
-                        let _e15 = square;
-                        result = (_e14 * _e15);
-                    }
-                    let _e17 = square;
-                    let _e18 = square;
-                    square = (_e17 * _e18);
-                    let _e20 = rest;
-                    rest = (_e20 / rt::Scalar(2u32));
-                }
-            }
-        }
-        let _e23 = result;
-        return _e23;
-    }
-    pub(crate) fn shade_blinn_phong(
-        &self,
-        normal: impl rt::Into<rt::Vec3<f32>>,
-        view: impl rt::Into<rt::Vec3<f32>>,
-        toward: impl rt::Into<rt::Vec3<f32>>,
-        color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_22)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_blinn_phong(
-        &self,
-        normal: rt::Vec3<f32>,
-        view: rt::Vec3<f32>,
-        toward: rt::Vec3<f32>,
-        color_1: rt::Vec3<f32>,
-        params_22: rt::Vec4<f32>,
-    ) -> rt::Vec3<f32> {
-        let cosine_1 = normal.dot(toward);
-        if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
-            let lobe = normal.dot((toward + view).normalize()).max(rt::Scalar(0f32));
-            let _e15 = self.surface_settings.specular;
-            let _e19 = rt::Scalar(self.surface_settings.shininess);
-            let _e20 = self.v_whole_power(lobe, _e19);
-            let specular = (_e15.xyz() * _e20);
-            return ((color_1 * cosine_1) + specular);
-        }
-        return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-    }
-    pub(crate) fn shade_stage(
-        &self,
-        normal_1: impl rt::Into<rt::Vec3<f32>>,
-        view_1: impl rt::Into<rt::Vec3<f32>>,
-        toward_1: impl rt::Into<rt::Vec3<f32>>,
-        color_2: impl rt::Into<rt::Vec3<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_1), rt::into(view_1), rt::into(toward_1), rt::into(color_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_stage(
-        &self,
-        normal_1: rt::Vec3<f32>,
-        view_1: rt::Vec3<f32>,
-        toward_1: rt::Vec3<f32>,
-        color_2: rt::Vec3<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e8 = rt::Scalar(self.surface_settings.choices[3usize].number);
-        match rt::Scalar::into_inner(_e8) {
-            _ => {
-                let _e13 = self.surface_settings.choices[3usize].params;
-                let _e14 = self.v_shade_blinn_phong(normal_1, view_1, toward_1, color_2, _e13);
-                return _e14;
-            }
-        }
-    }
-    pub(crate) fn reflected_light(
-        &self,
-        position_1: impl rt::Into<rt::Vec3<f32>>,
-        normal_2: impl rt::Into<rt::Vec3<f32>>,
-        view_2: impl rt::Into<rt::Vec3<f32>>,
-        color_3: impl rt::Into<rt::Vec3<f32>>,
-        visible: [rt::Vec4<f32>; 8],
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_3), visible))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_reflected_light(
-        &self,
-        position_1: rt::Vec3<f32>,
-        normal_2: rt::Vec3<f32>,
-        view_2: rt::Vec3<f32>,
-        color_3: rt::Vec3<f32>,
-        visible: [rt::Vec4<f32>; 8],
-    ) -> rt::Vec3<f32> {
-        let mut light_6: rt::Vec3<f32>;
-        let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
-
-        let _e7 = self.surface_settings.diffuse;
-        let diffuse = (_e7.xyz() * color_3);
-        let _e12 = self.frame.ambient;
-        light_6 = (_e12.xyz() * diffuse);
-        'naga_break: loop {
-            'naga_continue: {
-                let _e18 = k_7;
-                let _e21 = rt::Scalar(self.frame.light_count);
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(_e21)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e25 = k_7;
-                    let _e27 = self.frame.lights[rt::Scalar::into_array_index(_e25)];
-                    let _e28 = self.v_toward_light(_e27, position_1);
-                    let _e30 = self.v_shade_stage(normal_2, view_2, _e28.direction, diffuse);
-                    let _e31 = light_6;
-                    let _e34 = k_7;
-                    let _e37 = self.frame.lights[rt::Scalar::into_array_index(_e34)].color;
-                    let _e41 = k_7;
-                    light_6 = (_e31 + ((_e30 * _e37.xyz()) * (rt::Scalar(_e28.falloff) * visible[rt::Scalar::into_array_index(_e41)].x())));
-                    let _e47 = k_7;
-                    k_7 = (_e47 + rt::Scalar(1u32));
-                }
-            }
-        }
-        let _e50 = light_6;
-        return _e50;
     }
     pub(crate) fn search_stage(&self, path_43: Path) -> Found {
         rt::into(self.v_search_stage(path_43))
@@ -4485,81 +4114,811 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn seed_of(&self, hit_7: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_7))
+    pub(crate) fn shadow_entry(
+        &self,
+        at_11: Entered,
+        hit_7: Hit,
+        light_6: Toward,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_entry(at_11, hit_7, light_6, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_seed_of(&self, hit_7: Hit) -> rt::Scalar<u32> {
-        let place_7 = ((hit_7.uv - hit_7.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_7.y());
-        let _e12 = self.v_mixed((place_7.x() ^ _e10));
+    fn v_shadow_entry(
+        &self,
+        at_11: Entered,
+        hit_7: Hit,
+        light_6: Toward,
+        params_24: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_from_hit(at_11, hit_7, light_6);
+        if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e11 = self.v_way_out(_e4, light_6);
+        if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(1f32);
+        }
+        let _e16 = self.v_path_height(_e4, _e11);
+        let _e19 = rt::Scalar(self.surface_settings.bias_m);
+        let _e24 = rt::Scalar(self.surface_settings.scale_m);
+        let base_height = ((rt::Scalar(0f32) - _e19) / _e24.max(rt::Scalar(0.000000001f32)));
+        let _e28 = self.v_path_uv(_e4, _e11);
+        let down_1 = <Path>::new(_e28, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - base_height) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level));
+        let _e48 = self.v_search_stage(down_1);
+        let _e49 = self.v_refine_stage(down_1, _e48);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e49.found).elementwise_eq(rt::Scalar(0u32))) {
+            return rt::Scalar(1f32);
+        }
+        let _e58 = self.v_height_size();
+        let apart = ((_e49.uv - _e4.uv).abs() * _e58);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart.x().max(apart.y()).elementwise_le(params_24.x()));
+    }
+    pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
+        rt::into(self.v_mixed(rt::into(seed)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_mixed(&self, seed: rt::Scalar<u32>) -> rt::Scalar<u32> {
+        let mut x: rt::Scalar<u32>;
+
+        x = (seed ^ (seed >> rt::Scalar(16u32)));
+        let _e5 = x;
+        x = (_e5 * rt::Scalar(2146121005u32));
+        let _e8 = x;
+        let _e9 = x;
+        x = (_e8 ^ (_e9 >> rt::Scalar(15u32)));
+        let _e13 = x;
+        x = (_e13 * rt::Scalar(2221713035u32));
+        let _e16 = x;
+        let _e17 = x;
+        return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
+    }
+    pub(crate) fn seed_of(&self, hit_8: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_8))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_seed_of(&self, hit_8: Hit) -> rt::Scalar<u32> {
+        let place_6 = ((hit_8.uv - hit_8.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_6.y());
+        let _e12 = self.v_mixed((place_6.x() ^ _e10));
         return _e12;
     }
-    pub(crate) fn shade_hit(&self, pixel_2: PixelIn, at_10: Entered, hit_8: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_2, at_10, hit_8, visible_1))
+    pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
+        rt::into(self.v_unit_of(rt::into(bits)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_2: PixelIn, at_10: Entered, hit_8: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
+        return ((bits >> rt::Scalar(8u32)).cast_elem_as_f32() / rt::Scalar(16777216f32));
+    }
+    pub(crate) fn quarter_sine(&self, turn: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_quarter_sine(rt::into(turn)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_quarter_sine(&self, turn: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_1 = (turn * rt::Scalar(6.2831855f32));
+        let s_2 = (x_1 * x_1);
+        return (x_1 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32))))))))));
+    }
+    pub(crate) fn sine_of(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_sine_of(rt::into(turn_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_sine_of(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let part_2 = (turn_1 - turn_1.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_2 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_2.elementwise_gt(rt::Scalar(0.5f32)));
+    }
+    pub(crate) fn turned(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_turned(rt::into(turn_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turned(&self, turn_2: rt::Scalar<f32>) -> rt::Vec2<f32> {
+        let _e3 = self.v_sine_of((turn_2 + rt::Scalar(0.25f32)));
+        let _e4 = self.v_sine_of(turn_2);
+        return <rt::Vec2<f32>>::from_scalars(_e3, _e4);
+    }
+    pub(crate) fn point_of_disc(
+        &self,
+        light_7: Toward,
+        seed_1: impl rt::Into<rt::Scalar<u32>>,
+        k_6: impl rt::Into<rt::Scalar<u32>>,
+        count: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Toward {
+        rt::into(self.v_point_of_disc(light_7, rt::into(seed_1), rt::into(k_6), rt::into(count)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_point_of_disc(
+        &self,
+        light_7: Toward,
+        seed_1: rt::Scalar<u32>,
+        k_6: rt::Scalar<u32>,
+        count: rt::Scalar<u32>,
+    ) -> Toward {
+        let _e8 = self.v_mixed(((seed_1 + k_6) + rt::Scalar(1u32)));
+        let _e9 = self.v_unit_of(_e8);
+        let ring = ((k_6.cast_elem_as_f32() + _e9) / count.cast_elem_as_f32());
+        let _e16 = self.v_unit_of(seed_1);
+        let _e18 = self.v_turned(((k_6.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_7 = (_e18 * (ring.sqrt() * rt::Scalar(light_7.radius)));
+        let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_7.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
+        let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_7.direction).normalize();
+        let up = light_7.direction.cross(right_2);
+        let toward_2 = ((light_7.direction + (right_2 * place_7.x())) + (up * place_7.y()));
+        let along = toward_2.length();
+        return <Toward>::new((toward_2 / rt::Vec3::splat_from_scalar(along)), rt::Scalar(light_7.falloff), (rt::Scalar(light_7.distance) * along), rt::Scalar(0f32));
+    }
+    pub(crate) fn shadow_soft(
+        &self,
+        at_12: Entered,
+        hit_9: Hit,
+        light_8: Toward,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_soft(at_12, hit_9, light_8, rt::into(params_25)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_soft(
+        &self,
+        at_12: Entered,
+        hit_9: Hit,
+        light_8: Toward,
+        params_25: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let count_1 = params_25.x().cast_elem_as_u32();
+        let _e6 = self.v_seed_of(hit_9);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e11 = k_7;
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_1)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e13 = free;
+                    let _e14 = k_7;
+                    let _e15 = self.v_point_of_disc(light_8, _e6, _e14, count_1);
+                    let _e16 = self.v_free_way(at_12, hit_9, _e15);
+                    free = (_e13 + _e16);
+                    let _e18 = k_7;
+                    k_7 = (_e18 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e21 = free;
+        return (_e21 / count_1.cast_elem_as_f32());
+    }
+    pub(crate) fn shadow_heuristic(
+        &self,
+        at_13: Entered,
+        hit_10: Hit,
+        light_9: Toward,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_heuristic(at_13, hit_10, light_9, rt::into(params_26)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_heuristic(
+        &self,
+        at_13: Entered,
+        hit_10: Hit,
+        light_9: Toward,
+        params_26: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let _e4 = self.v_from_hit(at_13, hit_10, light_9);
+        if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e11 = self.v_way_out(_e4, light_9);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e16 = k_8;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_26.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e19 = k_8;
+                    let part_3 = (_e19 / params_26.x());
+                    let _e22 = most_1;
+                    let _e24 = self.v_path_gap(_e4, (part_3 * _e11));
+                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_3)));
+                    let _e31 = k_8;
+                    k_8 = (_e31 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e35 = most_1;
+        return (rt::Scalar(1f32) - (params_26.y() * _e35).min(rt::Scalar(1f32)));
+    }
+    pub(crate) fn turn_of(&self, v: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_turn_of(rt::into(v)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
+        let mut turn_3: rt::Scalar<f32>;
+
+        let x_2 = v.x().abs();
+        let y = v.y().abs();
+        if rt::Scalar::into_branch_condition((!(x_2 + y).elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e13 = self.v_eighth_turn((x_2.min(y) / x_2.max(y)));
+        turn_3 = _e13;
+        if rt::Scalar::into_branch_condition(y.elementwise_gt(x_2)) {
+            let _e16 = turn_3;
+            turn_3 = (rt::Scalar(0.25f32) - _e16);
+        }
+        if rt::Scalar::into_branch_condition(v.x().elementwise_lt(rt::Scalar(0f32))) {
+            let _e22 = turn_3;
+            turn_3 = (rt::Scalar(0.5f32) - _e22);
+        }
+        if rt::Scalar::into_branch_condition(v.y().elementwise_lt(rt::Scalar(0f32))) {
+            let _e28 = turn_3;
+            turn_3 = (rt::Scalar(1f32) - _e28);
+        }
+        let _e31 = turn_3;
+        let _e32 = turn_3;
+        return _e31.select(rt::Scalar(0f32), _e32.elementwise_ge(rt::Scalar(1f32)));
+    }
+    pub(crate) fn shadow_texel(
+        &self,
+        place_1: impl rt::Into<rt::Vec2<i32>>,
+        layer_2: impl rt::Into<rt::Scalar<i32>>,
+        level_5: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_shadow_texel(rt::into(place_1), rt::into(layer_2), rt::into(level_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_texel(
+        &self,
+        place_1: rt::Vec2<i32>,
+        layer_2: rt::Scalar<i32>,
+        level_5: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_1, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_5));
+        let _e8 = self.surface_settings.maps[2usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
+    }
+    pub(crate) fn shadow_texel_between(
+        &self,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        layer_3: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_shadow_texel_between(rt::into(uv_12), rt::into(layer_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_texel_between(
+        &self,
+        uv_12: rt::Vec2<f32>,
+        layer_3: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = self.surface_settings.height_size;
+        let _e5 = self.v_texels_around(uv_12, _e4);
+        let _e12 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_3, rt::Scalar(0i32));
+        let _e19 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_3, rt::Scalar(0i32));
+        let _e26 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_3, rt::Scalar(0i32));
+        let _e33 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_3, rt::Scalar(0i32));
+        let _e35 = self.v_bilinear(_e12, _e19, _e26, _e33, _e5.part);
+        return _e35;
+    }
+    pub(crate) fn own_slope(&self, way_1: Path) -> f32 {
+        rt::into(self.v_own_slope(way_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_own_slope(&self, way_1: Path) -> rt::Scalar<f32> {
+        let _e1 = self.v_grid_of(way_1);
+        let _e3 = self.v_cell_of(_e1.origin);
+        let _e4 = self.v_cell_leave(_e1, _e3);
+        let end_12 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        let level_7 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
+        let _e23 = self.v_height_cell(_e3.cast_elem_as_i32());
+        let _e25 = self.v_gap_to(level_7, _e1, _e3, _e23, rt::Scalar(0f32));
+        return (rt::Scalar(0f32) - _e25.y().min((_e25.y() + (_e25.z() * end_12))));
+    }
+    pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_part_above(&self, height_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_3 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_3 * x_3);
+        return (rt::Scalar(0.5f32) + (x_3 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+    }
+    pub(crate) fn shadow_horizon(
+        &self,
+        at_14: Entered,
+        hit_11: Hit,
+        light_10: Toward,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_horizon(at_14, hit_11, light_10, rt::into(params_27)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_horizon(
+        &self,
+        at_14: Entered,
+        hit_11: Hit,
+        light_10: Toward,
+        params_27: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e5 = self.v_climb(at_14, light_10.direction);
+        let map_1 = self.surface_settings.maps[2usize];
+        let along_1 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_1);
+        let azimuth_1 = (_e13 * params_27.x());
+        let first_6 = azimuth_1.floor();
+        let count_2 = params_27.x().cast_elem_as_i32();
+        let before_2 = (first_6.cast_elem_as_i32() % count_2);
+        let part_4 = (azimuth_1 - first_6);
+        let _e23 = self.v_shadow_texel_between(hit_11.uv, before_2);
+        let low_3 = _e23.x();
+        let _e29 = self.v_shadow_texel_between(hit_11.uv, ((before_2 + rt::Scalar(1i32)) % count_2));
+        let sine = (low_3 + ((_e29.x() - low_3) * part_4));
+        let squared_2 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
+        let far_9 = (squared_2 * along_1.dot(along_1)).sqrt();
+        let _e46 = self.v_from_hit(at_14, hit_11, light_10);
+        let _e47 = self.v_own_slope(_e46);
+        let _e50 = rt::Scalar(self.surface_settings.scale_m);
+        let near_8 = (_e47 * _e50);
+        let horizon = far_9.max(near_8);
+        let up_1 = at_14.normal.dot(light_10.direction);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(light_10.radius).elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
+        }
+        let flat = (rt::Scalar(1f32) - (up_1 * up_1)).max(rt::Scalar(0f32));
+        let beside = (flat + (up_1 * horizon));
+        if rt::Scalar::into_branch_condition((!beside.elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
+        }
+        let _e84 = self.v_part_above(((flat.sqrt() * (up_1 - horizon)) / (beside * rt::Scalar(light_10.radius))));
+        return _e84;
+    }
+    pub(crate) fn open_part(
+        &self,
+        hit_12: Hit,
+        azimuth: impl rt::Into<rt::Scalar<i32>>,
+        elevation: impl rt::Into<rt::Scalar<i32>>,
+        elevations: impl rt::Into<rt::Scalar<i32>>,
+    ) -> f32 {
+        rt::into(self.v_open_part(hit_12, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_open_part(
+        &self,
+        hit_12: Hit,
+        azimuth: rt::Scalar<i32>,
+        elevation: rt::Scalar<i32>,
+        elevations: rt::Scalar<i32>,
+    ) -> rt::Scalar<f32> {
+        let _e7 = self.v_shadow_texel_between(hit_12.uv, ((azimuth * elevations) + elevation));
+        return (rt::Scalar(1f32) - _e7.z());
+    }
+    pub(crate) fn shadow_visibility(
+        &self,
+        at_15: Entered,
+        hit_13: Hit,
+        light_11: Toward,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_visibility(at_15, hit_13, light_11, rt::into(params_28)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_visibility(
+        &self,
+        at_15: Entered,
+        hit_13: Hit,
+        light_11: Toward,
+        params_28: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e5 = self.v_climb(at_15, light_11.direction);
+        if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let map_2 = self.surface_settings.maps[2usize];
+        let along_2 = (_e5.xy() * map_2.tile_m);
+        let _e21 = rt::Scalar(self.surface_settings.scale_m);
+        let height_3 = (_e5.z() * _e21);
+        let squared_3 = ((height_3 * height_3) / (along_2.dot(along_2) + (height_3 * height_3)));
+        let azimuths = params_28.x().cast_elem_as_i32();
+        let elevations_1 = params_28.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_2);
+        let azimuth_2 = (_e32 * params_28.x());
+        let elevation_1 = ((squared_3 * params_28.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_28.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_28.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_4 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(hit_13, a_4, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            return _e56;
+        }
+        let a0_ = (azimuth_2.floor().cast_elem_as_i32() % azimuths);
+        let a1_ = ((a0_ + rt::Scalar(1i32)) % azimuths);
+        let e0_ = elevation_1.floor().cast_elem_as_i32();
+        let e1_ = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
+        let along_azimuth = (azimuth_2 - azimuth_2.floor());
+        let along_elevation = (elevation_1 - elevation_1.floor());
+        let _e74 = self.v_open_part(hit_13, a1_, e0_, elevations_1);
+        let _e75 = self.v_open_part(hit_13, a0_, e1_, elevations_1);
+        if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
+            let _e79 = self.v_open_part(hit_13, a0_, e0_, elevations_1);
+            return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
+        }
+        let _e86 = self.v_open_part(hit_13, a1_, e1_, elevations_1);
+        return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
+    }
+    pub(crate) fn shadow_stage(&self, at_16: Entered, hit_14: Hit, light_12: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_16, hit_14, light_12))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_stage(&self, at_16: Entered, hit_14: Hit, light_12: Toward) -> rt::Scalar<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[4usize].params;
+                let _e13 = self.v_shadow_ray(at_16, hit_14, light_12, _e12);
+                return _e13;
+            }
+            1u32 => {
+                let _e18 = self.surface_settings.choices[4usize].params;
+                let _e19 = self.v_shadow_none(at_16, hit_14, light_12, _e18);
+                return _e19;
+            }
+            2u32 => {
+                let _e24 = self.surface_settings.choices[4usize].params;
+                let _e25 = self.v_shadow_entry(at_16, hit_14, light_12, _e24);
+                return _e25;
+            }
+            3u32 => {
+                let _e30 = self.surface_settings.choices[4usize].params;
+                let _e31 = self.v_shadow_soft(at_16, hit_14, light_12, _e30);
+                return _e31;
+            }
+            4u32 => {
+                let _e36 = self.surface_settings.choices[4usize].params;
+                let _e37 = self.v_shadow_heuristic(at_16, hit_14, light_12, _e36);
+                return _e37;
+            }
+            5u32 => {
+                let _e42 = self.surface_settings.choices[4usize].params;
+                let _e43 = self.v_shadow_horizon(at_16, hit_14, light_12, _e42);
+                return _e43;
+            }
+            _ => {
+                let _e48 = self.surface_settings.choices[4usize].params;
+                let _e49 = self.v_shadow_visibility(at_16, hit_14, light_12, _e48);
+                return _e49;
+            }
+        }
+    }
+    pub(crate) fn mirrored_light(&self, pixel: PixelIn, at_17: Entered, hit_15: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel, at_17, hit_15))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_mirrored_light(&self, pixel: PixelIn, at_17: Entered, hit_15: Hit) -> rt::Scalar<f32> {
         let mut local_32: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_10.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_32 = rt::Scalar(hit_8.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_17.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_32 = rt::Scalar(hit_15.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_32 = rt::Scalar(true);
         }
-        let _e14 = local_32;
-        if rt::Scalar::into_branch_condition(_e14) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_8.reads));
+        let _e13 = local_32;
+        if rt::Scalar::into_branch_condition(_e13) {
+            return rt::Scalar(0f32);
         }
-        let _e42 = self.v_height_at(hit_8.uv);
-        let _e43 = self.v_hit_position(at_10, hit_8);
-        let _e45 = self.v_mesostructure_normal(at_10, hit_8.uv);
-        let view_3 = (pixel_2.origin - _e43).normalize();
-        let _e50 = self.v_color_or_white(hit_8.uv);
-        let _e51 = self.v_reflected_light(_e43, _e45, view_3, _e50, visible_1);
-        let _e56 = self.frame.forward;
-        let depth = (_e43 - pixel_2.origin).dot(_e56.xyz());
-        let _e60 = self.v_height_size();
-        let _e66 = self.v_cell_of(((hit_8.uv * _e60) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e51, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), hit_8.uv, _e42, _e43, _e45, depth, rt::Scalar(hit_8.t), _e66.cast_elem_as_i32(), rt::Scalar(hit_8.reads));
+        let down_2 = pixel.direction.normalize();
+        let up_2 = (down_2 - (at_17.normal * (rt::Scalar(2f32) * down_2.dot(at_17.normal))));
+        let _e31 = self.v_shadow_stage(at_17, hit_15, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        return _e31;
+    }
+    pub(crate) fn pixel_direction(&self, pixel_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_pixel_direction(&self, pixel_1: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = self.frame.corner;
+        let _e7 = self.frame.right;
+        let _e14 = self.frame.down;
+        return ((_e3.xyz() + (_e7.xyz() * pixel_1.x())) + (_e14.xyz() * pixel_1.y()));
+    }
+    pub(crate) fn pixel_eye(&self, pixel_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_pixel_eye(&self, pixel_2: rt::Vec2<f32>) -> rt::Vec3<f32> {
+        let _e3 = self.frame.eye;
+        let _e7 = self.frame.eye_right;
+        let _e14 = self.frame.eye_down;
+        return ((_e3.xyz() + (_e7.xyz() * pixel_2.x())) + (_e14.xyz() * pixel_2.y()));
+    }
+    pub(crate) fn pixel_of(
+        &self,
+        a_1: Corner,
+        b_1: Corner,
+        c_4: Corner,
+        side: impl rt::Into<rt::Scalar<f32>>,
+        point_1: impl rt::Into<rt::Vec2<f32>>,
+    ) -> PixelIn {
+        rt::into(self.v_pixel_of(a_1, b_1, c_4, rt::into(side), rt::into(point_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_pixel_of(
+        &self,
+        a_1: Corner,
+        b_1: Corner,
+        c_4: Corner,
+        side: rt::Scalar<f32>,
+        point_1: rt::Vec2<f32>,
+    ) -> PixelIn {
+        let _e5 = self.v_pixel_eye(point_1);
+        let _e6 = self.v_pixel_direction(point_1);
+        return <PixelIn>::new(_e5, _e6, side, a_1, b_1, c_4);
+    }
+    pub(crate) fn toward_light(
+        &self,
+        light_13: Light,
+        position: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Toward {
+        rt::into(self.v_toward_light(light_13, rt::into(position)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_toward_light(
+        &self,
+        light_13: Light,
+        position: rt::Vec3<f32>,
+    ) -> Toward {
+        if rt::Scalar::into_branch_condition(light_13.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+            let toward_3 = (light_13.place.xyz() - position);
+            let squared_4 = toward_3.dot(toward_3);
+            let distance = squared_4.sqrt();
+            let falloff = (rt::Scalar(1f32) / squared_4.max(rt::Scalar(0.000001f32)));
+            return <Toward>::new(toward_3.normalize(), falloff, distance, (light_13.color.w() / distance));
+        }
+        return <Toward>::new(light_13.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_13.color.w());
+    }
+    pub(crate) fn ray_to_light(
+        &self,
+        at_18: Entered,
+        hit_16: Hit,
+        number: impl rt::Into<rt::Scalar<u32>>,
+    ) -> LightRay {
+        rt::into(self.v_ray_to_light(at_18, hit_16, rt::into(number)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ray_to_light(
+        &self,
+        at_18: Entered,
+        hit_16: Hit,
+        number: rt::Scalar<u32>,
+    ) -> LightRay {
+        let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
+        let _e7 = self.v_hit_position(at_18, hit_16);
+        let _e8 = self.v_toward_light(_e6, _e7);
+        let _e9 = self.v_light_ray(at_18, hit_16, _e8);
+        return _e9;
+    }
+    pub(crate) fn whole_power(
+        &self,
+        base: impl rt::Into<rt::Scalar<f32>>,
+        exponent: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_whole_power(rt::into(base), rt::into(exponent)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_whole_power(
+        &self,
+        base: rt::Scalar<f32>,
+        exponent: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let mut result: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut square: rt::Scalar<f32>;
+        let mut rest: rt::Scalar<u32>;
+
+        square = base;
+        rest = exponent;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e6 = rest;
+                if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e9 = rest;
+                    if rt::Scalar::into_branch_condition((_e9 % rt::Scalar(2u32)).elementwise_eq(rt::Scalar(1u32))) {
+                        let _e14 = result;
+                        let _e15 = square;
+                        result = (_e14 * _e15);
+                    }
+                    let _e17 = square;
+                    let _e18 = square;
+                    square = (_e17 * _e18);
+                    let _e20 = rest;
+                    rest = (_e20 / rt::Scalar(2u32));
+                }
+            }
+        }
+        let _e23 = result;
+        return _e23;
+    }
+    pub(crate) fn shade_blinn_phong(
+        &self,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        view: impl rt::Into<rt::Vec3<f32>>,
+        toward: impl rt::Into<rt::Vec3<f32>>,
+        color_1: impl rt::Into<rt::Vec3<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_29)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_blinn_phong(
+        &self,
+        normal: rt::Vec3<f32>,
+        view: rt::Vec3<f32>,
+        toward: rt::Vec3<f32>,
+        color_1: rt::Vec3<f32>,
+        params_29: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let cosine_1 = normal.dot(toward);
+        if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
+            let lobe = normal.dot((toward + view).normalize()).max(rt::Scalar(0f32));
+            let _e15 = self.surface_settings.specular;
+            let _e19 = rt::Scalar(self.surface_settings.shininess);
+            let _e20 = self.v_whole_power(lobe, _e19);
+            let specular = (_e15.xyz() * _e20);
+            return ((color_1 * cosine_1) + specular);
+        }
+        return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn shade_stage(
+        &self,
+        normal_1: impl rt::Into<rt::Vec3<f32>>,
+        view_1: impl rt::Into<rt::Vec3<f32>>,
+        toward_1: impl rt::Into<rt::Vec3<f32>>,
+        color_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_shade_stage(rt::into(normal_1), rt::into(view_1), rt::into(toward_1), rt::into(color_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_stage(
+        &self,
+        normal_1: rt::Vec3<f32>,
+        view_1: rt::Vec3<f32>,
+        toward_1: rt::Vec3<f32>,
+        color_2: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e8 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        match rt::Scalar::into_inner(_e8) {
+            _ => {
+                let _e13 = self.surface_settings.choices[3usize].params;
+                let _e14 = self.v_shade_blinn_phong(normal_1, view_1, toward_1, color_2, _e13);
+                return _e14;
+            }
+        }
+    }
+    pub(crate) fn reflected_light(
+        &self,
+        position_1: impl rt::Into<rt::Vec3<f32>>,
+        normal_2: impl rt::Into<rt::Vec3<f32>>,
+        view_2: impl rt::Into<rt::Vec3<f32>>,
+        color_3: impl rt::Into<rt::Vec3<f32>>,
+        visible: [rt::Vec4<f32>; 8],
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_3), visible))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_reflected_light(
+        &self,
+        position_1: rt::Vec3<f32>,
+        normal_2: rt::Vec3<f32>,
+        view_2: rt::Vec3<f32>,
+        color_3: rt::Vec3<f32>,
+        visible: [rt::Vec4<f32>; 8],
+    ) -> rt::Vec3<f32> {
+        let mut light_14: rt::Vec3<f32>;
+        let mut k_9: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let _e7 = self.surface_settings.diffuse;
+        let diffuse = (_e7.xyz() * color_3);
+        let _e12 = self.frame.ambient;
+        light_14 = (_e12.xyz() * diffuse);
+        'naga_break: loop {
+            'naga_continue: {
+                let _e18 = k_9;
+                let _e21 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(_e21)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e25 = k_9;
+                    let _e27 = self.frame.lights[rt::Scalar::into_array_index(_e25)];
+                    let _e28 = self.v_toward_light(_e27, position_1);
+                    let _e30 = self.v_shade_stage(normal_2, view_2, _e28.direction, diffuse);
+                    let _e31 = light_14;
+                    let _e34 = k_9;
+                    let _e37 = self.frame.lights[rt::Scalar::into_array_index(_e34)].color;
+                    let _e41 = k_9;
+                    light_14 = (_e31 + ((_e30 * _e37.xyz()) * (rt::Scalar(_e28.falloff) * visible[rt::Scalar::into_array_index(_e41)].x())));
+                    let _e47 = k_9;
+                    k_9 = (_e47 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e50 = light_14;
+        return _e50;
+    }
+    pub(crate) fn shade_hit(&self, pixel_3: PixelIn, at_19: Entered, hit_17: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_3, at_19, hit_17, visible_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shade_hit(&self, pixel_3: PixelIn, at_19: Entered, hit_17: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        let mut local_33: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_19.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_33 = rt::Scalar(hit_17.found).elementwise_eq(rt::Scalar(0u32));
+        } else {
+            local_33 = rt::Scalar(true);
+        }
+        let _e14 = local_33;
+        if rt::Scalar::into_branch_condition(_e14) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_17.reads), rt::Scalar(0f32));
+        }
+        let _e43 = self.v_height_at(hit_17.uv);
+        let _e44 = self.v_hit_position(at_19, hit_17);
+        let _e46 = self.v_mesostructure_normal(at_19, hit_17.uv);
+        let view_3 = (pixel_3.origin - _e44).normalize();
+        let _e51 = self.v_color_or_white(hit_17.uv);
+        let _e52 = self.v_reflected_light(_e44, _e46, view_3, _e51, visible_1);
+        let _e57 = self.frame.forward;
+        let depth = (_e44 - pixel_3.origin).dot(_e57.xyz());
+        let _e61 = self.v_height_size();
+        let _e67 = self.v_cell_of(((hit_17.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_17.exhausted), hit_17.uv, _e43, _e44, _e46, depth, rt::Scalar(hit_17.t), _e67.cast_elem_as_i32(), rt::Scalar(hit_17.reads), visible_1[0usize].x());
     }
     pub(crate) fn surface_plane(
         &self,
-        pixel_3: PixelIn,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        pixel_4: PixelIn,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_3, rt::into(params_23)))
+        rt::into(self.v_surface_plane(pixel_4, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
-        pixel_3: PixelIn,
-        params_23: rt::Vec4<f32>,
+        pixel_4: PixelIn,
+        params_30: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
         let mut leave_4: rt::Scalar<f32>;
         let mut interval_2: rt::Vec2<f32>;
 
-        let a_4 = pixel_3.a.position;
-        let e1_ = (pixel_3.b.position - a_4);
-        let e2_ = (pixel_3.c.position - a_4);
-        let n_10 = e1_.cross(e2_);
+        let a_5 = pixel_4.a.position;
+        let e1_1 = (pixel_4.b.position - a_5);
+        let e2_ = (pixel_4.c.position - a_5);
+        let n_10 = e1_1.cross(e2_);
         let nn = n_10.dot(n_10);
-        let toward_4 = n_10.dot(pixel_3.direction);
-        let distance_1 = (n_10.dot((a_4 - pixel_3.origin)) / toward_4);
-        let point_5 = (pixel_3.origin + (pixel_3.direction * distance_1));
-        let from_a = (point_5 - a_4);
+        let toward_4 = n_10.dot(pixel_4.direction);
+        let distance_1 = (n_10.dot((a_5 - pixel_4.origin)) / toward_4);
+        let point_5 = (pixel_4.origin + (pixel_4.direction * distance_1));
+        let from_a = (point_5 - a_5);
         let wb = (from_a.cross(e2_).dot(n_10) / nn);
-        let wc = (e1_.cross(from_a).dot(n_10) / nn);
+        let wc = (e1_1.cross(from_a).dot(n_10) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_13 = (((pixel_3.a.uv * wa) + (pixel_3.b.uv * wb)) + (pixel_3.c.uv * wc));
-        let tangent_1 = (((pixel_3.a.tangent * wa) + (pixel_3.b.tangent * wb)) + (pixel_3.c.tangent * wc));
-        let bitangent = (((pixel_3.a.bitangent * wa) + (pixel_3.b.bitangent * wb)) + (pixel_3.c.bitangent * wc));
-        let normal_3 = ((((pixel_3.a.normal * wa) + (pixel_3.b.normal * wb)) + (pixel_3.c.normal * wc)).normalize() * rt::Scalar(pixel_3.side));
-        let along_1 = pixel_3.direction.length();
-        let direction_1 = (pixel_3.direction / rt::Vec3::splat_from_scalar(along_1));
+        let uv_13 = (((pixel_4.a.uv * wa) + (pixel_4.b.uv * wb)) + (pixel_4.c.uv * wc));
+        let tangent_1 = (((pixel_4.a.tangent * wa) + (pixel_4.b.tangent * wb)) + (pixel_4.c.tangent * wc));
+        let bitangent = (((pixel_4.a.bitangent * wa) + (pixel_4.b.bitangent * wb)) + (pixel_4.c.bitangent * wc));
+        let normal_3 = ((((pixel_4.a.normal * wa) + (pixel_4.b.normal * wb)) + (pixel_4.c.normal * wc)).normalize() * rt::Scalar(pixel_4.side));
+        let along_3 = pixel_4.direction.length();
+        let direction_1 = (pixel_4.direction / rt::Vec3::splat_from_scalar(along_3));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
@@ -4568,11 +4927,11 @@ impl<'g> Resources<'g> {
         let area_2 = ((tt * bb) - (tb * tb));
         let descent = (rt::Scalar(0f32) - normal_3.dot(direction_1));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_33 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
+            local_34 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_33 = rt::Scalar(true);
+            local_34 = rt::Scalar(true);
         }
-        let _e107 = local_33;
+        let _e107 = local_34;
         if rt::Scalar::into_branch_condition(_e107) {
             valid = rt::Scalar(0u32);
         }
@@ -4580,12 +4939,12 @@ impl<'g> Resources<'g> {
         let _e120 = rt::Scalar(self.surface_settings.scale_m);
         let scale = _e120.max(rt::Scalar(0.000000001f32));
         let _e125 = rt::Scalar(self.surface_settings.bias_m);
-        let base_height = ((rt::Scalar(0f32) - _e125) / scale);
+        let base_height_1 = ((rt::Scalar(0f32) - _e125) / scale);
         let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
-        let eye = ((rt::Scalar(0f32) - distance_1) * along_1);
-        let top_5 = (((base_height - rt::Scalar(1f32)) * scale) / descent);
+        let eye = ((rt::Scalar(0f32) - distance_1) * along_3);
+        let top_5 = (((base_height_1 - rt::Scalar(1f32)) * scale) / descent);
         enter = top_5.max(eye);
-        leave_4 = ((base_height * scale) / descent);
+        leave_4 = ((base_height_1 * scale) / descent);
         let _e144 = leave_4;
         let _e145 = leave_4;
         leave_4 = (_e144 + ((_e145 - top_5) * rt::Scalar(0.000001f32)));
@@ -4610,7 +4969,7 @@ impl<'g> Resources<'g> {
         }
         let _e175 = enter;
         let _e178 = enter;
-        let entry_height = (base_height + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
+        let entry_height = (base_height_1 + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
         let _e182 = enter;
         let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e188 = enter;
@@ -4621,16 +4980,16 @@ impl<'g> Resources<'g> {
         let _e203 = valid;
         return <Entered>::new(_e203, path_46, point_5, uv_13, tangent_1, bitangent, normal_3);
     }
-    pub(crate) fn surface_stage(&self, pixel_4: PixelIn) -> Entered {
-        rt::into(self.v_surface_stage(pixel_4))
+    pub(crate) fn surface_stage(&self, pixel_5: PixelIn) -> Entered {
+        rt::into(self.v_surface_stage(pixel_5))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_stage(&self, pixel_4: PixelIn) -> Entered {
+    fn v_surface_stage(&self, pixel_5: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e5) {
             _ => {
                 let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane(pixel_4, _e10);
+                let _e11 = self.v_surface_plane(pixel_5, _e10);
                 return _e11;
             }
         }
@@ -4644,372 +5003,17 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_44, _e1);
         return _e2;
     }
-    pub(crate) fn shadow_ray(
-        &self,
-        at_11: Entered,
-        hit_9: Hit,
-        light_7: Toward,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_ray(at_11, hit_9, light_7, rt::into(params_24)))
+    pub(crate) fn visible_lights(&self, at_20: Entered, hit_18: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_20, hit_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_ray(
-        &self,
-        at_11: Entered,
-        hit_9: Hit,
-        light_7: Toward,
-        params_24: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_11, hit_9, light_7);
-        return _e4;
-    }
-    pub(crate) fn shadow_none(
-        &self,
-        at_12: Entered,
-        hit_10: Hit,
-        light_8: Toward,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_none(at_12, hit_10, light_8, rt::into(params_25)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_none(
-        &self,
-        at_12: Entered,
-        hit_10: Hit,
-        light_8: Toward,
-        params_25: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        return rt::Scalar(1f32);
-    }
-    pub(crate) fn shadow_entry(
-        &self,
-        at_13: Entered,
-        hit_11: Hit,
-        light_9: Toward,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_entry(at_13, hit_11, light_9, rt::into(params_26)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_entry(
-        &self,
-        at_13: Entered,
-        hit_11: Hit,
-        light_9: Toward,
-        params_26: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_13, hit_11, light_9);
-        if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32);
-        }
-        let _e11 = self.v_way_out(_e4, light_9);
-        if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(1f32);
-        }
-        let _e16 = self.v_path_height(_e4, _e11);
-        let _e19 = rt::Scalar(self.surface_settings.bias_m);
-        let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let base_height_1 = ((rt::Scalar(0f32) - _e19) / _e24.max(rt::Scalar(0.000000001f32)));
-        let _e28 = self.v_path_uv(_e4, _e11);
-        let down_1 = <Path>::new(_e28, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - base_height_1) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level));
-        let _e48 = self.v_search_stage(down_1);
-        let _e49 = self.v_refine_stage(down_1, _e48);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e49.found).elementwise_eq(rt::Scalar(0u32))) {
-            return rt::Scalar(1f32);
-        }
-        let _e58 = self.v_height_size();
-        let apart = ((_e49.uv - _e4.uv).abs() * _e58);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart.x().max(apart.y()).elementwise_le(params_26.x()));
-    }
-    pub(crate) fn shadow_soft(
-        &self,
-        at_14: Entered,
-        hit_12: Hit,
-        light_10: Toward,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_soft(at_14, hit_12, light_10, rt::into(params_27)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_soft(
-        &self,
-        at_14: Entered,
-        hit_12: Hit,
-        light_10: Toward,
-        params_27: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_8: rt::Scalar<u32> = rt::Scalar(0u32);
-
-        let count_1 = params_27.x().cast_elem_as_u32();
-        let _e6 = self.v_seed_of(hit_12);
-        'naga_break: loop {
-            'naga_continue: {
-                let _e11 = k_8;
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_1)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e13 = free;
-                    let _e14 = k_8;
-                    let _e15 = self.v_point_of_disc(light_10, _e6, _e14, count_1);
-                    let _e16 = self.v_free_way(at_14, hit_12, _e15);
-                    free = (_e13 + _e16);
-                    let _e18 = k_8;
-                    k_8 = (_e18 + rt::Scalar(1u32));
-                }
-            }
-        }
-        let _e21 = free;
-        return (_e21 / count_1.cast_elem_as_f32());
-    }
-    pub(crate) fn shadow_heuristic(
-        &self,
-        at_15: Entered,
-        hit_13: Hit,
-        light_11: Toward,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_15, hit_13, light_11, rt::into(params_28)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_heuristic(
-        &self,
-        at_15: Entered,
-        hit_13: Hit,
-        light_11: Toward,
-        params_28: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_9: rt::Scalar<f32> = rt::Scalar(1f32);
-
-        let _e4 = self.v_from_hit(at_15, hit_13, light_11);
-        if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32);
-        }
-        let _e11 = self.v_way_out(_e4, light_11);
-        'naga_break: loop {
-            'naga_continue: {
-                let _e16 = k_9;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_28.x())) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e19 = k_9;
-                    let part_3 = (_e19 / params_28.x());
-                    let _e22 = most_1;
-                    let _e24 = self.v_path_gap(_e4, (part_3 * _e11));
-                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_3)));
-                    let _e31 = k_9;
-                    k_9 = (_e31 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_28.y() * _e35).min(rt::Scalar(1f32)));
-    }
-    pub(crate) fn turn_of(&self, v: impl rt::Into<rt::Vec2<f32>>) -> f32 {
-        rt::into(self.v_turn_of(rt::into(v)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
-        let mut turn_3: rt::Scalar<f32>;
-
-        let x_4 = v.x().abs();
-        let y = v.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_4 + y).elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32);
-        }
-        let _e13 = self.v_eighth_turn((x_4.min(y) / x_4.max(y)));
-        turn_3 = _e13;
-        if rt::Scalar::into_branch_condition(y.elementwise_gt(x_4)) {
-            let _e16 = turn_3;
-            turn_3 = (rt::Scalar(0.25f32) - _e16);
-        }
-        if rt::Scalar::into_branch_condition(v.x().elementwise_lt(rt::Scalar(0f32))) {
-            let _e22 = turn_3;
-            turn_3 = (rt::Scalar(0.5f32) - _e22);
-        }
-        if rt::Scalar::into_branch_condition(v.y().elementwise_lt(rt::Scalar(0f32))) {
-            let _e28 = turn_3;
-            turn_3 = (rt::Scalar(1f32) - _e28);
-        }
-        let _e31 = turn_3;
-        let _e32 = turn_3;
-        return _e31.select(rt::Scalar(0f32), _e32.elementwise_ge(rt::Scalar(1f32)));
-    }
-    pub(crate) fn shadow_horizon(
-        &self,
-        at_16: Entered,
-        hit_14: Hit,
-        light_12: Toward,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_16, hit_14, light_12, rt::into(params_29)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_horizon(
-        &self,
-        at_16: Entered,
-        hit_14: Hit,
-        light_12: Toward,
-        params_29: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut local_34: rt::Scalar<bool>;
-
-        let up_1 = at_16.normal.dot(light_12.direction);
-        let across_1 = (light_12.direction - (at_16.normal * up_1)).length();
-        let _e13 = self.v_climb(at_16, light_12.direction);
-        let map_1 = self.surface_settings.maps[2usize];
-        let along_2 = (_e13.xy() * map_1.tile_m);
-        let baked = along_2.length();
-        if rt::Scalar::into_branch_condition((!(!across_1.elementwise_gt(rt::Scalar(0.000001f32))))) {
-            local_34 = (!baked.elementwise_gt(rt::Scalar(0f32)));
-        } else {
-            local_34 = rt::Scalar(true);
-        }
-        let _e32 = local_34;
-        if rt::Scalar::into_branch_condition(_e32) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(rt::Scalar(0f32)));
-        }
-        let _e38 = self.v_turn_of(along_2);
-        let azimuth_1 = (_e38 * params_29.x());
-        let first_6 = azimuth_1.floor();
-        let count_2 = params_29.x().cast_elem_as_i32();
-        let before_2 = (first_6.cast_elem_as_i32() % count_2);
-        let part_4 = (azimuth_1 - first_6);
-        let _e48 = self.v_shadow_texel_between(hit_14.uv, before_2);
-        let low_3 = _e48.x();
-        let _e54 = self.v_shadow_texel_between(hit_14.uv, ((before_2 + rt::Scalar(1i32)) % count_2));
-        let sine_1 = (low_3 + ((_e54.x() - low_3) * part_4));
-        let far_9 = ((sine_1 / (rt::Scalar(1f32) - (sine_1 * sine_1)).max(rt::Scalar(0f32)).sqrt()) * (baked / across_1));
-        let _e68 = self.v_from_hit(at_16, hit_14, light_12);
-        let _e69 = self.v_own_slope(_e68);
-        let _e72 = rt::Scalar(self.surface_settings.scale_m);
-        let near_8 = (_e69 * (_e72 / across_1));
-        let slope_5 = far_9.max(near_8);
-        let whole = (rt::Scalar(1f32) + (slope_5 * slope_5)).sqrt();
-        let above_4 = ((up_1 - (across_1 * slope_5)) / whole);
-        if rt::Scalar::into_branch_condition((!rt::Scalar(light_12.radius).elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), above_4.elementwise_gt(rt::Scalar(0f32)));
-        }
-        let beside = ((across_1 + (up_1 * slope_5)) / whole);
-        if rt::Scalar::into_branch_condition((!beside.elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), above_4.elementwise_gt(rt::Scalar(0f32)));
-        }
-        let _e106 = self.v_part_above((above_4 / (beside * rt::Scalar(light_12.radius))));
-        return _e106;
-    }
-    pub(crate) fn shadow_visibility(
-        &self,
-        at_17: Entered,
-        hit_15: Hit,
-        light_13: Toward,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_17, hit_15, light_13, rt::into(params_30)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_visibility(
-        &self,
-        at_17: Entered,
-        hit_15: Hit,
-        light_13: Toward,
-        params_30: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_17, light_13.direction);
-        if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32);
-        }
-        let map_2 = self.surface_settings.maps[2usize];
-        let along_3 = (_e5.xy() * map_2.tile_m);
-        let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_3 = (_e5.z() * _e21);
-        let squared_3 = ((height_3 * height_3) / (along_3.dot(along_3) + (height_3 * height_3)));
-        let azimuths = params_30.x().cast_elem_as_i32();
-        let elevations_1 = params_30.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_3);
-        let azimuth_2 = (_e32 * params_30.x());
-        let elevation_1 = ((squared_3 * params_30.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_30.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_30.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_5 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(hit_15, a_5, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
-            return _e56;
-        }
-        let a0_ = (azimuth_2.floor().cast_elem_as_i32() % azimuths);
-        let a1_ = ((a0_ + rt::Scalar(1i32)) % azimuths);
-        let e0_ = elevation_1.floor().cast_elem_as_i32();
-        let e1_1 = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
-        let along_azimuth = (azimuth_2 - azimuth_2.floor());
-        let along_elevation = (elevation_1 - elevation_1.floor());
-        let _e74 = self.v_open_part(hit_15, a1_, e0_, elevations_1);
-        let _e75 = self.v_open_part(hit_15, a0_, e1_1, elevations_1);
-        if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(hit_15, a0_, e0_, elevations_1);
-            return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
-        }
-        let _e86 = self.v_open_part(hit_15, a1_, e1_1, elevations_1);
-        return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
-    }
-    pub(crate) fn shadow_stage(&self, at_18: Entered, hit_16: Hit, light_14: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_18, hit_16, light_14))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_18: Entered, hit_16: Hit, light_14: Toward) -> rt::Scalar<f32> {
-        let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
-        match rt::Scalar::into_inner(_e7) {
-            0u32 => {
-                let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_shadow_ray(at_18, hit_16, light_14, _e12);
-                return _e13;
-            }
-            1u32 => {
-                let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_shadow_none(at_18, hit_16, light_14, _e18);
-                return _e19;
-            }
-            2u32 => {
-                let _e24 = self.surface_settings.choices[4usize].params;
-                let _e25 = self.v_shadow_entry(at_18, hit_16, light_14, _e24);
-                return _e25;
-            }
-            3u32 => {
-                let _e30 = self.surface_settings.choices[4usize].params;
-                let _e31 = self.v_shadow_soft(at_18, hit_16, light_14, _e30);
-                return _e31;
-            }
-            4u32 => {
-                let _e36 = self.surface_settings.choices[4usize].params;
-                let _e37 = self.v_shadow_heuristic(at_18, hit_16, light_14, _e36);
-                return _e37;
-            }
-            5u32 => {
-                let _e42 = self.surface_settings.choices[4usize].params;
-                let _e43 = self.v_shadow_horizon(at_18, hit_16, light_14, _e42);
-                return _e43;
-            }
-            _ => {
-                let _e48 = self.surface_settings.choices[4usize].params;
-                let _e49 = self.v_shadow_visibility(at_18, hit_16, light_14, _e48);
-                return _e49;
-            }
-        }
-    }
-    pub(crate) fn visible_lights(&self, at_19: Entered, hit_17: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_19, hit_17))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_19: Entered, hit_17: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_20: Entered, hit_18: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut local_35: rt::Scalar<bool>;
         let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_19.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_35 = rt::Scalar(hit_17.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_20.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_35 = rt::Scalar(hit_18.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_35 = rt::Scalar(true);
         }
@@ -5018,7 +5022,7 @@ impl<'g> Resources<'g> {
             let _e15 = visible_2;
             return _e15;
         }
-        let _e16 = self.v_hit_position(at_19, hit_17);
+        let _e16 = self.v_hit_position(at_20, hit_18);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_10;
@@ -5031,7 +5035,7 @@ impl<'g> Resources<'g> {
                     let _e26 = k_10;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, _e16);
-                    let _e30 = self.v_shadow_stage(at_19, hit_17, _e29);
+                    let _e30 = self.v_shadow_stage(at_20, hit_18, _e29);
                     let _e31 = k_10;
                     visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e37 = k_10;
@@ -5042,24 +5046,24 @@ impl<'g> Resources<'g> {
         let _e40 = visible_2;
         return _e40;
     }
-    pub(crate) fn shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_5))
+    pub(crate) fn shade_pixel(&self, pixel_6: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_6))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_5: PixelIn) -> PixelOut {
-        let mut hit_18: Hit;
+    fn v_shade_pixel(&self, pixel_6: PixelIn) -> PixelOut {
+        let mut hit_19: Hit;
 
-        let _e1 = self.v_surface_stage(pixel_5);
+        let _e1 = self.v_surface_stage(pixel_6);
         let _e3 = self.v_miss(rt::Scalar(0u32));
-        hit_18 = _e3;
+        hit_19 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_trace(_e1.path);
-            hit_18 = _e9;
+            hit_19 = _e9;
         }
-        let _e10 = hit_18;
-        let _e11 = hit_18;
+        let _e10 = hit_19;
+        let _e11 = hit_19;
         let _e12 = self.v_visible_lights(_e1, _e11);
-        let _e13 = self.v_shade_hit(pixel_5, _e1, _e10, _e12);
+        let _e13 = self.v_shade_hit(pixel_6, _e1, _e10, _e12);
         return _e13;
     }
 }

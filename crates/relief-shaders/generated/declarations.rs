@@ -673,20 +673,6 @@ fn turned(turn: f32) -> vec2f {
 }"#,
     },
     Declaration {
-        module: "shared/angle",
-        name: "turn_of_sine",
-        sampling: None,
-        uses: &[],
-        text: r#"// The arc sine over the circle's radians, in turns, off by 1e-5 turns at most (Abramowitz and Stegun 1964,
-// 4.4.45).
-fn turn_of_sine(sine: f32) -> f32 {
-    let x = min(abs(sine), 1.0);
-    let series = 1.5707288 + x * (-0.2121144 + x * (0.0742610 - x * 0.0187293));
-    let turn = 0.25 - sqrt(1.0 - x) * series * 0.159154943;
-    return select(turn, 0.0 - turn, sine < 0.0);
-}"#,
-    },
-    Declaration {
         module: "shared/cell",
         name: "NEVER",
         sampling: None,
@@ -1107,11 +1093,13 @@ fn point_of_disc(light: Toward, seed: u32, k: u32, count: u32) -> Toward {
         module: "shared/disc",
         name: "part_above",
         sampling: None,
-        uses: &["turn_of_sine"],
-        text: r#"// The part of a disc of radius 1 that is above a straight line, of which its centre is this much above.
+        uses: &[],
+        text: r#"// The part of a disc of radius 1 that is above a straight line, of which its centre is this much above: an odd
+// polynomial for x sqrt(1 - x²) + asin(x), over pi, off by 5e-4 at most.
 fn part_above(height: f32) -> f32 {
     let x = clamp(height, -1.0, 1.0);
-    return clamp(0.5 + x * sqrt(1.0 - x * x) * 0.318309886 + 2.0 * turn_of_sine(x), 0.0, 1.0);
+    let s = x * x;
+    return 0.5 + x * (0.64010741 + s * (-0.13985065 + s * (0.06702511 + s * -0.06728186)));
 }"#,
     },
     Declaration {
@@ -1879,6 +1867,22 @@ fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
     },
     Declaration {
         module: "shared/pixel",
+        name: "mirrored_light",
+        sampling: None,
+        uses: &["Entered", "Hit", "NEVER", "PixelIn", "Toward", "shadow_stage"],
+        text: r#"// The part of a light that arrives at a hit, for a light with a disc of some degrees whose direction is that of
+// the pixel's ray after a mirror in the base surface: it is above the relief wherever the ray came from.
+fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
+    if (at.valid == 0u || hit.found == 0u) {
+        return 0.0;
+    }
+    let down = normalize(pixel.direction);
+    let up = down - at.normal * (2.0 * dot(down, at.normal));
+    return shadow_stage(at, hit, Toward(up, 1.0, NEVER, 0.125 * abs(down.x)));
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
         uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "hit_position", "mesostructure_normal", "reflected_light"],
@@ -1897,6 +1901,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
             0.0,
             vec2i(0, 0),
             hit.reads,
+            0.0,
         );
     }
     let height = height_at(hit.uv);
@@ -1918,6 +1923,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         hit.t,
         vec2i(cell),
         hit.reads,
+        visible[0].x,
     );
 }"#,
     },
@@ -1972,10 +1978,11 @@ struct Record {
     height: f32,
     uv: vec2f,
     t: f32,
+    // 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps.
     hit: u32,
     cell: vec2i,
     reads: u32,
-    exhausted: u32,
+    lit: f32,
 }"#,
     },
     Declaration {
@@ -2000,6 +2007,8 @@ struct Probe {
     height: f32,
     t: f32,
     reads: u32,
+    // The part of `mirrored_light` that arrives at the hit.
+    lit: f32,
 }"#,
     },
     Declaration {
@@ -2327,6 +2336,8 @@ struct PixelOut {
     cell: vec2i,
     // Texels and cells that the search and the refinement read.
     reads: u32,
+    // The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without lights.
+    lit: f32,
 }"#,
     },
     Declaration {
@@ -2552,7 +2563,8 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
         let terms = abs(path.h.x) + path.exit * (abs(path.h.y) + path.exit * abs(path.h.z));
         let far = (abs(path.uv) + abs(path.duv) * path.exit + vec2f(1.0, 1.0)) * slope;
         let lost = ROUNDING * (terms + far.x + far.y);
-        let closing = (slope * aside - rise) * (1.0 + ROUNDING);
+        let nearing = slope * aside - rise;
+        let closing = nearing + ROUNDING * nearing;
         if (closing <= 0.0) {
             return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
         }
@@ -3059,7 +3071,8 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         reads = reads + 1u;
         var next = start;
         if (slope >= 0.0) {
-            let closing = (slope * aside - rise) * (1.0 + ROUNDING);
+            let nearing = slope * aside - rise;
+            let closing = nearing + ROUNDING * nearing;
             let room = gap - ROUNDING * (terms + slope * (far.x + far.y));
             next = NEVER;
             if (closing > 0.0) {
@@ -3171,7 +3184,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     let forward = grid.step >= vec2f(0.0, 0.0);
     // A bent path is fastest at one of its ends.
     let climb = max(abs(path_slope(path, 0.0)), abs(path_slope(path, path.exit)));
-    let speed = length(vec3f(path.duv, climb)) * (1.0 + ROUNDING);
+    let fastest = length(vec3f(path.duv, climb));
+    let speed = fastest + ROUNDING * fastest;
     // What rounding may make of the path's places, in texture units and heights.
     let far = abs(path.uv) + abs(path.duv) * path.exit;
     let height_terms = abs(path.h.x) + path.exit * (abs(path.h.y) + path.exit * abs(path.h.z));
@@ -3599,12 +3613,11 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     },
     Declaration {
         module: "shadow/horizon",
-        name: "NO_AZIMUTH",
+        name: "LEAST_SQUARED_COSINE",
         sampling: None,
         uses: &[],
-        text: r#"// A light this near to the base normal, as the sine of the angle to it, has no azimuth, and no horizon before
-// it.
-const NO_AZIMUTH = 0.000001;"#,
+        text: r#"// The square of the least cosine of a horizon: sines are stored in no more bits than tell it from 0.
+const LEAST_SQUARED_COSINE = 1.0e-7;"#,
     },
     Declaration {
         module: "shadow/horizon",
@@ -3628,17 +3641,13 @@ fn own_slope(way: Path) -> f32 {
         module: "shadow/horizon",
         name: "shadow_horizon",
         sampling: None,
-        uses: &["Entered", "Hit", "NO_AZIMUTH", "SLOT_SHADOW", "Toward", "climb", "from_hit", "own_slope", "part_above", "shadow_texel_between", "surface_settings", "turn_of"],
-        text: r#"fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
-    let up = dot(at.normal, light.direction);
-    let across = length(light.direction - at.normal * up);
+        uses: &["Entered", "Hit", "LEAST_SQUARED_COSINE", "SLOT_SHADOW", "Toward", "climb", "from_hit", "own_slope", "part_above", "shadow_texel_between", "surface_settings", "turn_of"],
+        text: r#"// Nothing is divided by a square root, and no root is squared: compilers have other ways for these, which end
+// in other bits.
+fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
     let change = climb(at, light.direction);
     let map = surface_settings.maps[SLOT_SHADOW];
     let along = change.xy * map.tile_m;
-    let baked = length(along);
-    if (!(across > NO_AZIMUTH) || !(baked > 0.0)) {
-        return select(0.0, 1.0, up > 0.0);
-    }
     let azimuth = turn_of(along) * params.x;
     let first = floor(azimuth);
     let count = i32(params.x);
@@ -3646,21 +3655,22 @@ fn own_slope(way: Path) -> f32 {
     let part = azimuth - first;
     let low = shadow_texel_between(hit.uv, before).x;
     let sine = low + (shadow_texel_between(hit.uv, (before + 1) % count).x - low) * part;
-    // From the metres of the bake to those of the hit.
-    let far = sine / sqrt(max(1.0 - sine * sine, 0.0)) * (baked / across);
-    let near = own_slope(from_hit(at, hit, light)) * (surface_settings.scale_m / across);
-    let slope = max(far, near);
-    // How far the light's centre is above the horizon: sine and cosine of the angle.
-    let whole = sqrt(1.0 + slope * slope);
-    let above = (up - across * slope) / whole;
+    // In metres, both for a metre of the light's ray: how far the horizon rises, and how far the ray.
+    let squared = sine * sine / max((1.0 - sine) * (1.0 + sine), LEAST_SQUARED_COSINE);
+    let far = sqrt(squared * dot(along, along));
+    let near = own_slope(from_hit(at, hit, light)) * surface_settings.scale_m;
+    let horizon = max(far, near);
+    let up = dot(at.normal, light.direction);
     if (!(light.radius > 0.0)) {
-        return select(0.0, 1.0, above > 0.0);
+        return select(0.0, 1.0, up > horizon);
     }
-    let beside = (across + up * slope) / whole;
+    // Tangent of the angle from the horizon up to the light's centre.
+    let flat = max(1.0 - up * up, 0.0);
+    let beside = flat + up * horizon;
     if (!(beside > 0.0)) {
-        return select(0.0, 1.0, above > 0.0);
+        return select(0.0, 1.0, up > horizon);
     }
-    return part_above(above / (beside * light.radius));
+    return part_above(sqrt(flat) * (up - horizon) / (beside * light.radius));
 }"#,
     },
     Declaration {
@@ -3750,7 +3760,7 @@ fn open_part(hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
         module: "roots/probe",
         name: "probe_main",
         sampling: None,
-        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "pixels", "probes", "refine_stage", "search_stage", "surface_stage"],
+        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "mirrored_light", "pixels", "probes", "refine_stage", "search_stage", "surface_stage"],
         text: r#"@compute @workgroup_size(PROBE_GROUP)
 fn probe_main(@builtin(global_invocation_id) id: vec3u) {
     let index = id.y * PROBE_ROW + id.x;
@@ -3780,6 +3790,7 @@ fn probe_main(@builtin(global_invocation_id) id: vec3u) {
         hit.height,
         hit.t,
         hit.reads,
+        mirrored_light(pixels[index], at, hit),
     );
 }"#,
     },
@@ -3828,7 +3839,7 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let at = surface_stage(pixel);
     let out = shade_hit(pixel, at, hit, visible_lights(at, hit));
     let place = id.y * size.x + id.x;
-    if (records[place].hit == 1u && records[place].depth <= out.depth) {
+    if (records[place].hit != 0u && records[place].depth <= out.depth) {
         return;
     }
     records[place] = Record(
@@ -3839,10 +3850,10 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
         out.height,
         out.uv,
         out.t,
-        out.hit,
+        out.hit + 2u * out.exhausted,
         out.cell,
         out.reads,
-        out.exhausted,
+        out.lit,
     );
 }"#,
     },

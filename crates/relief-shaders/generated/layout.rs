@@ -235,10 +235,11 @@ pub struct Record {
     pub height: f32,
     pub uv: rt::Vec2<f32>,
     pub t: f32,
+    /// 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps.
     pub hit: u32,
     pub cell: rt::Vec2<i32>,
     pub reads: u32,
-    pub exhausted: u32,
+    pub lit: f32,
 }
 
 impl Shared for Record {
@@ -255,7 +256,7 @@ impl Shared for Record {
         self.hit.write(&mut bytes[60..]);
         self.cell.write(&mut bytes[64..]);
         self.reads.write(&mut bytes[72..]);
-        self.exhausted.write(&mut bytes[76..]);
+        self.lit.write(&mut bytes[76..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -270,7 +271,7 @@ impl Shared for Record {
             hit: Shared::read(&bytes[60..]),
             cell: Shared::read(&bytes[64..]),
             reads: Shared::read(&bytes[72..]),
-            exhausted: Shared::read(&bytes[76..]),
+            lit: Shared::read(&bytes[76..]),
         }
     }
 }
@@ -317,6 +318,8 @@ pub struct Probe {
     pub height: f32,
     pub t: f32,
     pub reads: u32,
+    /// The part of `mirrored_light` that arrives at the hit.
+    pub lit: f32,
 }
 
 impl Shared for Probe {
@@ -338,6 +341,7 @@ impl Shared for Probe {
         self.height.write(&mut bytes[64..]);
         self.t.write(&mut bytes[68..]);
         self.reads.write(&mut bytes[72..]);
+        self.lit.write(&mut bytes[76..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -357,6 +361,7 @@ impl Shared for Probe {
             height: Shared::read(&bytes[64..]),
             t: Shared::read(&bytes[68..]),
             reads: Shared::read(&bytes[72..]),
+            lit: Shared::read(&bytes[76..]),
         }
     }
 }

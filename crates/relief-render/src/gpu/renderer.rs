@@ -391,8 +391,8 @@ fn dispatch(
 fn pixel_of(record: Record) -> PixelOut {
     PixelOut {
         color: record.color,
-        hit: record.hit,
-        exhausted: record.exhausted,
+        hit: record.hit & 1,
+        exhausted: record.hit >> 1,
         uv: record.uv,
         height: record.height,
         position: record.position,
@@ -401,5 +401,6 @@ fn pixel_of(record: Record) -> PixelOut {
         t: record.t,
         cell: record.cell,
         reads: record.reads,
+        lit: record.lit,
     }
 }

@@ -150,6 +150,11 @@ pub enum ValueProblem {
     /// A key is given without another that it needs.
     #[error("needs {0} as well")]
     Needs(&'static str),
+    /// A search for the rays of a shadow is given, and the shadow sends none.
+    #[error(
+        "is for a shadow that sends rays to the light, and the one that is chosen sends none: choose another"
+    )]
+    NoShadowRays,
     /// The camera is impossible.
     #[error(transparent)]
     Camera(#[from] CameraError),

@@ -271,12 +271,11 @@ impl SurfaceSpec {
         }
         if selection.choices[SHADOW].entry.states.is_empty() {
             let search = STAGES[SHADOW_SEARCH].key;
-            let needs = ValueProblem::Needs("a shadow that sends rays to the light");
             if self.stages.contains_key(search) {
-                return Err(needs.of(search));
+                return Err(ValueProblem::NoShadowRays.of(search));
             }
             if self.set.keys().any(|key| key.split('.').next() == Some(search)) {
-                return Err(needs.of("set"));
+                return Err(ValueProblem::NoShadowRays.of("set"));
             }
         }
         Ok(selection)

@@ -82,6 +82,13 @@ impl<'a> Program<'a> {
         self.0.ray_to_light(entered, hit, light)
     }
 
+    /// The part of a light that arrives at a hit, for a light of some degrees whose direction is that of the
+    /// pixel's ray after a mirror in the base surface.
+    #[inline]
+    pub fn mirrored_light(&self, pixel: PixelIn, entered: Entered, hit: Hit) -> f32 {
+        self.0.mirrored_light(pixel, entered, hit)
+    }
+
     /// A pixel whose hit is known already, and the parts of the lights that arrive there.
     #[inline]
     pub fn shade_hit(

@@ -9,7 +9,7 @@ use crate::SURVEY;
 mod entry;
 mod heuristic;
 mod horizon;
-mod none;
+pub mod none;
 mod ray;
 mod soft;
 mod visibility;

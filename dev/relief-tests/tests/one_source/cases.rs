@@ -6,7 +6,7 @@ use relief_core::registry::Entry;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
 use relief_shaders::cpu::{Frame, PixelIn, Probe, Program, Shared, SurfaceSettings};
-use relief_shaders::{REFINE, SEARCH, Selection};
+use relief_shaders::{SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use relief_tests::baked::{in_slots, maps_in, slots};
 use relief_tests::maps::NamedMap;
 use relief_tests::rng::Rng;
@@ -23,7 +23,13 @@ pub struct Case {
     surface: JobSurface,
 }
 
-/// A search and a refinement with parameters, a displacement and rays that are drawn at random.
+/// The same for each of the rays of a shadow, of which there may be many.
+const LONGEST_LOOP_OF_SHADOW: f32 = 1_024.0;
+
+/// The most rays of a shadow in these tests.
+const MOST_RAYS_OF_SHADOW: f32 = 3.0;
+
+/// Stages with parameters, a displacement and rays that are drawn at random.
 pub struct Draw {
     selection: Selection,
     scale_m: f64,
@@ -34,13 +40,23 @@ pub struct Draw {
 
 impl Draw {
     /// The next draw.
-    pub fn new(pair: [&Entry; 2], rng: &mut Rng) -> Self {
+    pub fn new(pair: [&Entry; 2], shadow: [&Entry; 2], rng: &mut Rng) -> Self {
         let [search, refine] = pair;
         let scale_m = rng.pick(&[1.0, 1.0, 0.1, 0.02, 3.0, 0.0]);
         let bias_m = rng.pick(&[-1.0, -1.0, 0.0, -0.3, 0.5]) * scale_m;
         let mut selection = Selection::pair(search.name, refine.name).expect("listed names");
+        for (stage, entry) in [SHADOW, SHADOW_SEARCH].into_iter().zip(shadow) {
+            selection.choose(STAGES[stage].key, entry.name).expect("a listed name");
+        }
         for choice in &mut selection.choices {
             choice.params = params(choice.entry, rng);
+        }
+        if !selection.choices[SHADOW].entry.states.is_empty() {
+            selection.choices[SHADOW].params[0] =
+                selection.choices[SHADOW].params[0].min(MOST_RAYS_OF_SHADOW);
+        }
+        for value in &mut selection.choices[SHADOW_SEARCH].params {
+            *value = value.min(LONGEST_LOOP_OF_SHADOW);
         }
         Self { selection, scale_m, bias_m, seed: rng.bits() }
     }
@@ -48,9 +64,8 @@ impl Draw {
     /// The case of that draw over a map.
     pub fn over(&self, map: &NamedMap, wrap: Wrap, format: MapFormat) -> Case {
         let Draw { selection, scale_m, bias_m, .. } = self;
-        let choices = [SEARCH, REFINE].map(|stage| selection.choices[stage]);
-        let [search, refine] = choices.map(|choice| format!("{} {:?}", choice.entry.name, choice.params));
-        let name = format!("{search}, {refine}, {} {wrap}, scale {scale_m}, bias {bias_m}", map.name);
+        let stages = selection.choices.map(|choice| format!("{} {:?}", choice.entry.name, choice.params));
+        let name = format!("{}, {} {wrap}, scale {scale_m}, bias {bias_m}", stages.join(", "), map.name);
         let map = map.build(wrap).with_displacement(*scale_m, *bias_m).expect("proper numbers");
         Case::with(name, map, *selection, format)
     }
@@ -68,6 +83,9 @@ impl Case {
         let mut selection = Selection::pair(search, refine).expect("listed names");
         for value in selection.choices.iter_mut().flat_map(|choice| &mut choice.params) {
             *value = value.min(LONGEST_LOOP);
+        }
+        for value in &mut selection.choices[SHADOW_SEARCH].params {
+            *value = value.min(LONGEST_LOOP_OF_SHADOW);
         }
         let name = format!("{search}, {refine}, {}", map.wrap());
         Self::with(name, map, selection, MapFormat::F32)
@@ -132,6 +150,7 @@ pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
         height: hit.height,
         t: hit.t,
         reads: hit.reads,
+        lit: program.mirrored_light(*ray, at, hit),
     }
 }
 

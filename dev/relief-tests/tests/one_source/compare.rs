@@ -95,6 +95,7 @@ fn bits(probe: &Probe) -> [u8; Probe::SIZE] {
         &mut probe.uv.y,
         &mut probe.height,
         &mut probe.t,
+        &mut probe.lit,
     ];
     for float in floats {
         *float += 0.0;

@@ -14,11 +14,12 @@ use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
+use relief_core::registry::Entry;
 use relief_core::{HeightMap, MapFormat, Wrap};
 use relief_render::gpu::Prober;
 use relief_shaders::cpu::{PixelIn, PixelOut, Probe, Shared, write_all};
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{Selection, refine, search};
+use relief_shaders::{Selection, refine, search, shadow};
 use relief_tests::maps::{self, NamedMap};
 use relief_tests::rng::Rng;
 
@@ -33,6 +34,23 @@ fn named(name: &str) -> &'static NamedMap {
     maps::ALL.iter().find(|map| map.name == name).expect("a listed map")
 }
 
+/// Every shadow, with each search that it may send its rays by, or with one where it sends none.
+fn shadows() -> Vec<[&'static Entry; 2]> {
+    let mut shadows = Vec::new();
+    for shadow in shadow::ENTRIES {
+        for search in search::ENTRIES {
+            let mut selection = Selection::default();
+            selection.choose("shadow", shadow.name).expect("a listed name");
+            selection.choose("shadow-search", search.name).expect("a listed name");
+            let is_first = shadows.last().is_none_or(|[last, _]: &[&Entry; 2]| last.name != shadow.name);
+            if selection.check().is_ok() && (is_first || !shadow.states.is_empty()) {
+                shadows.push([shadow, search]);
+            }
+        }
+    }
+    shadows
+}
+
 /// A search and a refinement over every map.
 struct Pair {
     /// Their numbers in their lists.
@@ -42,17 +60,21 @@ struct Pair {
 }
 
 impl Pair {
-    /// All legal pairs, drawn one after the other.
+    /// All legal pairs, drawn one after the other. Shadows go with the first of them, each with each search that
+    /// it may send its rays by.
     fn all() -> Vec<Pair> {
         let mut rng = Rng::new(1);
         let mut pairs = Vec::new();
+        let shadows = shadows();
         for (s, search) in search::ENTRIES.iter().enumerate() {
             for (r, refine) in refine::ENTRIES.iter().enumerate() {
                 let pair = Selection::pair(search.name, refine.name).expect("listed names");
                 if pair.check_pair().is_err() {
                     continue;
                 }
-                let draws = maps::ALL.iter().map(|_| Draw::new([search, refine], &mut rng)).collect();
+                let none = [&shadow::none::ENTRY, search];
+                let shadow = shadows.get(pairs.len()).copied().unwrap_or(none);
+                let draws = maps::ALL.iter().map(|_| Draw::new([search, refine], shadow, &mut rng)).collect();
                 pairs.push(Pair { numbers: [s, r], draws });
             }
         }
@@ -214,20 +236,23 @@ fn pictures_agree() {
     let Some(mut renderer) = adapter::renderer() else { return };
     // The first is larger than what is shaded at once.
     let cases = [
-        (620, 500, "relief", Wrap::Repeat, false, true),
-        (211, 160, "exact", Wrap::Clamp, true, false),
-        (160, 211, "occlusion", Wrap::Mirror, true, true),
-        (201, 99, "parallax-slope", Wrap::Clamp, false, false),
-        (180, 140, "frustum", Wrap::Mirror, false, true),
+        (620, 500, "relief", "none", Wrap::Repeat, false, true),
+        (211, 160, "exact", "ray", Wrap::Clamp, true, false),
+        (160, 211, "occlusion", "entry", Wrap::Mirror, true, true),
+        (201, 99, "parallax-slope", "visibility", Wrap::Clamp, false, false),
+        (180, 140, "frustum", "soft", Wrap::Mirror, false, true),
+        (140, 120, "cone", "horizon", Wrap::Repeat, false, true),
+        (120, 140, "relaxed", "heuristic", Wrap::Repeat, false, false),
     ];
-    for (width, height, method, wrap, normal_map, two_sided) in cases {
-        let selection = Selection::method(method).expect("a method");
+    for (width, height, method, shadow, wrap, normal_map, two_sided) in cases {
+        let mut selection = Selection::method(method).expect("a method");
+        selection.choose("shadow", shadow).expect("a shadow");
         let variation = Variation { selection: &selection, wrap, normal_map, two_sided };
         let picture = Picture::new(width, height, &variation);
         let rendering = renderer.render(picture.job(), Sampling::Exact, &|_| ()).expect("a picture");
-        picture.check(&rendering).unwrap_or_else(|error| panic!("{method} {wrap}: {error}"));
+        picture.check(&rendering).unwrap_or_else(|error| panic!("{method} {shadow} {wrap}: {error}"));
         let again = renderer.render(picture.job(), Sampling::Exact, &|_| ()).expect("a picture");
-        assert!(rendering == again, "{method} {wrap}: the second picture differs");
+        assert!(rendering == again, "{method} {shadow} {wrap}: the second picture differs");
     }
 }
 

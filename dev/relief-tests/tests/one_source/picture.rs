@@ -44,8 +44,8 @@ impl Picture {
         let corner = forward - across * (f64::from(width) / 2.0) - down * (f64::from(height) / 2.0);
         let four = |v: DVec3, w: f32| v.as_vec3().extend(w).to_array();
         let mut lights = [Light::new([0.0; 4], [0.0; 4]); relief_shaders::MAX_LIGHTS];
-        lights[0] = Light::new(four(DVec3::new(0.4, 0.7, 0.3), 0.0), [0.9, 0.8, 0.7, 0.0]);
-        lights[1] = Light::new([-0.4, 0.5, 0.2, 1.0], [0.1, 0.2, 0.3, 0.0]);
+        lights[0] = Light::new(four(DVec3::new(0.4, 0.7, 0.3), 0.0), [0.9, 0.8, 0.7, 0.05]);
+        lights[1] = Light::new([-0.4, 0.5, 0.2, 1.0], [0.1, 0.2, 0.3, 0.02]);
         let selection = variation.selection;
         let baked = maps_for(&map, selection);
         let aspect = f64::from(width) / f64::from(height);

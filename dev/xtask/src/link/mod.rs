@@ -24,7 +24,7 @@ const GPU_ROOTS: [&str; 5] = ["roots/trace", "roots/shade", "roots/resolve", "ro
 
 /// The module whose functions are translated to Rust, in exact sampling, and which of them.
 const CPU_ROOT: (&str, &[&str]) =
-    ("shared/pixel", &["shade_pixel", "pixel_of", "add_sample", "ray_to_light"]);
+    ("shared/pixel", &["shade_pixel", "pixel_of", "add_sample", "ray_to_light", "mirrored_light"]);
 
 /// All generated files.
 pub fn files(workspace: &Path) -> Result<Vec<Generated>, String> {
