@@ -64,27 +64,17 @@ impl WantedMap<'_> {
     fn layout_of(&self, shape: &Shape) -> MapLayout {
         // A texel of three channels takes the room of four.
         let channels = if shape.channels == 3 { 4 } else { shape.channels };
-        let size = |level: u32| if level == 0 { shape.size } else { shape.mips[level as usize - 1] };
         let (size, levels) = match self.levels {
             MapLevels::One => ([shape.size[0], shape.size[1]], 1),
             MapLevels::ChainFrom(first) => {
                 // Of a texture of a single level the chain is that level.
                 let last = shape.mips.len() as u32;
                 let first = first.min(last);
-                let sizes: Vec<[u32; 3]> = (first..=last).map(size).collect();
-                (padded(&sizes), sizes.len() as u32)
+                (shape.chain_size(first as usize), last - first + 1)
             }
         };
         MapLayout { size, levels, layers: shape.size[2], channels, format: self.format }
     }
-}
-
-/// The least finest level of a chain where each level has room; sides halve rounded down, to 1 at least.
-fn padded(sizes: &[[u32; 3]]) -> [u32; 2] {
-    [0, 1].map(|axis| {
-        let room = |(level, size): (usize, &[u32; 3])| if size[axis] == 1 { 1 } else { size[axis] << level };
-        sizes.iter().enumerate().map(room).max().unwrap_or(1)
-    })
 }
 
 /// Bakes that map of a height map. Besides what the bake itself needs it takes the memory of the map.

@@ -35,6 +35,23 @@ impl Shape {
         Self { name, size: [width, height, slices], mips: Vec::new(), channels }
     }
 
+    /// Columns, rows and slices of a mip level; 0 is the finest.
+    pub fn level_size(&self, level: usize) -> [u32; 3] {
+        if level == 0 { self.size } else { self.mips[level - 1] }
+    }
+
+    /// The least columns and rows such that a mip chain of GPUs, where every level has half the sides of the
+    /// one before, rounded down, and at least 1, has room for the levels from that one on.
+    pub fn chain_size(&self, first: usize) -> [u32; 2] {
+        let sizes = (first..=self.mips.len()).map(|level| self.level_size(level)).enumerate();
+        sizes.fold([1, 1], |chain, (level, size)| {
+            [0, 1].map(|axis| {
+                let room = if size[axis] == 1 { 1 } else { size[axis] << level };
+                chain[axis].max(room)
+            })
+        })
+    }
+
     /// Values of all texels.
     pub fn values(&self) -> u64 {
         let of = |size: &[u32; 3]| size.iter().map(|&side| u64::from(side)).product::<u64>();

@@ -75,7 +75,8 @@ pub fn aov_of(pixel: &PixelOut) -> [f32; AOV_CHANNELS.len()] {
 /// The arbitrary output variables of a rendering: a plane of numbers for each of [`AOV_CHANNELS`].
 ///
 /// `hit` is 1 or 0; `uv` is not wrapped; `height` is a texel value; `P` and `N` are in the world; `depth` is
-/// in metres along the view axis; `lit` is the part of the first light that arrives. Pixels that no surface covers are 0 throughout.
+/// in metres along the view axis; `lit` is the part of the first light that arrives. Pixels that no surface
+/// covers are 0 throughout.
 pub fn aov(rendering: &Rendering) -> Vec<(&'static str, Vec<f32>)> {
     let plane = |place: usize| rendering.pixels.iter().map(|pixel| aov_of(pixel)[place]).collect();
     AOV_CHANNELS.into_iter().enumerate().map(|(place, name)| (name, plane(place))).collect()

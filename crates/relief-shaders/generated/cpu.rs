@@ -324,7 +324,8 @@ pub struct PixelOut {
     pub cell: rt::Vec2<i32>,
     /// Texels and cells that the search and the refinement read.
     pub reads: u32,
-    /// The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without lights.
+    /// The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without
+    /// lights.
     pub lit: f32,
 }
 impl PixelOut {

@@ -226,9 +226,9 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shadow/horizon", head: r#"// Horizons around the hit, baked for some azimuths and interpolated between them.
 //
-// Max 1988; Szirmay-Kalos and Umenhoffer 2008, section 6.1. The horizon's slope holds along a direction of the
-// texture, so that it is turned into the hit's own frame, which on a curved mesh is another everywhere. What
-// the hit's own cell hides is known, and not left to texels beside it.
+// Max 1988; Szirmay-Kalos and Umenhoffer 2008, section 6.1. The horizon's slope holds along a direction of
+// the texture, so that it is turned into the hit's own frame, which on a curved mesh is another everywhere.
+// What the hit's own cell hides is known, and not left to texels beside it.
 "# },
     Module { path: "shadow/none", head: r#"// No shadows: all of a light arrives.
 "# },
@@ -1870,8 +1870,8 @@ fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
         name: "mirrored_light",
         sampling: None,
         uses: &["Entered", "Hit", "NEVER", "PixelIn", "Toward", "shadow_stage"],
-        text: r#"// The part of a light that arrives at a hit, for a light with a disc of some degrees whose direction is that of
-// the pixel's ray after a mirror in the base surface: it is above the relief wherever the ray came from.
+        text: r#"// The part of a light that arrives at a hit, for a light with a disc of some degrees whose direction is that
+// of the pixel's ray after a mirror in the base surface: it is above the relief wherever the ray came from.
 fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
     if (at.valid == 0u || hit.found == 0u) {
         return 0.0;
@@ -2336,7 +2336,8 @@ struct PixelOut {
     cell: vec2i,
     // Texels and cells that the search and the refinement read.
     reads: u32,
-    // The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without lights.
+    // The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without
+    // lights.
     lit: f32,
 }"#,
     },
@@ -3624,9 +3625,9 @@ const LEAST_SQUARED_COSINE = 1.0e-7;"#,
         name: "own_slope",
         sampling: None,
         uses: &["Path", "cell_leave", "cell_of", "gap_to", "grid_of", "height_cell"],
-        text: r#"// The slope, in heights for each unit of the path's parameter, under which the surface of the hit's own cell is
-// seen from the hit along a way. There the gap between a level ray and the surface has no constant: the hit is
-// on the surface.
+        text: r#"// The slope, in heights for each unit of the path's parameter, under which the surface of the hit's own cell
+// is seen from the hit along a way. There the gap between a level ray and the surface has no constant: the
+// hit is on the surface.
 fn own_slope(way: Path) -> f32 {
     let grid = grid_of(way);
     let cell = cell_of(grid.origin);
@@ -3642,8 +3643,8 @@ fn own_slope(way: Path) -> f32 {
         name: "shadow_horizon",
         sampling: None,
         uses: &["Entered", "Hit", "LEAST_SQUARED_COSINE", "SLOT_SHADOW", "Toward", "climb", "from_hit", "own_slope", "part_above", "shadow_texel_between", "surface_settings", "turn_of"],
-        text: r#"// Nothing is divided by a square root, and no root is squared: compilers have other ways for these, which end
-// in other bits.
+        text: r#"// Nothing is divided by a square root, and no root is squared: compilers have other ways for these, which
+// end in other bits.
 fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
     let change = climb(at, light.direction);
     let map = surface_settings.maps[SLOT_SHADOW];

@@ -52,5 +52,6 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "The texels around a hit see the surface or the sky in each of the directions. The light's own is \
-        between them: what they see is taken for what it would.",
+        between them: what they see is taken for what it would, and a light at a point to be behind all \
+        of the relief. Below the lowest elevation there is no other: it stands for what is below.",
 };

@@ -60,8 +60,8 @@ struct Pair {
 }
 
 impl Pair {
-    /// All legal pairs, drawn one after the other. Shadows go with the first of them, each with each search that
-    /// it may send its rays by.
+    /// All legal pairs, drawn one after the other. Shadows go with the first of them, each with each search
+    /// that it may send its rays by.
     fn all() -> Vec<Pair> {
         let mut rng = Rng::new(1);
         let mut pairs = Vec::new();

@@ -19,7 +19,7 @@ const FIXED: u64 = 16 << 20;
 /// When they cannot; the text says what to do.
 pub fn check_files(plans: &[Plan], packing: Packing, shapes: &[Shape]) -> Result<(), String> {
     shapes.iter().try_for_each(|shape| packing.storage.check_depth(packing.format, shape.size[2]))?;
-    plans.iter().try_for_each(|plan| plan.check(packing, shapes))
+    plans.iter().try_for_each(|plan| plan.check(packing))
 }
 
 /// Whether the channels of a kind can be stored. They are known once a map is baked: a tiny one shows them.

@@ -23,6 +23,8 @@ pub struct Plan {
     channels: Range<usize>,
     levels: Range<usize>,
     slices: Range<u32>,
+    /// Columns, rows and slices of its finest level; those of the texture's, or more.
+    size: [u32; 3],
 }
 
 /// Why files were not written.
@@ -62,17 +64,13 @@ pub fn plan<'a>(base: &str, format: FileFormat, shapes: impl IntoIterator<Item =
 }
 
 /// The files of a texture. PNG and KTX2 files hold up to four channels; two colours are two files, so that no
-/// channel of the second becomes the opacity of the first. PNG and EXR files hold one mip level, and so do
-/// KTX2 files where levels are not each half the one before it, rounded down, which the format takes for
-/// granted. In EXR files slices lie below each other, as many as fit.
+/// channel of the second becomes the opacity of the first. PNG and EXR files hold one mip level, KTX2 files
+/// all: where levels are not each half the one before, rounded down, which the format takes for granted, they
+/// are padded to the right and below. In EXR files slices lie below each other, as many as fit.
 fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> Vec<Plan> {
     let count = shape.channels as usize;
     let levels = shape.mips.len() + 1;
-    let halves = (1..levels).all(|level| {
-        let half = shape.size.map(|side| (side >> level.min(31)).max(1));
-        level_size(shape, level) == half && level_size(shape, level - 1) != [1; 3]
-    });
-    let together = levels == 1 || (format == FileFormat::Ktx2 && halves);
+    let together = levels == 1 || format == FileFormat::Ktx2;
     let step = match format.channels().min(count.max(1)) {
         4 if count == 6 => 3,
         step => step,
@@ -92,7 +90,10 @@ fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> 
                 parts.push(format!("level{level}"));
             }
             let levels = if together { 0..levels } else { level..level + 1 };
-            let size = level_size(shape, level);
+            let mut size = shape.level_size(level);
+            if levels.len() > 1 {
+                [size[0], size[1]] = shape.chain_size(0);
+            }
             let depth = size[2];
             let slices = if format == FileFormat::Exr { slices_below(size) } else { depth.max(1) };
             for first in (0..depth).step_by(slices as usize) {
@@ -103,7 +104,7 @@ fn plan_texture(base: &str, format: FileFormat, index: usize, shape: &Shape) -> 
                 }
                 parts.push(format.extension().to_owned());
                 let (channels, levels) = (channels.clone(), levels.clone());
-                plans.push(Plan { name: parts.join("."), texture: index, channels, levels, slices });
+                plans.push(Plan { name: parts.join("."), texture: index, channels, levels, slices, size });
             }
         }
     }
@@ -117,18 +118,19 @@ fn slices_below([width, height, depth]: [u32; 3]) -> u32 {
     Some(most.min(MAX_SIDE / height.max(1))).filter(fits).unwrap_or(1).max(1)
 }
 
-fn level_size(shape: &Shape, level: usize) -> [u32; 3] {
-    if level == 0 { shape.size } else { shape.mips[level - 1] }
-}
-
 impl Plan {
-    /// Whether a file can hold it, of textures of those shapes.
+    /// Columns, rows and slices of one of the file's levels; 0 is its finest.
+    fn level_size(&self, level: usize) -> [u32; 3] {
+        self.size.map(|side| (side >> level.min(31)).max(1))
+    }
+
+    /// Whether a file can hold it.
     ///
     /// # Errors
     ///
     /// When it cannot; the text says what to do.
-    pub fn check(&self, packing: Packing, shapes: &[Shape]) -> Result<(), String> {
-        let size = level_size(&shapes[self.texture], self.levels.start);
+    pub fn check(&self, packing: Packing) -> Result<(), String> {
+        let size = self.size;
         let [width, height, _] = size;
         match packing.format {
             FileFormat::Ktx2 => {
@@ -167,10 +169,7 @@ pub fn write(
     let names: Vec<String> = plans.iter().map(|plan| plan.name.clone()).collect();
     let rows_of = |plan: &Plan| -> u64 {
         let slices = u64::from(plan.slices.end - plan.slices.start);
-        let rows = plan.levels.clone().map(|level| {
-            let [_, height, _] = textures[plan.texture].texture.level_size(level);
-            u64::from(height) * slices
-        });
+        let rows = (0..plan.levels.len()).map(|level| u64::from(plan.level_size(level)[1]) * slices);
         rows.sum::<u64>() * plan.channels.len() as u64
     };
     let all = plans.iter().map(rows_of).sum::<u64>().max(1) as f32;
@@ -199,10 +198,15 @@ fn write_one(
     let Packing { format, storage, zstd } = packing;
     let texture = &spooled.texture;
     let single = (plan.levels.len() == 1 && !texture.mips.is_empty()).then_some(plan.levels.start);
-    let size = texture.level_size(plan.levels.start);
+    let size = plan.size;
     let is_part = plan.slices.end - plan.slices.start < size[2];
     let slices = is_part.then(|| plan.slices.clone());
-    let entries = identity.metadata(texture, plan.channels.clone(), single, slices, storage, names);
+    let mut entries = identity.metadata(texture, plan.channels.clone(), single, slices, storage, names);
+    let sizes: Vec<[u32; 3]> = plan.levels.clone().map(|level| texture.level_size(level)).collect();
+    if sizes.iter().enumerate().any(|(level, size)| *size != plan.level_size(level)) {
+        let sizes = sizes.iter().map(|[width, height, _]| format!("{width}x{height}"));
+        entries.push(("relief.level_sizes".to_owned(), sizes.collect::<Vec<_>>().join(" ")));
+    }
     let metadata = Metadata::new(entries).map_err(|problem| FilesError::Value(problem.to_string()))?;
     let channels = &texture.channels[plan.channels.clone()];
     // Writers know failed rows as failures of the system only.
@@ -213,17 +217,21 @@ fn write_one(
             texels.fill(if row.channel == 3 { 1.0 } else { 0.0 });
             return Ok(());
         };
+        let [columns, rows, _] = sizes[row.level as usize];
         let source = Row {
             level: row.level + plan.levels.start as u32,
             slice: row.slice + plan.slices.start,
             channel: row.channel + plan.channels.start,
-            ..row
+            // What is padded repeats the last row and column.
+            row: row.row.min(rows - 1),
         };
-        reader.row(spooled, source, texels)?;
-        let stored = texels.iter_mut().try_for_each(|texel| {
+        let (own, beyond) = texels.split_at_mut(columns as usize);
+        reader.row(spooled, source, own)?;
+        let stored = own.iter_mut().try_for_each(|texel| {
             *texel = storage.texel(*texel, channel)?;
             Ok(())
         });
+        beyond.fill(own.last().copied().unwrap_or_default());
         failure = stored.map_err(FilesError::Value).err();
         if failure.is_none() && !count() {
             failure = Some(FilesError::Cancelled);
