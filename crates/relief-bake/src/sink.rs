@@ -37,7 +37,7 @@ impl Shape {
 
     /// Columns, rows and slices of a mip level; 0 is the finest.
     pub fn level_size(&self, level: usize) -> [u32; 3] {
-        if level == 0 { self.size } else { self.mips[level - 1] }
+        level_size(self.size, &self.mips, level)
     }
 
     /// The least columns and rows such that a mip chain of GPUs, where every level has half the sides of the
@@ -83,8 +83,12 @@ impl Texture {
 
     /// Size of a mip level.
     pub fn level_size(&self, level: usize) -> [u32; 3] {
-        if level == 0 { self.size } else { self.mips[level - 1] }
+        level_size(self.size, &self.mips, level)
     }
+}
+
+fn level_size(finest: [u32; 3], mips: &[[u32; 3]], level: usize) -> [u32; 3] {
+    if level == 0 { finest } else { mips[level - 1] }
 }
 
 /// A sink that failed.

@@ -189,8 +189,7 @@ impl Maps {
     pub fn bytes(&self, selection: &Selection, size: [u32; 2]) -> Result<u64, MapsError> {
         let needs = selection.map_needs();
         needs.iter().enumerate().try_fold(0u64, |bytes, (place, need)| {
-            let is_same = |other: &MapNeed| other.input == need.input && other.settings == need.settings;
-            if needs[..place].iter().any(is_same) {
+            if needs[..place].iter().any(|other| other.is_same_map(need)) {
                 return Ok(bytes);
             }
             let layout = self.wanted(need, Metric::UNIT)?.layout(size)?;

@@ -488,6 +488,23 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         return (sum + (color * weight));
     }
+    pub(crate) fn traced_scale_m(&self) -> f32 {
+        rt::into(self.v_traced_scale_m())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_traced_scale_m(&self) -> rt::Scalar<f32> {
+        let _e2 = rt::Scalar(self.surface_settings.scale_m);
+        return _e2.max(rt::Scalar(0.000000001f32));
+    }
+    pub(crate) fn base_height(&self) -> f32 {
+        rt::into(self.v_base_height())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_base_height(&self) -> rt::Scalar<f32> {
+        let _e2 = rt::Scalar(self.surface_settings.bias_m);
+        let _e5 = self.v_traced_scale_m();
+        return ((rt::Scalar(0f32) - _e2) / _e5);
+    }
     pub(crate) fn bilinear(
         &self,
         h00_: impl rt::Into<rt::Vec4<f32>>,
@@ -819,8 +836,8 @@ impl<'g> Resources<'g> {
         let bd = at.bitangent.dot(direction);
         let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
         let duv = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
-        let _e32 = rt::Scalar(self.surface_settings.scale_m);
-        return <rt::Vec3<f32>>::new_21(duv, (at.normal.dot(direction) / _e32.max(rt::Scalar(0.000000001f32))));
+        let _e30 = self.v_traced_scale_m();
+        return <rt::Vec3<f32>>::new_21(duv, (at.normal.dot(direction) / _e30));
     }
     pub(crate) fn texels_around(
         &self,
@@ -4141,18 +4158,16 @@ impl<'g> Resources<'g> {
             return rt::Scalar(1f32);
         }
         let _e16 = self.v_path_height(_e4, _e11);
-        let _e19 = rt::Scalar(self.surface_settings.bias_m);
-        let _e24 = rt::Scalar(self.surface_settings.scale_m);
-        let base_height = ((rt::Scalar(0f32) - _e19) / _e24.max(rt::Scalar(0.000000001f32)));
-        let _e28 = self.v_path_uv(_e4, _e11);
-        let down_1 = <Path>::new(_e28, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - base_height) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level));
-        let _e48 = self.v_search_stage(down_1);
-        let _e49 = self.v_refine_stage(down_1, _e48);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e49.found).elementwise_eq(rt::Scalar(0u32))) {
+        let _e17 = self.v_path_uv(_e4, _e11);
+        let _e29 = self.v_base_height();
+        let down_1 = <Path>::new(_e17, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - _e29) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level));
+        let _e38 = self.v_search_stage(down_1);
+        let _e39 = self.v_refine_stage(down_1, _e38);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e39.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e58 = self.v_height_size();
-        let apart = ((_e49.uv - _e4.uv).abs() * _e58);
+        let _e48 = self.v_height_size();
+        let apart = ((_e39.uv - _e4.uv).abs() * _e48);
         return rt::Scalar(0f32).select(rt::Scalar(1f32), apart.x().max(apart.y()).elementwise_le(params_24.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
@@ -4198,7 +4213,8 @@ impl<'g> Resources<'g> {
     fn v_quarter_sine(&self, turn: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_1 = (turn * rt::Scalar(6.2831855f32));
         let s_2 = (x_1 * x_1);
-        return (x_1 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32))))))))));
+        let last_4 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_1 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_4)))))));
     }
     pub(crate) fn sine_of(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_1)))
@@ -4937,49 +4953,47 @@ impl<'g> Resources<'g> {
             valid = rt::Scalar(0u32);
         }
         let duv_1 = (<rt::Vec2<f32>>::from_scalars(((td_1 * bb) - (bd_1 * tb)), ((bd_1 * tt) - (td_1 * tb))) / rt::Vec2::splat_from_scalar(area_2));
-        let _e120 = rt::Scalar(self.surface_settings.scale_m);
-        let scale = _e120.max(rt::Scalar(0.000000001f32));
-        let _e125 = rt::Scalar(self.surface_settings.bias_m);
-        let base_height_1 = ((rt::Scalar(0f32) - _e125) / scale);
-        let slope_4 = ((rt::Scalar(0f32) - descent) / scale);
+        let _e118 = self.v_traced_scale_m();
+        let _e119 = self.v_base_height();
+        let slope_4 = ((rt::Scalar(0f32) - descent) / _e118);
         let eye = ((rt::Scalar(0f32) - distance_1) * along_3);
-        let top_5 = (((base_height_1 - rt::Scalar(1f32)) * scale) / descent);
+        let top_5 = (((_e119 - rt::Scalar(1f32)) * _e118) / descent);
         enter = top_5.max(eye);
-        leave_4 = ((base_height_1 * scale) / descent);
-        let _e144 = leave_4;
-        let _e145 = leave_4;
-        leave_4 = (_e144 + ((_e145 - top_5) * rt::Scalar(0.000001f32)));
-        let _e152 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e152.elementwise_eq(WRAP_CLAMP)) {
-            let _e157 = enter;
-            let _e158 = leave_4;
-            let _e160 = self.v_inside_unit(uv_13.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e157, _e158));
-            interval_2 = _e160;
-            let _e164 = interval_2;
-            let _e165 = self.v_inside_unit(uv_13.y(), duv_1.y(), _e164);
-            interval_2 = _e165;
-            let _e167 = interval_2.x();
-            enter = _e167;
-            let _e169 = interval_2.y();
-            leave_4 = _e169;
+        leave_4 = ((_e119 * _e118) / descent);
+        let _e135 = leave_4;
+        let _e136 = leave_4;
+        leave_4 = (_e135 + ((_e136 - top_5) * rt::Scalar(0.000001f32)));
+        let _e143 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e143.elementwise_eq(WRAP_CLAMP)) {
+            let _e148 = enter;
+            let _e149 = leave_4;
+            let _e151 = self.v_inside_unit(uv_13.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e148, _e149));
+            interval_2 = _e151;
+            let _e155 = interval_2;
+            let _e156 = self.v_inside_unit(uv_13.y(), duv_1.y(), _e155);
+            interval_2 = _e156;
+            let _e158 = interval_2.x();
+            enter = _e158;
+            let _e160 = interval_2.y();
+            leave_4 = _e160;
         }
-        let _e170 = leave_4;
-        let _e171 = enter;
-        if rt::Scalar::into_branch_condition((!_e170.elementwise_gt(_e171))) {
+        let _e161 = leave_4;
+        let _e162 = enter;
+        if rt::Scalar::into_branch_condition((!_e161.elementwise_gt(_e162))) {
             valid = rt::Scalar(0u32);
         }
-        let _e175 = enter;
-        let _e178 = enter;
-        let entry_height = (base_height_1 + (slope_4 * _e175)).select(rt::Scalar(1f32), _e178.elementwise_eq(top_5));
-        let _e182 = enter;
-        let base_1 = (rt::Scalar(0f32) - _e182).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e188 = enter;
-        let _e193 = leave_4;
-        let _e194 = enter;
-        let _e198 = rt::Scalar(self.surface_settings.scale_m);
-        let path_46 = <Path>::new((uv_13 + (duv_1 * _e188)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e193 - _e194), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e198), RAY_VIEW, rt::Scalar(0u32));
-        let _e203 = valid;
-        return <Entered>::new(_e203, path_46, point_5, uv_13, tangent_1, bitangent, normal_3);
+        let _e166 = enter;
+        let _e169 = enter;
+        let entry_height = (_e119 + (slope_4 * _e166)).select(rt::Scalar(1f32), _e169.elementwise_eq(top_5));
+        let _e173 = enter;
+        let base_1 = (rt::Scalar(0f32) - _e173).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e179 = enter;
+        let _e184 = leave_4;
+        let _e185 = enter;
+        let _e189 = rt::Scalar(self.surface_settings.scale_m);
+        let path_46 = <Path>::new((uv_13 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
+        let _e194 = valid;
+        return <Entered>::new(_e194, path_46, point_5, uv_13, tangent_1, bitangent, normal_3);
     }
     pub(crate) fn surface_stage(&self, pixel_5: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_5))

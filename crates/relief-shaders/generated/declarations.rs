@@ -18,6 +18,9 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/disc", head: r#"// The disc of a light, as a point of the surface sees it.
 "# },
+    Module { path: "shared/displacement", head: r#"// The space that the relief fills above the base surface: how deep it is, where the base lies in it, and where
+// its footprint ends.
+"# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
 //
 // `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine.
@@ -647,7 +650,8 @@ fn turn_of(v: vec2f) -> f32 {
 fn quarter_sine(turn: f32) -> f32 {
     let x = turn * 6.28318531;
     let s = x * x;
-    return x * (1.0 + s * (-0.166666667 + s * (0.00833333333 + s * (-0.000198412698 + s * 0.00000275573192))));
+    let last = -0.000198412698 + s * 0.00000275573192;
+    return x * (1.0 + s * (-0.166666667 + s * (0.00833333333 + s * last)));
 }"#,
     },
     Declaration {
@@ -1094,12 +1098,58 @@ fn point_of_disc(light: Toward, seed: u32, k: u32, count: u32) -> Toward {
         name: "part_above",
         sampling: None,
         uses: &[],
-        text: r#"// The part of a disc of radius 1 that is above a straight line, of which its centre is this much above: an odd
-// polynomial for x sqrt(1 - x²) + asin(x), over pi, off by 5e-4 at most.
+        text: r#"// The part of a disc of radius 1 that is above a straight line; its centre is this much above the line. An
+// odd polynomial stands for x sqrt(1 - x²) + asin(x), over pi; it is off by 5e-4 at most.
 fn part_above(height: f32) -> f32 {
     let x = clamp(height, -1.0, 1.0);
     let s = x * x;
     return 0.5 + x * (0.64010741 + s * (-0.13985065 + s * (0.06702511 + s * -0.06728186)));
+}"#,
+    },
+    Declaration {
+        module: "shared/displacement",
+        name: "LEAST_SCALE_M",
+        sampling: None,
+        uses: &[],
+        text: r#"// A relief flatter than this, in metres, is traced as if it were this deep: its slope in t must stay finite.
+const LEAST_SCALE_M = 1.0e-9;"#,
+    },
+    Declaration {
+        module: "shared/displacement",
+        name: "traced_scale_m",
+        sampling: None,
+        uses: &["LEAST_SCALE_M", "surface_settings"],
+        text: r#"// Metres between the heights 0 and 1, as paths are made with them.
+fn traced_scale_m() -> f32 {
+    return max(surface_settings.scale_m, LEAST_SCALE_M);
+}"#,
+    },
+    Declaration {
+        module: "shared/displacement",
+        name: "base_height",
+        sampling: None,
+        uses: &["surface_settings", "traced_scale_m"],
+        text: r#"// The height at which the base surface lies.
+fn base_height() -> f32 {
+    return (0.0 - surface_settings.bias_m) / traced_scale_m();
+}"#,
+    },
+    Declaration {
+        module: "shared/displacement",
+        name: "inside_unit",
+        sampling: None,
+        uses: &[],
+        text: r#"// The parameter interval in which x(t) = x0 + dx t stays in [0, 1].
+fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
+    if (dx == 0.0) {
+        if (x0 < 0.0 || x0 > 1.0) {
+            return vec2f(1.0, -1.0);
+        }
+        return interval;
+    }
+    let a = (0.0 - x0) / dx;
+    let b = (1.0 - x0) / dx;
+    return vec2f(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
 }"#,
     },
     Declaration {
@@ -1414,7 +1464,7 @@ fn near_uv(uv: vec2f) -> vec2f {
         module: "shared/light_ray",
         name: "climb",
         sampling: None,
-        uses: &["Entered", "LEAST_SCALE_M", "surface_settings"],
+        uses: &["Entered", "traced_scale_m"],
         text: r#"// Change of the texture coordinates, and of the normalised height, with a metre in a direction of the world.
 fn climb(at: Entered, direction: vec3f) -> vec3f {
     let metric = at.path.metric;
@@ -1422,7 +1472,7 @@ fn climb(at: Entered, direction: vec3f) -> vec3f {
     let bd = dot(at.bitangent, direction);
     let area = metric.x * metric.z - metric.y * metric.y;
     let duv = vec2f(td * metric.z - bd * metric.y, bd * metric.x - td * metric.y) / area;
-    return vec3f(duv, dot(at.normal, direction) / max(surface_settings.scale_m, LEAST_SCALE_M));
+    return vec3f(duv, dot(at.normal, direction) / traced_scale_m());
 }"#,
     },
     Declaration {
@@ -2353,35 +2403,9 @@ const BELOW_FLOOR = 1.000001;"#,
     },
     Declaration {
         module: "surface/plane",
-        name: "LEAST_SCALE_M",
-        sampling: None,
-        uses: &[],
-        text: r#"// A relief flatter than this, in metres, is traced as if it were this deep: its slope in t must stay finite.
-const LEAST_SCALE_M = 1.0e-9;"#,
-    },
-    Declaration {
-        module: "surface/plane",
-        name: "inside_unit",
-        sampling: None,
-        uses: &[],
-        text: r#"// The parameter interval in which x(t) = x0 + dx t stays in [0, 1].
-fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
-    if (dx == 0.0) {
-        if (x0 < 0.0 || x0 > 1.0) {
-            return vec2f(1.0, -1.0);
-        }
-        return interval;
-    }
-    let a = (0.0 - x0) / dx;
-    let b = (1.0 - x0) / dx;
-    return vec2f(max(interval.x, min(a, b)), min(interval.y, max(a, b)));
-}"#,
-    },
-    Declaration {
-        module: "surface/plane",
         name: "surface_plane",
         sampling: None,
-        uses: &["BELOW_FLOOR", "Entered", "LEAST_SCALE_M", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "inside_unit", "surface_settings"],
+        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "base_height", "inside_unit", "surface_settings", "traced_scale_m"],
         text: r#"fn surface_plane(pixel: PixelIn, params: vec4f) -> Entered {
     let a = pixel.a.position;
     let e1 = pixel.b.position - a;
@@ -2416,8 +2440,8 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
         valid = 0u;
     }
     let duv = vec2f(td * bb - bd * tb, bd * tt - td * tb) / area;
-    let scale = max(surface_settings.scale_m, LEAST_SCALE_M);
-    let base_height = (0.0 - surface_settings.bias_m) / scale;
+    let scale = traced_scale_m();
+    let base_height = base_height();
     let slope = (0.0 - descent) / scale;
 
     // Metres along the ray, counted from the base: entry at height 1 but not behind the eye, exit at
@@ -3561,7 +3585,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "shadow/entry",
         name: "shadow_entry",
         sampling: None,
-        uses: &["Entered", "Hit", "LEAST_SCALE_M", "Path", "RAY_VIEW", "Toward", "from_hit", "height_size", "path_height", "path_uv", "refine_stage", "search_stage", "surface_settings", "way_out"],
+        uses: &["Entered", "Hit", "Path", "RAY_VIEW", "Toward", "base_height", "from_hit", "height_size", "path_height", "path_uv", "refine_stage", "search_stage", "way_out"],
         text: r#"fn shadow_entry(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
     let up = from_hit(at, hit, light);
     if (!(up.h.y > 0.0)) {
@@ -3572,13 +3596,12 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         return 1.0;
     }
     let top = path_height(up, way);
-    let base_height = (0.0 - surface_settings.bias_m) / max(surface_settings.scale_m, LEAST_SCALE_M);
     let down = Path(
         path_uv(up, way),
         vec2f(0.0, 0.0) - up.duv,
         vec3f(top, 0.0 - up.h.y, 0.0),
         way,
-        (top - base_height) / up.h.y,
+        (top - base_height()) / up.h.y,
         up.metric,
         RAY_VIEW,
         up.level,

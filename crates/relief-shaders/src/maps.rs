@@ -80,6 +80,11 @@ pub enum MapProblem {
 }
 
 impl MapNeed {
+    /// Whether another slot or reader needs the same map.
+    pub fn is_same_map(&self, other: &MapNeed) -> bool {
+        self.input == other.input && self.settings == other.settings
+    }
+
     /// The metric that the map is to be baked in, on a surface of that metric.
     pub fn metric(&self, surface: Metric) -> Metric {
         match self.input.metric {

@@ -152,8 +152,8 @@ impl Selection {
         selection.with_search_for_shadows()
     }
 
-    /// The same with the search for shadows that goes with the view's: that one with its parameters, or where
-    /// it is of no use for shadows `cells`.
+    /// The same with the search for shadows that goes with the view's: that one with its parameters, or
+    /// `cells` where it is of no use for shadows.
     fn with_search_for_shadows(mut self) -> Self {
         self.choices[SHADOW_SEARCH] = self.choices[SEARCH];
         let promised = self.choices[SEARCH].promises().shadow;
@@ -187,8 +187,8 @@ impl Selection {
     }
 
     /// Chooses a variant by its stage's key and its name, as in `choose("search", "linear")`, with default
-    /// parameters. With a search or a shadow the search for shadows is chosen, too: that of the view, or where
-    /// it is of no use for shadows `cells`. Another `shadow-search` is chosen after these.
+    /// parameters. With a search or a shadow the search for shadows is chosen, too: that of the view, or
+    /// `cells` where that is of no use for shadows. Another `shadow-search` is chosen after these.
     ///
     /// # Errors
     ///
@@ -212,12 +212,8 @@ impl Selection {
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), SelectionError> {
         let parts = key.split_once('.').and_then(|(of, name)| Some((stage(of)?, name)));
         let ((place, stage), name) = parts.ok_or_else(|| SelectionError::Key(key.to_owned()))?;
-        let is_view_search = |choices: &[Choice]| {
-            let [view, shadow] =
-                [SEARCH, SHADOW_SEARCH].map(|stage| (choices[stage].number, choices[stage].params));
-            view == shadow
-        };
-        let follows = place == SEARCH && is_view_search(&self.choices);
+        let [view, shadow] = [SEARCH, SHADOW_SEARCH].map(|stage| &self.choices[stage]);
+        let follows = place == SEARCH && (view.number, view.params) == (shadow.number, shadow.params);
         let Choice { entry, params, .. } = &mut self.choices[place];
         let Some((param_place, param)) = entry.param(name) else {
             let entries = entry.params.iter().map(|param| param.name).collect();
@@ -260,7 +256,7 @@ impl Selection {
     }
 
     /// Whether a stage is asked for anything: the search for shadows is not, where no shadow sends rays.
-    pub(crate) fn uses(&self, stage: usize) -> bool {
+    pub fn uses(&self, stage: usize) -> bool {
         stage != SHADOW_SEARCH || !self.choices[SHADOW].entry.states.is_empty()
     }
 

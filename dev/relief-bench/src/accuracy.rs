@@ -2,11 +2,12 @@
 
 use clap::Args;
 use comfy_table::Table;
-use comfy_table::presets::ASCII_MARKDOWN;
 use relief_shaders::{METHODS, Selection};
 use relief_tests::accuracy::{ANGLES, Case, Named, maps};
 use relief_tests::baked::{maps_for, slots};
 use relief_tests::claims::{Measure, verdicts};
+
+use crate::table::table;
 
 /// What `accuracy` is given.
 #[derive(Args)]
@@ -35,12 +36,6 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     );
     println!("What the survey says of the order\n{}", order(&maps, arguments.rays));
     Ok(())
-}
-
-fn table(header: &[&str]) -> Table {
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header(header);
-    table
 }
 
 fn methods(named: &Named, rays: usize) -> Result<Table, String> {

@@ -9,8 +9,6 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
-use comfy_table::Table;
-use comfy_table::presets::ASCII_MARKDOWN;
 use rayon::ThreadPool;
 use relief_bake::{KINDS, Kind, Settings};
 use relief_core::{HeightMap, Metric, Wrap};
@@ -18,6 +16,8 @@ use relief_core::{HeightMap, Metric, Wrap};
 use self::brute::Brute;
 use self::grounds::Ground;
 use self::measure::Measured;
+
+use crate::table::table;
 
 /// Depth of the relief in tiles.
 const SCALE_M: f64 = 0.1;
@@ -238,12 +238,6 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     let (x, y) = (mean(|point| point.0), mean(|point| point.1));
     let above: f64 = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
     above / points.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
-}
-
-fn table(header: &[&str]) -> Table {
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header(header.iter().copied());
-    table
 }
 
 fn pool(threads: usize) -> Result<ThreadPool, String> {

@@ -5,8 +5,6 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use comfy_table::Table;
-use comfy_table::presets::ASCII_MARKDOWN;
 use glam::DQuat;
 use relief_maps::{Cache, DEFAULT_LIMIT, Maps};
 use relief_render::gpu::Work;
@@ -14,6 +12,7 @@ use relief_render::scene::{BackendChoice, Sampling, Scene, SceneSpec, read_scene
 use relief_render::{Progress, Rendered, Renderer, render};
 
 use crate::samples::Samples;
+use crate::table::table;
 
 /// The most bytes that a second frame may upload.
 const AIM_UPLOADED: u64 = 1024;
@@ -59,8 +58,7 @@ struct Measured {
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let cache = Cache::new(folder.path(), DEFAULT_LIMIT);
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header([
+    let mut table = table(&[
         "scene",
         "backend",
         "files, maps, picture ms",

@@ -13,6 +13,7 @@ mod probe;
 mod samples;
 mod shadow;
 mod sheet;
+mod table;
 mod trace;
 
 #[derive(Parser)]

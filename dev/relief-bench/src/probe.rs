@@ -4,11 +4,11 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
-use comfy_table::Table;
-use comfy_table::presets::ASCII_MARKDOWN;
 use indicatif::{ProgressBar, ProgressStyle};
 use relief_core::registry::UnknownName;
 use relief_tests::probes::run::{self, Case, KINDS, MAPS};
+
+use crate::table::table;
 
 /// What `probe` is given.
 #[derive(Args)]
@@ -27,17 +27,7 @@ pub struct Arguments {
 /// Attacks, and prints the table; fails if a promise is broken.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, String> {
     let kinds = chosen(&arguments.kinds)?;
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header([
-        "kind",
-        "map",
-        "wrap",
-        "bits",
-        "probes",
-        "violations",
-        "tightest",
-        "seconds",
-    ]);
+    let mut table = table(&["kind", "map", "wrap", "bits", "probes", "violations", "tightest", "seconds"]);
     let cases: Vec<Case> = kinds
         .iter()
         .flat_map(|kind| arguments.bits.iter().flat_map(|bits| run::cases(kind, *bits)))

@@ -1,12 +1,12 @@
 //! `shadow`: every shadow beside rays of the exact search, on three maps and three meshes.
 
 use clap::Args;
-use comfy_table::Table;
-use comfy_table::presets::ASCII_MARKDOWN;
 use relief_render::mesh::Builtin;
 use relief_render::scene::BackendChoice;
 use relief_tests::accuracy::maps;
 use relief_tests::shadows::{Lit, mean_error, squared_error, wrong};
+
+use crate::table::table;
 
 /// What `shadow` is given.
 #[derive(Args)]
@@ -22,12 +22,6 @@ const ELEVATIONS_DEG: [f64; 3] = [15.0, 30.0, 50.0];
 
 /// The disc of the soft lights, in degrees.
 const DISC_DEG: f64 = 5.0;
-
-fn table(header: &[&str]) -> Table {
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header(header);
-    table
-}
 
 /// Prints the tables.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
@@ -88,7 +82,8 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     println!("Pixels that are lit and should be dark, or the other way, in percent; hard lights\n{hard}\n");
     println!("Mean error of the part that arrives; hard lights\n{three}\n");
     println!(
-        "A disc of {DISC_DEG} degrees beside 256 rays to it: mean error of horizons, mean squared error of so many rays\n{soft}"
+        "A disc of {DISC_DEG} degrees beside rays to 256 of its points: mean error of horizons, mean squared \
+         error of so many rays\n{soft}"
     );
     Ok(())
 }

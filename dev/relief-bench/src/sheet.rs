@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use comfy_table::Table;
-use comfy_table::presets::ASCII_MARKDOWN;
 use relief_io::{PictureFormat, write_picture};
 use relief_maps::Maps;
 use relief_render::render;
 use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec};
+
+use crate::table::table;
 
 /// Size of a picture on the sheet.
 const SIZE: [u32; 2] = [144, 108];
@@ -48,8 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
     let mut files = Vec::new();
     collect(&arguments.folder, &mut files).map_err(|error| error.to_string())?;
     files.sort();
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header(["map", "place on the sheet", "covered", "mean byte"]);
+    let mut table = table(&["map", "place on the sheet", "covered", "mean byte"]);
     let (mut shown, mut refused) = (Vec::new(), Vec::new());
     for file in &files {
         let name = file.strip_prefix(&arguments.folder).unwrap_or(file).display().to_string();

@@ -18,7 +18,6 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use comfy_table::Table;
-use comfy_table::presets::ASCII_MARKDOWN;
 use cpu_time::ProcessTime;
 use rayon::ThreadPool;
 use relief_core::HeightMap;
@@ -30,6 +29,7 @@ use tracers::{Contest, FAST, PARRY, Rays};
 use view::{Ground, SIZE};
 
 use crate::samples::Samples;
+use crate::table::table;
 
 /// Numbers of threads that everything is measured with.
 const THREADS: [usize; 2] = [1, 2];
@@ -123,12 +123,6 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
 fn load() -> String {
     let text = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
     text.split_whitespace().next().map(|load| format!(", load {load}")).unwrap_or_default()
-}
-
-fn table(header: &[&str]) -> Table {
-    let mut table = Table::new();
-    table.load_style(ASCII_MARKDOWN).set_header(header);
-    table
 }
 
 impl Bench<'_> {

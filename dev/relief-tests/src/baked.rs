@@ -6,8 +6,8 @@ use relief_bake::{Progress, WantedMap, baked_map, kind};
 use relief_core::{BakedMap, HeightMap, MapFormat, Metric};
 use relief_shaders::{MapNeed, MapSlot, Selection, SlotMaps};
 
-/// The maps that a selection reads over that height map, on a surface of the unit metric; one that it reads in
-/// several slots is there once.
+/// The maps that a selection reads over that height map, on a surface of the unit metric. One that it reads
+/// in several slots is there once.
 ///
 /// # Panics
 ///
@@ -22,12 +22,7 @@ pub fn maps_for(map: &HeightMap, selection: &Selection) -> Vec<BakedMap> {
 ///
 /// As [`maps_for`].
 pub fn maps_in(format: MapFormat, map: &HeightMap, selection: &Selection) -> Vec<BakedMap> {
-    let mut needs: Vec<MapNeed> = Vec::new();
-    for need in selection.map_needs() {
-        if !needs.iter().any(|known| known.input == need.input && known.settings == need.settings) {
-            needs.push(need);
-        }
-    }
+    let needs = different_needs(selection);
     let baked = needs.iter().map(|need| {
         let kind = kind(need.input.kind).unwrap_or_else(|error| panic!("{error}"));
         let mut settings = kind.defaults();
@@ -50,23 +45,21 @@ pub fn slots<'a>(map: &HeightMap, selection: &Selection, maps: &'a [BakedMap]) -
     selection.slot_maps(maps, map, Metric::UNIT).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// What a selection reads; what several slots need is there once.
+fn different_needs(selection: &Selection) -> Vec<MapNeed> {
+    let mut needs: Vec<MapNeed> = Vec::new();
+    for need in selection.map_needs() {
+        if !needs.iter().any(|known| known.is_same_map(&need)) {
+            needs.push(need);
+        }
+    }
+    needs
+}
+
 /// Those maps as a surface has them.
-///
-/// # Panics
-///
-/// When one is missing.
 pub fn in_slots(selection: &Selection, maps: Vec<BakedMap>) -> Vec<(MapSlot, Arc<BakedMap>)> {
-    let maps: Vec<Arc<BakedMap>> = maps.into_iter().map(Arc::new).collect();
-    let needs = selection.map_needs().into_iter().map(|need| {
-        let is_needed = |map: &&Arc<BakedMap>| {
-            let about = map.identity();
-            let has =
-                |(name, value): &(&str, f32)| about.settings.iter().any(|of| of.0 == *name && of.1 == *value);
-            about.kind == need.input.kind
-                && about.texture == need.input.texture
-                && need.settings.iter().all(has)
-        };
-        (need.slot, Arc::clone(maps.iter().find(is_needed).unwrap_or_else(|| panic!("no map for {need:?}"))))
-    });
-    needs.collect()
+    let maps: Vec<_> = different_needs(selection).into_iter().zip(maps.into_iter().map(Arc::new)).collect();
+    let of = |need: &MapNeed| maps.iter().find(|(known, _)| known.is_same_map(need)).map(|(_, map)| map);
+    let needs = selection.map_needs();
+    needs.iter().filter_map(|need| Some((need.slot, Arc::clone(of(need)?)))).collect()
 }

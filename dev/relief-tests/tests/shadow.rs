@@ -7,15 +7,12 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use relief_core::exact::least_gap;
 use relief_core::{HeightMap, Path, PathMetric, Wrap};
-use relief_maps::Maps;
 use relief_render::light::Light;
-use relief_render::material::Material;
 use relief_render::mesh::square;
-use relief_render::render;
-use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_render::scene::{BackendChoice, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
-use relief_tests::{maps, steepest};
+use relief_tests::{maps, shadows, steepest};
 
 /// The relief's depth on the unit square, in metres.
 const SCALE_M: f64 = 0.15;
@@ -36,13 +33,9 @@ fn pixels(
     backend: BackendChoice,
 ) -> Vec<PixelOut> {
     let map = map.clone().with_displacement(SCALE_M, -SCALE_M).expect("lengths");
-    let material = Material::new(Vec3::ONE, Vec3::ZERO, 1).expect("a material");
     let surface = Surface::new(square(1).expect("a mesh"), map).with_selection(selection);
     let light = Light::directional(light, Vec3::ONE).expect("a light");
-    let scene = Scene::builder(surface.with_material(material)).lights(vec![light]).ambient(Vec3::ZERO);
-    let scene = scene.background(Vec3::ZERO).samples(1).size(size[0], size[1]).backend(backend);
-    let scene = scene.build().expect("a scene");
-    render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    shadows::pixels(&shadows::under_one_light(surface, light, View::Corner, size, backend))
 }
 
 /// Directions toward lights at these degrees above the horizon, all around.

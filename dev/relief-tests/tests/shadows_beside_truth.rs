@@ -73,6 +73,19 @@ fn a_disc_is_the_better_seen_the_more_rays_there_are_and_by_horizons_well() {
 }
 
 #[test]
+fn many_rays_see_the_disc_that_the_light_has() {
+    let map = named("cobbles");
+    let lit = lit(&map, Builtin::Plane, 30.0, DISC_DEG);
+    let truth = lit.truth();
+    let most: &[(&str, f64)] = &[("shadow.samples", 256.0)];
+    let [right] = lit.parts([("soft", most)]);
+    let [wider] = Lit { diameter_deg: 1.1 * DISC_DEG, ..lit }.parts([("soft", most)]);
+    let [right, wider] = [right, wider].map(|parts| squared_error(&parts, &truth));
+    println!("squared error {right:.2e}, of a disc a tenth wider {wider:.2e}");
+    assert!(2.0 * right < wider, "{right} {wider}");
+}
+
+#[test]
 fn three_directions_decide_better_than_the_nearest() {
     let (mut nearest_wrong, mut three_wrong) = (0.0, 0.0);
     for name in ["cobbles", "bricks"] {

@@ -159,19 +159,15 @@ impl SceneSpec {
 
     fn lights(&self) -> Result<Vec<Light>, ValueError> {
         let angle = self.light_angle.unwrap_or(SUN_DEG);
+        let problem = |key| move |error| ValueProblem::from(error).of(key);
+        let toward = self.light.map_or(DEFAULT_LIGHT, DVec3::from);
+        let only = Light::directional(toward, Vec3::ONE).map_err(problem("light"))?;
+        // An angle that is said of no light is wrong all the same.
+        let only = only.with_diameter(angle).map_err(problem("light-angle"))?;
         match (self.light, &self.lights) {
             (Some(_), Some(_)) => Err(ValueProblem::Excludes("lights").of("light")),
-            (toward, None) => {
-                let toward = toward.map_or(DEFAULT_LIGHT, DVec3::from);
-                let problem = |key| move |error| ValueProblem::from(error).of(key);
-                let light = Light::directional(toward, Vec3::ONE).map_err(problem("light"))?;
-                Ok(vec![light.with_diameter(angle).map_err(problem("light-angle"))?])
-            }
+            (_, None) => Ok(vec![only]),
             (None, Some(lights)) => {
-                // Said of no light, it is wrong all the same.
-                Light::directional(DEFAULT_LIGHT, Vec3::ONE)
-                    .and_then(|light| light.with_diameter(angle))
-                    .map_err(|error| ValueProblem::from(error).of("light-angle"))?;
                 let lights = lights.iter().map(|light| light.light(angle));
                 lights.collect::<Result<_, ValueProblem>>().map_err(|problem| problem.of("lights"))
             }

@@ -269,7 +269,7 @@ impl SurfaceSpec {
                 selection.set(key, self.set[key]).map_err(of_selection)?;
             }
         }
-        if selection.choices[SHADOW].entry.states.is_empty() {
+        if !selection.uses(SHADOW_SEARCH) {
             let search = STAGES[SHADOW_SEARCH].key;
             if self.stages.contains_key(search) {
                 return Err(ValueProblem::NoShadowRays.of(search));

@@ -53,8 +53,8 @@ pub struct SceneSpec {
     pub light: Option<[f64; 3]>,
     /// All lights, in place of `light`.
     pub lights: Option<Vec<LightSpec>>,
-    /// Diameter in degrees, 0 to 90, of lights infinitely far away that do not say their own. By default 0.53,
-    /// as the sun's.
+    /// Diameter in degrees, 0 to 90, of lights infinitely far away that do not say their own. By default
+    /// 0.53, as the sun's.
     pub light_angle: Option<f64>,
     /// Irradiance from everywhere, linear red, green, blue. By default 0.12 each.
     #[serde(deserialize_with = "numbers")]

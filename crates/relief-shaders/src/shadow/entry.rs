@@ -5,7 +5,7 @@ use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
 /// A ray from where the light enters the relief, down to the hit.
 pub const ENTRY: Entry = Entry {
     name: "entry",
-    summary: "a view ray from where the light enters the relief, compared with the hit by texture coordinates",
+    summary: "a view ray from where the light enters the relief; lit where it ends at the hit",
     publication: Publication {
         paper: "Oliveira and Policarpo 2005, An Efficient Representation for Surface Details",
         section: "2.1",
@@ -23,8 +23,8 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "The ray enters at the top of the relief, at the footprint's edge or at the light, and descends to \
-        the hit: search and refinement of the view serve it, with their map. Where it ends within the \
+    argument: "The ray enters at the top of the relief, at the footprint's edge or at the light, and \
+        descends to the hit: search and refinement of the view serve it, with their map. Where it ends within the \
         tolerance of the hit nothing is taken to be in the way, though a thin ridge may be; where light \
         grazes the surface, rounding alone can be more than the tolerance.",
 };

@@ -8,10 +8,7 @@ use relief_core::registry::{
 pub const ENTRY: Entry = Entry {
     name: "horizon",
     summary: "horizons baked for some azimuths, interpolated: as fast for any light and any disc",
-    publication: Publication {
-        paper: "Max 1988; Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU - State of the Art",
-        section: "6.1",
-    },
+    publication: Publication { paper: "Max 1988; Szirmay-Kalos and Umenhoffer 2008", section: "6.1" },
     maps: &[MapInput {
         metric: MapMetric::Scene,
         ..MapInput::new("horizon", "").with(&[("azimuths", MapSetting::Param("azimuths"))])
@@ -28,8 +25,8 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Where a horizon changes from one azimuth or one texel to the next, a mean of both stands for it: \
-        more azimuths come nearer. The part of the disc above a straight horizon is known. Height and \
+    argument: "Where a horizon changes from one azimuth or one texel to the next, a mean of both stands \
+        for it: more azimuths come nearer. The part of the disc above a straight horizon is known. Height and \
         texture coordinates along the light's direction tell the horizon in the hit's own frame, so that \
         it follows a curved mesh. A light at a point is taken to be behind all of the relief.",
 };

@@ -9,7 +9,7 @@ pub const ENTRY: Entry = Entry {
     name: "visibility",
     summary: "whether something is seen in fixed directions, baked: the nearest one, or three interpolated",
     publication: Publication {
-        paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008, Displacement Mapping on the GPU - State of the Art",
+        paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.2",
     },
     maps: &[MapInput {
@@ -51,7 +51,7 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "The texels around a hit see the surface or the sky in each of the directions. The light's own is \
-        between them: what they see is taken for what it would, and a light at a point to be behind all \
-        of the relief. Below the lowest elevation there is no other: it stands for what is below.",
+    argument: "The texels around a hit see the surface or the sky in each of the directions. The light's own \
+        direction lies between them, and a mean of theirs stands for it. A light at a point is taken to be \
+        behind all of the relief. A light below the lowest elevation is taken to be at it.",
 };

@@ -16,18 +16,18 @@ use relief_tests::rng::Rng;
 /// that.
 const LONGEST_LOOP: f32 = 16_384.0;
 
+/// The same for each of the rays of a shadow, of which there may be many.
+const LONGEST_LOOP_OF_SHADOW: f32 = 1_024.0;
+
+/// The most rays of a shadow in these tests.
+const MOST_RAYS_OF_SHADOW: f32 = 3.0;
+
 /// A map and the settings of a search and a refinement.
 pub struct Case {
     pub name: String,
     pub map: Arc<HeightMap>,
     surface: JobSurface,
 }
-
-/// The same for each of the rays of a shadow, of which there may be many.
-const LONGEST_LOOP_OF_SHADOW: f32 = 1_024.0;
-
-/// The most rays of a shadow in these tests.
-const MOST_RAYS_OF_SHADOW: f32 = 3.0;
 
 /// Stages with parameters, a displacement and rays that are drawn at random.
 pub struct Draw {
@@ -51,13 +51,7 @@ impl Draw {
         for choice in &mut selection.choices {
             choice.params = params(choice.entry, rng);
         }
-        if !selection.choices[SHADOW].entry.states.is_empty() {
-            selection.choices[SHADOW].params[0] =
-                selection.choices[SHADOW].params[0].min(MOST_RAYS_OF_SHADOW);
-        }
-        for value in &mut selection.choices[SHADOW_SEARCH].params {
-            *value = value.min(LONGEST_LOOP_OF_SHADOW);
-        }
+        shorten(&mut selection);
         Self { selection, scale_m, bias_m, seed: rng.bits() }
     }
 
@@ -81,12 +75,7 @@ impl Case {
     /// A case of two stages by name, with default parameters.
     pub fn of(search: &str, refine: &str, map: HeightMap) -> Self {
         let mut selection = Selection::pair(search, refine).expect("listed names");
-        for value in selection.choices.iter_mut().flat_map(|choice| &mut choice.params) {
-            *value = value.min(LONGEST_LOOP);
-        }
-        for value in &mut selection.choices[SHADOW_SEARCH].params {
-            *value = value.min(LONGEST_LOOP_OF_SHADOW);
-        }
+        shorten(&mut selection);
         let name = format!("{search}, {refine}, {}", map.wrap());
         Self::with(name, map, selection, MapFormat::F32)
     }
@@ -164,7 +153,20 @@ fn params(entry: &Entry, rng: &mut Rng) -> [f32; 4] {
                 *value = value.round();
             }
         }
-        *value = value.min(LONGEST_LOOP);
     }
     values
+}
+
+/// Caps cells, steps and rays, so that a software adapter does not leave the loops.
+fn shorten(selection: &mut Selection) {
+    for value in selection.choices.iter_mut().flat_map(|choice| &mut choice.params) {
+        *value = value.min(LONGEST_LOOP);
+    }
+    if selection.uses(SHADOW_SEARCH) {
+        let rays = &mut selection.choices[SHADOW].params[0];
+        *rays = rays.min(MOST_RAYS_OF_SHADOW);
+    }
+    for value in &mut selection.choices[SHADOW_SEARCH].params {
+        *value = value.min(LONGEST_LOOP_OF_SHADOW);
+    }
 }
