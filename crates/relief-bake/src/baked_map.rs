@@ -1,6 +1,7 @@
 //! One texture of a bake as the value that shaders read.
 
 use rayon::prelude::*;
+use relief_core::area_mean::level_count;
 use relief_core::encoding::{code::Codes, half};
 use relief_core::registry::MapLevels;
 use relief_core::{BakedMap, HeightMap, MapFormat, MapIdentity, MapLayout, MapTexels, Metric};
@@ -56,7 +57,7 @@ impl WantedMap<'_> {
 
     fn first_level(&self) -> u32 {
         match self.levels {
-            MapLevels::One => 0,
+            MapLevels::One | MapLevels::EachDetail => 0,
             MapLevels::ChainFrom(first) => first,
         }
     }
@@ -66,6 +67,10 @@ impl WantedMap<'_> {
         let channels = if shape.channels == 3 { 4 } else { shape.channels };
         let (size, levels) = match self.levels {
             MapLevels::One => ([shape.size[0], shape.size[1]], 1),
+            MapLevels::EachDetail => {
+                let size = [shape.size[0], shape.size[1]];
+                (size, level_count(size))
+            }
             MapLevels::ChainFrom(first) => {
                 // Of a texture of a single level the chain is that level.
                 let last = shape.mips.len() as u32;
@@ -86,17 +91,51 @@ impl WantedMap<'_> {
 pub fn baked_map(map: &HeightMap, wanted: &WantedMap, progress: &Progress) -> Result<BakedMap, BakeError> {
     let layout = wanted.layout([map.width(), map.height()])?;
     let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
-    let mut kept = Kept::new(wanted.texture, wanted.first_level(), layout).map_err(impossible)?;
-    bake(wanted.kind, map, wanted.metric, &wanted.settings, progress, &mut kept)?;
+    let kept = if wanted.levels == MapLevels::EachDetail {
+        bake_details(map, wanted, layout, progress)?
+    } else {
+        let mut kept = Kept::new(wanted.texture, wanted.first_level(), layout).map_err(impossible)?;
+        bake(wanted.kind, map, wanted.metric, &wanted.settings, progress, &mut kept)?;
+        kept
+    };
     BakedMap::new(wanted.identity(map), layout, kept.codes, kept.texels)
         .map_err(|error| impossible(error.to_string()))
+}
+
+/// Bakes each level of detail from its own heights.
+fn bake_details<'a>(
+    map: &HeightMap,
+    wanted: &WantedMap<'a>,
+    layout: MapLayout,
+    progress: &Progress,
+) -> Result<Kept<'a>, BakeError> {
+    let impossible = |reason: String| BakeError::Impossible { kind: wanted.kind.name, reason };
+    // Levels may have other ranges each, and codes are of the range of all: they are made last.
+    let format = if layout.format == MapFormat::Unorm8 { MapFormat::F32 } else { layout.format };
+    let mut kept = Kept::new(wanted.texture, 0, MapLayout { format, ..layout }).map_err(impossible)?;
+    // A finer level takes as much longer as it has more texels.
+    let texels = |level| layout.level_size(level).map(|side| side as f32).iter().product::<f32>();
+    let whole: f32 = (0..layout.levels).map(texels).sum();
+    let mut done = 0.0;
+    for level in 0..layout.levels {
+        let part = texels(level) / whole;
+        kept.detail = Some(level);
+        let (heights, progress) = (map.level(level), progress.piece(done, done + part));
+        bake(wanted.kind, &heights, wanted.metric, &wanted.settings, &progress, &mut kept)?;
+        done += part;
+    }
+    if layout.format == MapFormat::Unorm8 { kept.coded().map_err(impossible) } else { Ok(kept) }
 }
 
 /// The sink that keeps the levels of one texture.
 struct Kept<'a> {
     wanted: &'a str,
     first_level: u32,
+    /// The level of the map that the bake's finest level is, where there is a bake for each.
+    detail: Option<u32>,
     layout: MapLayout,
+    /// The channels, with the range of all levels so far.
+    channels: Vec<Channel>,
     codes: [Codes; 4],
     texels: MapTexels,
     /// Channels of the texture that comes, if it is the wanted one.
@@ -121,7 +160,22 @@ impl<'a> Kept<'a> {
             MapFormat::Unorm8 => MapTexels::Unorm8(zeros(values)?),
         };
         let codes = [Codes { low: 0.0, step: 0.0 }; 4];
-        Ok(Self { wanted, first_level, layout, codes, texels, coming: None, start: 0 })
+        let (detail, channels, coming) = (None, Vec::new(), None);
+        Ok(Self { wanted, first_level, detail, layout, channels, codes, texels, coming, start: 0 })
+    }
+
+    /// The same in codes of 8 bits, of values that are stored as they are.
+    fn coded(self) -> Result<Self, String> {
+        let MapTexels::F32(values) = &self.texels else { return Ok(self) };
+        let count = self.layout.channels as usize;
+        let code = |(place, value): (usize, &f32)| match self.channels.get(place % count) {
+            Some(channel) => self.codes[place % count].code(*value, channel.rounding),
+            // What fills a texel of three channels up to four.
+            None => Some(0),
+        };
+        let codes: Option<Vec<u8>> = values.par_iter().enumerate().map(code).collect();
+        let texels = MapTexels::Unorm8(codes.ok_or_else(|| no_stored_value(self.wanted))?);
+        Ok(Self { texels, ..self })
     }
 
     /// Stores a slice of a level of the map, at that layer.
@@ -155,6 +209,10 @@ impl<'a> Kept<'a> {
             }
         }
     }
+}
+
+fn no_stored_value(texture: &str) -> String {
+    format!("a value of the texture '{texture}' has no stored value of fewer bits on its safe side")
 }
 
 /// A vector of zeros, or a text where there is no memory for it.
@@ -194,9 +252,15 @@ impl Sink for Kept<'_> {
     fn begin(&mut self, texture: &Texture) -> Result<(), SinkError> {
         self.coming = None;
         if texture.name == self.wanted {
-            for (codes, channel) in self.codes.iter_mut().zip(&texture.channels) {
+            let mut channels = texture.channels.clone();
+            for (channel, before) in channels.iter_mut().zip(&self.channels) {
+                let [[low, high], [lowest, highest]] = [channel.range, before.range];
+                channel.range = [low.min(lowest), high.max(highest)];
+            }
+            for (codes, channel) in self.codes.iter_mut().zip(&channels) {
                 *codes = Codes::of_range(channel.range);
             }
+            self.channels = channels;
             self.coming = Some(Coming { texture: texture.clone(), level: 0, slice: 0 });
         }
         Ok(())
@@ -207,14 +271,13 @@ impl Sink for Kept<'_> {
         let [width, _, slices] = coming.texture.level_size(coming.level);
         let last = coming.texture.mips.len();
         let first = (self.first_level as usize).min(last);
-        if let Some(level) = coming.level.checked_sub(first).map(|level| level as u32)
-            && level < self.layout.levels
-        {
+        let level = match self.detail {
+            Some(detail) => (coming.level == 0).then_some(detail),
+            None => coming.level.checked_sub(first).map(|level| level as u32),
+        };
+        if let Some(level) = level.filter(|level| *level < self.layout.levels) {
             if !self.store(level, coming.slice, width as usize, planes, &coming.texture.channels) {
-                let name = coming.texture.name;
-                return Err(SinkError(format!(
-                    "a value of the texture '{name}' has no stored value of fewer bits on its safe side"
-                )));
+                return Err(SinkError(no_stored_value(coming.texture.name)));
             }
             if coming.slice + 1 == slices {
                 let size = self.layout.level_size(level).map(|side| side as usize);

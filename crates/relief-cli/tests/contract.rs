@@ -24,7 +24,7 @@ fn render(folder: &Folder, view: &View, relief: &Relief, more: &str) -> Aov {
     folder.write("map.png", relief.map.png());
     let mesh = if more.contains("--mesh") { "" } else { "--mesh square" };
     let line = format!(
-        "render --height map.png --backend cpu -o a.png --aov a.exr {mesh} {} {} {more}",
+        "render --height map.png --backend cpu --detail none -o a.png --aov a.exr {mesh} {} {} {more}",
         view.flags(),
         relief.flags()
     );
@@ -266,8 +266,10 @@ fn every_method_shows_points_of_the_surface() {
 fn the_channels_are_those_promised() {
     let folder = Folder::new();
     let aov = render(&folder, &View { size: [7, 5], ..VIEW }, &Relief::new(Map::constant(0.5)), "");
-    let mut expected =
-        ["hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "lit"];
+    let mut expected = [
+        "hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "lit",
+        "level",
+    ];
     expected.sort_unstable();
     assert_eq!(aov.names(), expected);
     assert!(aov.plane("hit").iter().all(|&hit| hit == 0.0 || hit == 1.0));

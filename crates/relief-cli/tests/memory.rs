@@ -32,10 +32,11 @@ const TEXELS: u64 = SIDE as u64 * SIDE as u64;
 /// Memory that anything may take that does not grow with the maps.
 const FIXED: u64 = 32 * MIB;
 
-/// What reading, rendering with the exact tracer, and rendering without it may take a texel.
+/// What reading, rendering with the exact tracer, and rendering without it may take a texel, with levels of
+/// detail.
 const READ_BYTES: u64 = 8;
-const EXACT_BYTES: u64 = 11;
-const METHOD_BYTES: u64 = 8;
+const EXACT_BYTES: u64 = 11 + 13;
+const METHOD_BYTES: u64 = 8 + 13;
 
 /// What a normal map may take a texel to become heights: it counts as much against `--max-memory`.
 const INTEGRATION_BYTES: u64 = 32;

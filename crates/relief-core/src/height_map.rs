@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
+use crate::area_mean::{coarser, coarser_size, level_count};
 use crate::{HeightsHash, Wrap};
 
 /// The longest side of a height map, in texels. Cell numbers up to here are exact in the shaders' `f32`.
@@ -45,6 +46,8 @@ struct Heights {
     texels: Vec<f32>,
     /// Once it was asked for.
     hash: OnceLock<HeightsHash>,
+    /// The coarser levels, once one was asked for.
+    coarser: OnceLock<Vec<HeightMap>>,
 }
 
 impl PartialEq for Heights {
@@ -125,7 +128,7 @@ impl HeightMap {
         Ok(Self {
             width,
             height,
-            heights: Arc::new(Heights { texels, hash: OnceLock::new() }),
+            heights: Arc::new(Heights { texels, hash: OnceLock::new(), coarser: OnceLock::new() }),
             wrap,
             scale_m: 1.0,
             bias_m: 0.0,
@@ -276,6 +279,48 @@ impl HeightMap {
         *self.heights.hash.get_or_init(|| HeightsHash::of(self.width, self.height, self.texels()))
     }
 
+    /// How many levels of detail the map has: the map itself, and coarser ones until one is a single texel.
+    pub fn levels(&self) -> u32 {
+        level_count([self.width, self.height])
+    }
+
+    /// A level of detail, of which 0 is the map itself: in each, a texel is the mean over the area that it
+    /// covers in the one before, whose sides it halves (rounded down, at least 1). Of what is coarser than a
+    /// single texel, that texel. It lies as the map lies, without its metadata.
+    ///
+    /// The first call for a coarser level makes all of them, which take a third of the map's memory.
+    #[must_use]
+    pub fn level(&self, level: u32) -> HeightMap {
+        let Some(last) = level.min(self.levels() - 1).checked_sub(1) else { return self.clone() };
+        let Self { wrap, scale_m, bias_m, .. } = *self;
+        HeightMap { wrap, scale_m, bias_m, ..self.coarser()[last as usize].clone() }
+    }
+
+    /// The coarser levels, from the first one on: their sizes and texels; all else is not theirs.
+    pub fn coarser(&self) -> &[HeightMap] {
+        self.heights.coarser.get_or_init(|| {
+            let mut levels: Vec<HeightMap> = Vec::new();
+            for _ in 1..self.levels() {
+                let finer = levels.last().unwrap_or(self);
+                let size = [finer.width, finer.height];
+                let texels = coarser(finer.texels().as_chunks::<1>().0, size).into_flattened();
+                let [width, height] = coarser_size(size);
+                let heights = Heights { texels, hash: OnceLock::new(), coarser: OnceLock::new() };
+                levels.push(HeightMap {
+                    width,
+                    height,
+                    heights: Arc::new(heights),
+                    texel_size_m: None,
+                    physical_range: None,
+                    filled_texels: 0,
+                    nearly_grey_texels: 0,
+                    ..*self
+                });
+            }
+            levels
+        })
+    }
+
     /// How the map goes on beyond its edges.
     #[inline]
     pub fn wrap(&self) -> Wrap {
@@ -413,6 +458,22 @@ mod tests {
         assert!(matches!(HeightMap::check_size(100_000, 100_000), Err(HeightMapError::TooLarge { .. })));
         assert!(ramp(Wrap::Clamp).with_displacement(f64::NAN, 0.0).is_err());
         assert!(ramp(Wrap::Clamp).with_texel_size_m([1.0, 0.0]).is_err());
+    }
+
+    #[test]
+    fn levels_lie_as_the_map_does() {
+        let map = ramp(Wrap::Mirror).with_displacement(0.5, -0.25).expect("lengths");
+        assert_eq!(map.levels(), 3);
+        assert_eq!(map.level(0), map);
+        let level = map.level(1);
+        assert_eq!((level.width(), level.height(), level.texels()), (2, 1, &[0.3125, 0.5625][..]));
+        assert_eq!((level.wrap(), level.scale_m(), level.bias_m()), (Wrap::Mirror, 0.5, -0.25));
+        // Clones share them, and each has its own wrap.
+        let clamped = map.clone().with_wrap(Wrap::Clamp).level(1);
+        assert!(clamped.shares_texels(&level) && clamped.wrap() == Wrap::Clamp);
+        assert_eq!(map.level(2).texels(), [0.4375]);
+        assert_eq!(map.level(9), map.level(2));
+        assert_eq!(HeightMap::new(1, 1, vec![0.5], Wrap::Clamp).map(|map| map.level(1).levels()), Ok(1));
     }
 
     #[test]

@@ -6,6 +6,7 @@
 //! are written at the types that carry them: texture axes and reconstruction at [`HeightMap`], handedness at
 //! [`TangentFrame`], the ray parameter at [`Path`].
 
+pub mod area_mean;
 mod baked_map;
 mod byte_size;
 pub mod encoding;

@@ -1,6 +1,6 @@
 //! What a registry entry says of itself.
 //!
-//! Each surface, search, refinement and shading has one [`Entry`] beside its source. The command's help, the
+//! Each surface, detail, search, refinement, shadow and shading has one [`Entry`] beside its source. The command's help, the
 //! tables in the documentation, the tests' matrix and the benchmarks all read the lists of these.
 
 use crate::FoundState;
@@ -75,6 +75,9 @@ pub enum MapLevels {
     /// The levels of the kind's texture from that one on. Each is padded, to the right and below, to half the
     /// size of the one before, as textures of GPUs have it: kinds round sizes up, textures round down.
     ChainFrom(u32),
+    /// The finest level of the kind's texture for each [level](crate::HeightMap::level) of the height map,
+    /// baked from that level's heights.
+    EachDetail,
 }
 
 impl MapInput {

@@ -25,7 +25,7 @@ const BAND_PIXELS: u32 = 1 << 18;
 #[derive(Debug, Default)]
 pub struct CpuRenderer {
     casters: Vec<(Arc<[Triangle]>, Arc<RayCaster>)>,
-    tracers: Vec<(Arc<HeightMap>, Arc<FastTracer>)>,
+    tracers: Vec<(Arc<HeightMap>, Arc<[FastTracer]>)>,
 }
 
 impl CpuRenderer {
@@ -102,7 +102,11 @@ impl CpuRenderer {
             let JobSurface { triangles, height_map, selection, .. } = surface;
             let base = kept(&mut casters, &self.casters, triangles, || Arc::new(caster(triangles)));
             let tracer = selection.is_exact().then(|| {
-                kept(&mut tracers, &self.tracers, height_map, || Arc::new(FastTracer::new(height_map)))
+                kept(&mut tracers, &self.tracers, height_map, || {
+                    (0..surface.settings.height_levels)
+                        .map(|k| FastTracer::new(&height_map.level(k)))
+                        .collect()
+                })
             });
             Ready::new(surface, job.frame, base, tracer)
         });
@@ -175,8 +179,9 @@ struct Ready<'a> {
     triangles: &'a [Triangle],
     base: Arc<RayCaster>,
     sides: Sides,
-    tracer: Option<Arc<FastTracer>>,
-    /// Whether the tracer serves shadows, too.
+    /// The exact tracers of all levels of detail.
+    tracers: Option<Arc<[FastTracer]>>,
+    /// Whether they serve shadows, too.
     traces_shadows: bool,
     lights: u32,
 }
@@ -186,7 +191,7 @@ impl<'a> Ready<'a> {
         surface: &'a JobSurface,
         frame: Frame,
         base: Arc<RayCaster>,
-        tracer: Option<Arc<FastTracer>>,
+        tracers: Option<Arc<[FastTracer]>>,
     ) -> Self {
         let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
         Self {
@@ -194,7 +199,7 @@ impl<'a> Ready<'a> {
             triangles: &surface.triangles,
             base,
             sides,
-            tracer,
+            tracers,
             traces_shadows: surface.selection.has_exact_shadows(),
             lights: frame.light_count,
         }
@@ -213,16 +218,17 @@ impl<'a> Ready<'a> {
             let side = if surface.front { 1.0 } else { -1.0 };
             let Triangle { a, b, c } = self.triangles[surface.triangle as usize];
             let pixel = self.program.pixel_of([a, b, c], side, point);
-            let shaded = match &self.tracer {
+            let shaded = match &self.tracers {
                 None => self.program.shade_pixel(pixel),
-                Some(tracer) => self.trace_exactly(tracer, pixel),
+                Some(tracers) => self.trace_exactly(tracers, pixel),
             };
             (shaded.hit == 1).then_some(shaded)
         })
     }
 
-    fn trace_exactly(&self, tracer: &FastTracer, pixel: PixelIn) -> PixelOut {
-        let at: Entered = self.program.surface(pixel);
+    fn trace_exactly(&self, tracers: &[FastTracer], pixel: PixelIn) -> PixelOut {
+        let at: Entered = self.program.enter(pixel);
+        let tracer = &tracers[at.path.level as usize];
         let hit =
             if at.valid == 1 { tracer.trace(&(&at.path).into()).hit } else { relief_core::Hit::miss(0) };
         let hit = Hit::from(&hit);

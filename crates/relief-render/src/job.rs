@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use relief_core::{BakedMap, HeightMap};
-use relief_io::Picture;
 use relief_shaders::cpu::{
     Bound, ColorTexture, Frame, HeightTexture, PixelOut, Program, SurfaceSettings, Triangle,
 };
 use relief_shaders::{MapSlot, Selection, SlotMaps};
+
+use crate::mipmaps::Mipmaps;
 
 /// What both backends are given. The same job gives the same picture on either.
 #[derive(Clone, Debug)]
@@ -37,9 +38,10 @@ pub struct JobSurface {
     /// The height map.
     pub height_map: Arc<HeightMap>,
     /// The colour map, if any.
-    pub color: Option<Arc<Picture>>,
-    /// The normal map, if any.
-    pub normal_map: Option<Arc<Picture>>,
+    pub color: Option<Arc<Mipmaps>>,
+    /// The normal map, if any; or where there is none, normals derived from the height map's second level on,
+    /// if these are read.
+    pub normal_map: Option<Arc<Mipmaps>>,
     /// The baked maps that the selection reads.
     pub maps: Vec<(MapSlot, Arc<BakedMap>)>,
     /// Whether back faces are rendered, turned over.
@@ -54,12 +56,12 @@ impl JobSurface {
 
     /// The translated shaders over this surface in a frame.
     pub fn program(&self, frame: Frame) -> Program<'_> {
-        let color_map = self.color.as_deref().map_or(ColorTexture::BLANK, of_picture);
-        let normal_map = self.normal_map.as_deref().map_or(ColorTexture::BLANK, of_picture);
+        let color_map = self.color.as_deref().map_or(ColorTexture::BLANK, of_levels);
+        let normal_map = self.normal_map.as_deref().map_or(ColorTexture::BLANK, of_levels);
         Program::new(&Bound {
             frame,
             surface_settings: self.settings,
-            height_map: HeightTexture::new(self.height_map.width(), self.height_map.texels()),
+            height_map: HeightTexture::new(&self.height_map, self.settings.height_levels),
             color_map,
             normal_map,
             maps: self.slots(),
@@ -67,8 +69,8 @@ impl JobSurface {
     }
 }
 
-fn of_picture(picture: &Picture) -> ColorTexture<'_> {
-    ColorTexture::new(picture.width, &picture.texels)
+fn of_levels(levels: &Mipmaps) -> ColorTexture<'_> {
+    ColorTexture::new(levels.size(), &levels.finest().texels, levels.coarser())
 }
 
 /// The result of a job: every pixel, row by row from the top.
@@ -88,5 +90,5 @@ pub struct Rendering {
 
 /// A pixel that nothing covers.
 pub fn uncovered() -> PixelOut {
-    PixelOut::new([0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32, 0.0)
+    PixelOut::new([0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32, 0.0, 0u32)
 }

@@ -12,6 +12,7 @@ mod kept;
 pub mod light;
 pub mod material;
 pub mod mesh;
+pub mod mipmaps;
 pub mod picture;
 mod prepare;
 pub mod raycast;

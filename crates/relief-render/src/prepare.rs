@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
-use relief_core::BakedMap;
+use relief_core::{BakedMap, HeightMap};
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
-use relief_shaders::cpu::{Choice, Corner, Frame, Light as ShaderLight, SurfaceSettings, Triangle};
+use relief_shaders::cpu::{Corner, Frame, Light as ShaderLight, SurfaceSettings, Triangle};
 use relief_shaders::{MAX_LIGHTS, MapSlot, SlotMaps};
 
 use crate::camera::Camera;
@@ -14,6 +14,7 @@ use crate::job::{Job, JobSurface};
 use crate::kept::kept;
 use crate::light::Light;
 use crate::mesh::{Mesh, Vertex};
+use crate::mipmaps::Mipmaps;
 use crate::scene::{Scene, Surface};
 
 /// The least distance of the near plane, as a part of the far plane's: depths have 24 bits, of which such a
@@ -28,6 +29,48 @@ pub struct Preparer {
     triangles: Vec<(Arc<Mesh>, Arc<[Triangle]>)>,
     /// The baked maps of each of the last scene's surfaces.
     maps: Vec<Vec<(MapSlot, Arc<BakedMap>)>>,
+    pictures: Pictures,
+}
+
+/// The pictures of a scene's surfaces as they are bound.
+#[derive(Debug, Default)]
+struct Pictures {
+    /// In their finest level alone.
+    finest: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
+    /// In all levels.
+    levels: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
+    /// Normals derived from height maps, with the tile that they are derived for.
+    derived: Vec<(Arc<HeightMap>, [f64; 2], Arc<Mipmaps>)>,
+}
+
+impl Pictures {
+    /// A picture, as it was bound before if it was.
+    fn of(&mut self, picture: &Arc<Picture>, levels: bool, before: &Pictures) -> Arc<Mipmaps> {
+        if levels {
+            let make = || Arc::new(Mipmaps::of(Arc::clone(picture)));
+            kept(&mut self.levels, &before.levels, picture, make)
+        } else {
+            let make = || Arc::new(Mipmaps::finest_only(Arc::clone(picture)));
+            kept(&mut self.finest, &before.finest, picture, make)
+        }
+    }
+
+    /// The derived normals of a surface, from the second level on.
+    fn derived(&mut self, surface: &Surface, before: &Pictures) -> Option<Arc<Mipmaps>> {
+        let (map, metric) = (surface.height_map(), surface.metric());
+        let is_same = |(of, tile_m, _): &&(Arc<HeightMap>, [f64; 2], _)| {
+            Arc::ptr_eq(of, map) && *tile_m == metric.tile_m
+        };
+        if let Some((_, _, known)) = self.derived.iter().find(is_same) {
+            return Some(Arc::clone(known));
+        }
+        let made = match before.derived.iter().find(is_same) {
+            Some((_, _, known)) => Arc::clone(known),
+            None => Arc::new(Mipmaps::of_normals(map, metric)?),
+        };
+        self.derived.push((Arc::clone(map), metric.tile_m, Arc::clone(&made)));
+        Some(made)
+    }
 }
 
 impl Preparer {
@@ -56,7 +99,7 @@ impl Preparer {
 
     /// The job of the scene whose maps were taken last.
     pub fn job(&mut self, scene: &Scene) -> Job {
-        let mut triangles = Vec::new();
+        let (mut triangles, mut pictures) = (Vec::new(), Pictures::default());
         let none = Vec::new();
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
         let surfaces = scene.surfaces().iter().zip(maps).map(|(surface, maps)| {
@@ -64,22 +107,28 @@ impl Preparer {
                 let mesh = surface.mesh();
                 (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number)).collect()
             });
+            let levels = surface.selection().has_levels();
+            let mut picture = |picture| pictures.of(picture, levels, &self.pictures);
+            let color = surface.color().map(&mut picture);
+            let normal_map = match surface.normal_map() {
+                Some(normals) => Some(picture(normals)),
+                None if levels => pictures.derived(surface, &self.pictures),
+                None => None,
+            };
+            let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
             JobSurface {
-                settings: surface_settings(
-                    surface,
-                    &maps.iter().map(|(slot, map)| (*slot, &**map)).collect(),
-                ),
+                settings: surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref()),
                 selection: *surface.selection(),
                 triangles: of_surface,
                 height_map: Arc::clone(surface.height_map()),
-                color: surface.color().cloned(),
-                normal_map: surface.normal_map().cloned(),
+                color,
+                normal_map,
                 maps: maps.clone(),
                 two_sided: surface.two_sided(),
             }
         });
         let surfaces = surfaces.collect();
-        self.triangles = triangles;
+        (self.triangles, self.pictures) = (triangles, pictures);
         let [width, height] = scene.size();
         Job { width, height, samples: scene.samples(), frame: frame(scene), surfaces }
     }
@@ -131,6 +180,7 @@ fn frame(scene: &Scene) -> Frame {
         right: place(right, 0.0).into(),
         down: place(down, 0.0).into(),
         ambient: four(scene.ambient()).into(),
+        sample_width: (1.0 / f64::from(scene.samples()).sqrt()) as f32,
         background: four(scene.background()).into(),
         lights,
         light_count: scene.lights().len() as u32,
@@ -138,23 +188,40 @@ fn frame(scene: &Scene) -> Frame {
 }
 
 /// What belongs to a surface: its maps, displacement, material and method.
-fn surface_settings(surface: &Surface, maps: &SlotMaps) -> SurfaceSettings {
+fn surface_settings(
+    surface: &Surface,
+    maps: &SlotMaps,
+    color: Option<&Mipmaps>,
+    normals: Option<&Mipmaps>,
+) -> SurfaceSettings {
     let (material, height) = (surface.material(), surface.height_map());
-    let size = |map: Option<&Arc<Picture>>| map.map_or([1, 1], |map| [map.width, map.height]);
+    let size = |map: Option<&Mipmaps>| map.map_or([1, 1], Mipmaps::size);
+    let levels = |map: Option<&Mipmaps>| map.map_or(1, Mipmaps::levels);
+    // Texels of a picture beside one of the height map, along the axis where they are more.
+    let texels = |map: Option<&Arc<Picture>>| match map {
+        Some(map) => {
+            let [along_u, along_v] = [(map.width, height.width()), (map.height, height.height())]
+                .map(|(a, b)| a as f32 / b as f32);
+            along_u.max(along_v)
+        }
+        None => 1.0,
+    };
+    // Derived normals begin with the second level.
+    let derived = u32::from(surface.normal_map().is_none() && normals.is_some());
     SurfaceSettings {
-        choices: surface.selection().choices.map(|choice| Choice::from(&choice)),
-        maps: maps.settings(),
         diffuse: four(material.diffuse()).into(),
         specular: four(material.specular()).into(),
-        height_size: [height.width(), height.height()].into(),
-        color_size: size(surface.color()).into(),
-        normal_size: size(surface.normal_map()).into(),
-        wrap: height.wrap() as u32,
+        color_size: size(color).into(),
+        normal_size: size(normals).into(),
+        color_levels: levels(color),
+        normal_levels: levels(normals) + derived,
+        color_texels: texels(surface.color()),
+        normal_texels: texels(surface.normal_map()),
+        normal_tile_m: surface.metric().tile_m.map(|length| length as f32).into(),
         shininess: material.shininess(),
         has_color: u32::from(surface.color().is_some()),
         has_normal: u32::from(surface.normal_map().is_some()),
-        scale_m: height.scale_m() as f32,
-        bias_m: height.bias_m() as f32,
+        ..SurfaceSettings::tracing(height, surface.selection(), maps)
     }
 }
 

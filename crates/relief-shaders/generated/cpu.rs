@@ -5,7 +5,8 @@ use crate::cpu::runtime::SquareRoot as _;
 
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// The four texels around a point of a map other than the height map, and where the point lies between them.
+/// The four texels around a point of a level of a map other than the height map, and where the point lies
+/// between them.
 pub struct Around {
     pub columns: rt::Vec2<i32>,
     pub rows: rt::Vec2<i32>,
@@ -60,6 +61,23 @@ impl Corner {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// In how much detail a pixel is seen.
+pub struct Detail {
+    /// The level of the maps that are traced.
+    pub level: u32,
+    /// As in `Entered`.
+    pub footprint: f32,
+}
+impl Detail {
+    pub fn new(
+        level: impl rt::Into<u32>,
+        footprint: impl rt::Into<f32>,
+    ) -> Self {
+        Self { level: rt::into(level), footprint: rt::into(footprint) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
 /// t is in metres along the ray, 0 at the entry; `base` is where the ray crosses the base surface.
 pub struct Path {
@@ -102,6 +120,9 @@ pub struct Entered {
     pub tangent: rt::Vec3<f32>,
     pub bitangent: rt::Vec3<f32>,
     pub normal: rt::Vec3<f32>,
+    /// How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
+    /// the finest level.
+    pub footprint: f32,
 }
 impl Entered {
     pub fn new(
@@ -112,8 +133,9 @@ impl Entered {
         tangent: impl rt::Into<rt::Vec3<f32>>,
         bitangent: impl rt::Into<rt::Vec3<f32>>,
         normal: impl rt::Into<rt::Vec3<f32>>,
+        footprint: impl rt::Into<f32>,
     ) -> Self {
-        Self { valid: rt::into(valid), path: rt::into(path), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal) }
+        Self { valid: rt::into(valid), path: rt::into(path), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), footprint: rt::into(footprint) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -175,6 +197,8 @@ pub struct Frame {
     pub right: rt::Vec4<f32>,
     pub down: rt::Vec4<f32>,
     pub ambient: rt::Vec4<f32>,
+    /// The part of a pixel's width that a sample stands for.
+    pub sample_width: f32,
     /// Linear RGB of pixels that show no surface.
     pub background: rt::Vec4<f32>,
     pub lights: [Light; 8],
@@ -191,11 +215,12 @@ impl Frame {
         right: impl rt::Into<rt::Vec4<f32>>,
         down: impl rt::Into<rt::Vec4<f32>>,
         ambient: impl rt::Into<rt::Vec4<f32>>,
+        sample_width: impl rt::Into<f32>,
         background: impl rt::Into<rt::Vec4<f32>>,
         lights: impl rt::Into<[Light; 8]>,
         light_count: impl rt::Into<u32>,
     ) -> Self {
-        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count) }
+        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), sample_width: rt::into(sample_width), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -238,6 +263,23 @@ impl Hit {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// Two levels of a map between which a footprint lies.
+pub struct Levels {
+    /// The finer one.
+    pub fine: u32,
+    /// The part of the next one in what is seen, below 1.
+    pub part: f32,
+}
+impl Levels {
+    pub fn new(
+        fine: impl rt::Into<u32>,
+        part: impl rt::Into<f32>,
+    ) -> Self {
+        Self { fine: rt::into(fine), part: rt::into(part) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// A ray from a hit toward a light.
 pub struct LightRay {
     /// One of LIGHT_RAY_*.
@@ -275,6 +317,23 @@ impl MapSettings {
         tile_m: impl rt::Into<rt::Vec2<f32>>,
     ) -> Self {
         Self { coded: rt::into(coded), layers: rt::into(layers), low: rt::into(low), step: rt::into(step), tile_m: rt::into(tile_m) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// The mean of the normals within a footprint.
+pub struct MeanNormal {
+    /// Its direction.
+    pub normal: rt::Vec3<f32>,
+    /// Its length: 1 where all normals are the same.
+    pub length: f32,
+}
+impl MeanNormal {
+    pub fn new(
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        length: impl rt::Into<f32>,
+    ) -> Self {
+        Self { normal: rt::into(normal), length: rt::into(length) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -327,6 +386,8 @@ pub struct PixelOut {
     /// The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without
     /// lights.
     pub lit: f32,
+    /// The level of detail that was traced.
+    pub level: u32,
 }
 impl PixelOut {
     pub fn new(
@@ -342,8 +403,9 @@ impl PixelOut {
         cell: impl rt::Into<rt::Vec2<i32>>,
         reads: impl rt::Into<u32>,
         lit: impl rt::Into<f32>,
+        level: impl rt::Into<u32>,
     ) -> Self {
-        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads), lit: rt::into(lit) }
+        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads), lit: rt::into(lit), level: rt::into(level) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -351,7 +413,7 @@ impl PixelOut {
 /// What belongs to a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
-    pub choices: [Choice; 6],
+    pub choices: [Choice; 7],
     /// For each slot of baked maps.
     pub maps: [MapSettings; 5],
     pub diffuse: rt::Vec4<f32>,
@@ -360,6 +422,16 @@ pub struct SurfaceSettings {
     pub height_size: rt::Vec2<u32>,
     pub color_size: rt::Vec2<u32>,
     pub normal_size: rt::Vec2<u32>,
+    /// Levels of detail of each, at least 1. Normals that are derived from heights are in the map from level 1
+    /// on, which is the map's finest.
+    pub height_levels: u32,
+    pub color_levels: u32,
+    pub normal_levels: u32,
+    /// Texels of the colour map and of the normal map beside one of the height map.
+    pub color_texels: f32,
+    pub normal_texels: f32,
+    /// Metres of a tile along u and v for which normals were derived.
+    pub normal_tile_m: rt::Vec2<f32>,
     pub wrap: u32,
     pub shininess: u32,
     pub has_color: u32,
@@ -369,13 +441,19 @@ pub struct SurfaceSettings {
 }
 impl SurfaceSettings {
     pub fn new(
-        choices: impl rt::Into<[Choice; 6]>,
+        choices: impl rt::Into<[Choice; 7]>,
         maps: impl rt::Into<[MapSettings; 5]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
         height_size: impl rt::Into<rt::Vec2<u32>>,
         color_size: impl rt::Into<rt::Vec2<u32>>,
         normal_size: impl rt::Into<rt::Vec2<u32>>,
+        height_levels: impl rt::Into<u32>,
+        color_levels: impl rt::Into<u32>,
+        normal_levels: impl rt::Into<u32>,
+        color_texels: impl rt::Into<f32>,
+        normal_texels: impl rt::Into<f32>,
+        normal_tile_m: impl rt::Into<rt::Vec2<f32>>,
         wrap: impl rt::Into<u32>,
         shininess: impl rt::Into<u32>,
         has_color: impl rt::Into<u32>,
@@ -383,7 +461,7 @@ impl SurfaceSettings {
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -444,7 +522,7 @@ pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
-pub const STAGES: rt::Scalar<u32> = rt::Scalar(6u32);
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(7u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -543,13 +621,37 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (path.h.x() + (t * (path.h.y() + (t * path.h.z()))));
     }
-    pub(crate) fn height_size(&self) -> rt::Vec2<f32> {
-        rt::into(self.v_height_size())
+    pub(crate) fn level_texels(
+        &self,
+        finest: impl rt::Into<rt::Vec2<u32>>,
+        level: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec2<i32> {
+        rt::into(self.v_level_texels(rt::into(finest), rt::into(level)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_size(&self) -> rt::Vec2<f32> {
-        let _e2 = self.surface_settings.height_size;
-        return _e2.cast_elem_as_f32();
+    fn v_level_texels(
+        &self,
+        finest: rt::Vec2<u32>,
+        level: rt::Scalar<u32>,
+    ) -> rt::Vec2<i32> {
+        return <rt::Vec2<i32>>::from_scalars((finest.x() >> level).cast_elem_as_i32().max(rt::Scalar(1i32)), (finest.y() >> level).cast_elem_as_i32().max(rt::Scalar(1i32)));
+    }
+    pub(crate) fn height_texels(&self, level_1: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<i32> {
+        rt::into(self.v_height_texels(rt::into(level_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_texels(&self, level_1: rt::Scalar<u32>) -> rt::Vec2<i32> {
+        let _e3 = self.surface_settings.height_size;
+        let _e4 = self.v_level_texels(_e3, level_1);
+        return _e4;
+    }
+    pub(crate) fn height_size(&self, level_2: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_height_size(rt::into(level_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_size(&self, level_2: rt::Scalar<u32>) -> rt::Vec2<f32> {
+        let _e1 = self.v_height_texels(level_2);
+        return _e1.cast_elem_as_f32();
     }
     pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
@@ -594,35 +696,51 @@ impl<'g> Resources<'g> {
         let folded = (((i % period) + period) % period);
         return ((period - rt::Scalar(1i32)) - folded).select(folded, folded.elementwise_lt(n));
     }
-    pub(crate) fn height_cell(&self, cell: impl rt::Into<rt::Vec2<i32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_height_cell(rt::into(cell)))
+    pub(crate) fn height_cell(
+        &self,
+        cell: impl rt::Into<rt::Vec2<i32>>,
+        level_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_cell(&self, cell: rt::Vec2<i32>) -> rt::Vec4<f32> {
-        let _e3 = self.surface_settings.height_size;
-        let n_4 = _e3.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(cell.x(), n_4.x());
-        let _e12 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), n_4.x());
-        let _e15 = self.v_wrap_index(cell.y(), n_4.y());
-        let _e20 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), n_4.y());
-        let _e24 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e29 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e15), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e7, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e39 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e12, _e20), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        return <rt::Vec4<f32>>::from_scalars(_e24.x(), _e29.x(), _e34.x(), _e39.x());
+    fn v_height_cell(
+        &self,
+        cell: rt::Vec2<i32>,
+        level_3: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e2 = self.v_height_texels(level_3);
+        let k_11 = level_3.cast_elem_as_i32();
+        let _e6 = self.v_wrap_index(cell.x(), _e2.x());
+        let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
+        let _e14 = self.v_wrap_index(cell.y(), _e2.y());
+        let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_11));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_11));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_11));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_11));
+        return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
-    pub(crate) fn height_at(&self, uv: impl rt::Into<rt::Vec2<f32>>) -> f32 {
-        rt::into(self.v_height_at(rt::into(uv)))
+    pub(crate) fn height_at(
+        &self,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        level_4: impl rt::Into<rt::Scalar<u32>>,
+    ) -> f32 {
+        rt::into(self.v_height_at(rt::into(uv), rt::into(level_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_at(&self, uv: rt::Vec2<f32>) -> rt::Scalar<f32> {
-        let _e1 = self.v_height_size();
-        let point_2 = ((uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e7 = self.v_cell_of(point_2);
-        let f = (point_2 - _e7);
-        let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_2 = (_e10.x() + ((_e10.y() - _e10.x()) * f.x()));
-        let bottom_1 = (_e10.z() + ((_e10.w() - _e10.z()) * f.x()));
+    fn v_height_at(
+        &self,
+        uv: rt::Vec2<f32>,
+        level_4: rt::Scalar<u32>,
+    ) -> rt::Scalar<f32> {
+        let _e2 = self.v_height_size(level_4);
+        let point_2 = ((uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_2);
+        let f = (point_2 - _e8);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_4);
+        let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
+        let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
         return (top_2 + ((bottom_1 - top_2) * f.y()));
     }
     pub(crate) fn path_uv(
@@ -655,8 +773,8 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_path_height(path_2, t_2);
         let _e3 = self.v_path_uv(path_2, t_2);
-        let _e4 = self.v_height_at(_e3);
-        return (_e2 - _e4);
+        let _e5 = self.v_height_at(_e3, rt::Scalar(path_2.level));
+        return (_e2 - _e5);
     }
     pub(crate) fn bracket_between(
         &self,
@@ -736,10 +854,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_21 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_29 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_21.x())) + (by * at_21.y())) + ((twist * at_21.x()) * at_21.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_21.x() * grid_1.step.y()) + (at_21.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_29.x())) + (by * at_29.y())) + ((twist * at_29.x()) * at_29.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_29.x() * grid_1.step.y()) + (at_29.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -758,9 +876,9 @@ impl<'g> Resources<'g> {
         cell_3: rt::Vec2<f32>,
         t_5: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let _e5 = self.v_height_cell(cell_3.cast_elem_as_i32());
-        let _e6 = self.v_gap_to(path_5, grid_2, cell_3, _e5, t_5);
-        return _e6;
+        let _e6 = self.v_height_cell(cell_3.cast_elem_as_i32(), rt::Scalar(path_5.level));
+        let _e7 = self.v_gap_to(path_5, grid_2, cell_3, _e6, t_5);
+        return _e7;
     }
     pub(crate) fn cell_leave(
         &self,
@@ -842,51 +960,133 @@ impl<'g> Resources<'g> {
     pub(crate) fn texels_around(
         &self,
         uv_1: impl rt::Into<rt::Vec2<f32>>,
-        size: impl rt::Into<rt::Vec2<u32>>,
+        n_1: impl rt::Into<rt::Vec2<i32>>,
     ) -> Around {
-        rt::into(self.v_texels_around(rt::into(uv_1), rt::into(size)))
+        rt::into(self.v_texels_around(rt::into(uv_1), rt::into(n_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texels_around(
         &self,
         uv_1: rt::Vec2<f32>,
-        size: rt::Vec2<u32>,
+        n_1: rt::Vec2<i32>,
     ) -> Around {
-        let n_5 = size.cast_elem_as_i32();
-        let point_3 = ((uv_1 * size.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e9 = self.v_cell_of(point_3);
-        let i_1 = _e9.cast_elem_as_i32();
-        let _e13 = self.v_wrap_index(i_1.x(), n_5.x());
-        let _e18 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_5.x());
-        let _e22 = self.v_wrap_index(i_1.y(), n_5.y());
-        let _e27 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_5.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e13, _e18), <rt::Vec2<i32>>::from_scalars(_e22, _e27), (point_3 - _e9));
+        let point_3 = ((uv_1 * n_1.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_3);
+        let i_1 = _e8.cast_elem_as_i32();
+        let _e12 = self.v_wrap_index(i_1.x(), n_1.x());
+        let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_1.x());
+        let _e21 = self.v_wrap_index(i_1.y(), n_1.y());
+        let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_1.y());
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_3 - _e8));
     }
-    pub(crate) fn color_at(&self, uv_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_at(&self, uv_2: rt::Vec2<f32>) -> rt::Vec4<f32> {
-        let _e3 = self.surface_settings.color_size;
-        let _e4 = self.v_texels_around(uv_2, _e3);
-        let _e12 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e20 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e36 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e38 = self.v_bilinear(_e12, _e20, _e28, _e36, _e4.part);
-        return _e38;
-    }
-    pub(crate) fn color_or_white(&self, uv_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_color_or_white(rt::into(uv_3)))
+    pub(crate) fn color_at(
+        &self,
+        uv_2: impl rt::Into<rt::Vec2<f32>>,
+        level_5: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_color_at(rt::into(uv_2), rt::into(level_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_color_or_white(&self, uv_3: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e3 = rt::Scalar(self.surface_settings.has_color);
-        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
-            let _e6 = self.v_color_at(uv_3);
-            return _e6.xyz();
+    fn v_color_at(
+        &self,
+        uv_2: rt::Vec2<f32>,
+        level_5: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = self.surface_settings.color_size;
+        let _e5 = self.v_level_texels(_e4, level_5);
+        let _e6 = self.v_texels_around(uv_2, _e5);
+        let k_12 = level_5.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
+        return _e37;
+    }
+    pub(crate) fn levels_of(
+        &self,
+        footprint: impl rt::Into<rt::Scalar<f32>>,
+        count: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Levels {
+        rt::into(self.v_levels_of(rt::into(footprint), rt::into(count)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_levels_of(
+        &self,
+        footprint: rt::Scalar<f32>,
+        count: rt::Scalar<u32>,
+    ) -> Levels {
+        let mut texels: rt::Scalar<f32>;
+        let mut level_6: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_2: rt::Scalar<bool>;
+        let mut local_3: rt::Scalar<bool>;
+
+        texels = footprint;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e5 = texels;
+                if rt::Scalar::into_branch_condition(_e5.elementwise_ge(rt::Scalar(2f32))) {
+                    let _e10 = level_6;
+                    local_2 = (_e10 + rt::Scalar(1u32)).elementwise_lt(count);
+                } else {
+                    local_2 = rt::Scalar(false);
+                }
+                let _e15 = local_2;
+                if rt::Scalar::into_branch_condition(_e15) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e16 = texels;
+                    texels = (_e16 * rt::Scalar(0.5f32));
+                    let _e19 = level_6;
+                    level_6 = (_e19 + rt::Scalar(1u32));
+                }
+            }
         }
-        return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+        let _e22 = texels;
+        if rt::Scalar::into_branch_condition(_e22.elementwise_gt(rt::Scalar(1f32))) {
+            let _e27 = level_6;
+            local_3 = (_e27 + rt::Scalar(1u32)).elementwise_lt(count);
+        } else {
+            local_3 = rt::Scalar(false);
+        }
+        let _e32 = local_3;
+        if rt::Scalar::into_branch_condition(_e32) {
+            let _e33 = level_6;
+            let _e34 = texels;
+            return <Levels>::new(_e33, (_e34 - rt::Scalar(1f32)));
+        }
+        let _e38 = level_6;
+        return <Levels>::new(_e38, rt::Scalar(0f32));
+    }
+    pub(crate) fn color_or_white(
+        &self,
+        uv_3: impl rt::Into<rt::Vec2<f32>>,
+        footprint_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_color_or_white(rt::into(uv_3), rt::into(footprint_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_color_or_white(
+        &self,
+        uv_3: rt::Vec2<f32>,
+        footprint_1: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = rt::Scalar(self.surface_settings.has_color);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_ne(rt::Scalar(1u32))) {
+            return <rt::Vec3<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32), rt::Scalar(1f32));
+        }
+        let _e13 = rt::Scalar(self.surface_settings.color_texels);
+        let _e17 = rt::Scalar(self.surface_settings.color_levels);
+        let _e18 = self.v_levels_of((footprint_1 * _e13), _e17);
+        let _e20 = self.v_color_at(uv_3, rt::Scalar(_e18.fine));
+        let fine = _e20.xyz();
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e18.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e28 = self.v_color_at(uv_3, (rt::Scalar(_e18.fine) + rt::Scalar(1u32)));
+            return (fine + ((_e28.xyz() - fine) * rt::Scalar(_e18.part)));
+        }
+        return fine;
     }
     pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_slope_of(rt::into(value)))
@@ -922,9 +1122,9 @@ impl<'g> Resources<'g> {
         path_6: Path,
         place: impl rt::Into<rt::Vec2<i32>>,
         layer: impl rt::Into<rt::Scalar<i32>>,
-        level: impl rt::Into<rt::Scalar<i32>>,
+        level_7: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_6, rt::into(place), rt::into(layer), rt::into(level)))
+        rt::into(self.v_search_texel(path_6, rt::into(place), rt::into(layer), rt::into(level_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel(
@@ -932,15 +1132,15 @@ impl<'g> Resources<'g> {
         path_6: Path,
         place: rt::Vec2<i32>,
         layer: rt::Scalar<i32>,
-        level: rt::Scalar<i32>,
+        level_7: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_6.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_4 = rt::texture::Read::read_texel((&self.shadow_search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
+            let texel_4 = rt::texture::Read::read_texel((&self.shadow_search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level_7));
             let _e12 = self.surface_settings.maps[1usize];
             let _e13 = self.v_decoded(texel_4, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level_7));
         let _e19 = self.surface_settings.maps[0usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -958,15 +1158,14 @@ impl<'g> Resources<'g> {
         path_7: Path,
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.surface_settings.height_size;
-        let n_6 = _e4.cast_elem_as_i32();
+        let _e3 = self.v_height_texels(rt::Scalar(path_7.level));
         let place_2 = texel_1.cast_elem_as_i32();
-        let _e9 = self.v_wrap_index(place_2.x(), n_6.x());
-        let _e12 = self.v_wrap_index(place_2.y(), n_6.y());
-        let wrapped = <rt::Vec2<i32>>::from_scalars(_e9, _e12);
-        let _e17 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
-        let _e19 = self.v_slope_of(_e17.x());
-        return _e19;
+        let _e7 = self.v_wrap_index(place_2.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_2.y(), _e3.y());
+        let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
+        let _e15 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
+        let _e17 = self.v_slope_of(_e15.x());
+        return _e17;
     }
     pub(crate) fn corner_height(
         &self,
@@ -985,6 +1184,106 @@ impl<'g> Resources<'g> {
         let below_1 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
         return above_2.select(below_1, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
+    pub(crate) fn footprint_axis(
+        &self,
+        pixel: PixelIn,
+        at_1: Entered,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        t_6: impl rt::Into<rt::Scalar<f32>>,
+        origin: impl rt::Into<rt::Vec3<f32>>,
+        direction_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_footprint_axis(pixel, at_1, rt::into(normal), rt::into(t_6), rt::into(origin), rt::into(direction_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_footprint_axis(
+        &self,
+        pixel: PixelIn,
+        at_1: Entered,
+        normal: rt::Vec3<f32>,
+        t_6: rt::Scalar<f32>,
+        origin: rt::Vec3<f32>,
+        direction_1: rt::Vec3<f32>,
+    ) -> rt::Vec2<f32> {
+        let aside = (origin + (direction_1 * t_6));
+        let along = (normal.dot(aside) / normal.dot(pixel.direction));
+        let _e15 = self.v_climb(at_1, (aside - (pixel.direction * along)));
+        let _e19 = self.surface_settings.height_size;
+        return (_e15.xy() * _e19.cast_elem_as_f32());
+    }
+    pub(crate) fn detail_footprint(
+        &self,
+        pixel_1: PixelIn,
+        at_2: Entered,
+        params: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Detail {
+        rt::into(self.v_detail_footprint(pixel_1, at_2, rt::into(params)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_detail_footprint(
+        &self,
+        pixel_1: PixelIn,
+        at_2: Entered,
+        params: rt::Vec4<f32>,
+    ) -> Detail {
+        let a_2 = pixel_1.a.position;
+        let normal_3 = (pixel_1.b.position - a_2).cross((pixel_1.c.position - a_2));
+        let t_26 = (normal_3.dot((a_2 - pixel_1.origin)) / normal_3.dot(pixel_1.direction));
+        let _e20 = self.frame.eye_right;
+        let _e24 = self.frame.right;
+        let _e26 = self.v_footprint_axis(pixel_1, at_2, normal_3, t_26, _e20.xyz(), _e24.xyz());
+        let _e29 = self.frame.eye_down;
+        let _e33 = self.frame.down;
+        let _e35 = self.v_footprint_axis(pixel_1, at_2, normal_3, t_26, _e29.xyz(), _e33.xyz());
+        let both = <rt::Vec4<f32>>::new_22(_e26, _e35);
+        let sum_1 = both.dot(both);
+        let area_1 = ((_e26.x() * _e35.y()) - (_e26.y() * _e35.x()));
+        let apart = ((sum_1 - (rt::Scalar(2f32) * area_1)) * (sum_1 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_1 + apart));
+        let shorter = ((area_1 * area_1) / longer);
+        let squared_1 = shorter.max((longer / (params.x() * params.x())));
+        let _e68 = rt::Scalar(self.frame.sample_width);
+        let footprint_2 = (squared_1.sqrt() * _e68);
+        let _e72 = rt::Scalar(self.surface_settings.height_levels);
+        let _e73 = self.v_levels_of(footprint_2, _e72);
+        return <Detail>::new(rt::Scalar(_e73.fine), footprint_2);
+    }
+    pub(crate) fn detail_none(
+        &self,
+        pixel_2: PixelIn,
+        at_3: Entered,
+        params_1: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Detail {
+        rt::into(self.v_detail_none(pixel_2, at_3, rt::into(params_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_detail_none(
+        &self,
+        pixel_2: PixelIn,
+        at_3: Entered,
+        params_1: rt::Vec4<f32>,
+    ) -> Detail {
+        return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32));
+    }
+    pub(crate) fn detail_stage(&self, pixel_3: PixelIn, at_4: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_3, at_4))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_detail_stage(&self, pixel_3: PixelIn, at_4: Entered) -> Detail {
+        let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
+        match rt::Scalar::into_inner(_e6) {
+            0u32 => {
+                let _e11 = self.surface_settings.choices[1usize].params;
+                let _e12 = self.v_detail_none(pixel_3, at_4, _e11);
+                return _e12;
+            }
+            _ => {
+                let _e17 = self.surface_settings.choices[1usize].params;
+                let _e18 = self.v_detail_footprint(pixel_3, at_4, _e17);
+                return _e18;
+            }
+        }
+    }
     pub(crate) fn search_texel_between(
         &self,
         path_8: Path,
@@ -1000,15 +1299,15 @@ impl<'g> Resources<'g> {
         uv_4: rt::Vec2<f32>,
         layer_1: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e5 = self.surface_settings.height_size;
-        let _e6 = self.v_texels_around(uv_4, _e5);
-        let level_6 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e14 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), layer_1, level_6);
-        let _e20 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), layer_1, level_6);
-        let _e26 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), layer_1, level_6);
-        let _e32 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), layer_1, level_6);
-        let _e34 = self.v_bilinear(_e14, _e20, _e26, _e32, _e6.part);
-        return _e34;
+        let _e4 = self.v_height_texels(rt::Scalar(path_8.level));
+        let _e5 = self.v_texels_around(uv_4, _e4);
+        let level_17 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_1, level_17);
+        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_1, level_17);
+        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_1, level_17);
+        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_1, level_17);
+        let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
+        return _e33;
     }
     pub(crate) fn distance_at(
         &self,
@@ -1044,6 +1343,165 @@ impl<'g> Resources<'g> {
         let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
         return ((tangent * series) * rt::Scalar(0.15915494f32));
     }
+    pub(crate) fn inside_unit(
+        &self,
+        x0_: impl rt::Into<rt::Scalar<f32>>,
+        dx: impl rt::Into<rt::Scalar<f32>>,
+        interval: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_inside_unit(rt::into(x0_), rt::into(dx), rt::into(interval)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_inside_unit(
+        &self,
+        x0_: rt::Scalar<f32>,
+        dx: rt::Scalar<f32>,
+        interval: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut local_4: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
+                local_4 = x0_.elementwise_gt(rt::Scalar(1f32));
+            } else {
+                local_4 = rt::Scalar(true);
+            }
+            let _e13 = local_4;
+            if rt::Scalar::into_branch_condition(_e13) {
+                return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
+            }
+            return interval;
+        }
+        let a_3 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_3.min(b_2)), interval.y().min(a_3.max(b_2)));
+    }
+    pub(crate) fn surface_plane(
+        &self,
+        pixel_4: PixelIn,
+        params_2: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_plane(pixel_4, rt::into(params_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_plane(
+        &self,
+        pixel_4: PixelIn,
+        params_2: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut local_5: rt::Scalar<bool>;
+        let mut enter: rt::Scalar<f32>;
+        let mut leave_3: rt::Scalar<f32>;
+        let mut interval_1: rt::Vec2<f32>;
+
+        let a_4 = pixel_4.a.position;
+        let e1_ = (pixel_4.b.position - a_4);
+        let e2_ = (pixel_4.c.position - a_4);
+        let n_6 = e1_.cross(e2_);
+        let nn = n_6.dot(n_6);
+        let toward_2 = n_6.dot(pixel_4.direction);
+        let distance = (n_6.dot((a_4 - pixel_4.origin)) / toward_2);
+        let point_4 = (pixel_4.origin + (pixel_4.direction * distance));
+        let from_a = (point_4 - a_4);
+        let wb = (from_a.cross(e2_).dot(n_6) / nn);
+        let wc = (e1_.cross(from_a).dot(n_6) / nn);
+        let wa = ((rt::Scalar(1f32) - wb) - wc);
+        let uv_14 = (((pixel_4.a.uv * wa) + (pixel_4.b.uv * wb)) + (pixel_4.c.uv * wc));
+        let tangent_1 = (((pixel_4.a.tangent * wa) + (pixel_4.b.tangent * wb)) + (pixel_4.c.tangent * wc));
+        let bitangent = (((pixel_4.a.bitangent * wa) + (pixel_4.b.bitangent * wb)) + (pixel_4.c.bitangent * wc));
+        let normal_4 = ((((pixel_4.a.normal * wa) + (pixel_4.b.normal * wb)) + (pixel_4.c.normal * wc)).normalize() * rt::Scalar(pixel_4.side));
+        let along_1 = pixel_4.direction.length();
+        let direction_2 = (pixel_4.direction / rt::Vec3::splat_from_scalar(along_1));
+        let tt = tangent_1.dot(tangent_1);
+        let tb = tangent_1.dot(bitangent);
+        let bb = bitangent.dot(bitangent);
+        let td_1 = tangent_1.dot(direction_2);
+        let bd_1 = bitangent.dot(direction_2);
+        let area_2 = ((tt * bb) - (tb * tb));
+        let descent = (rt::Scalar(0f32) - normal_4.dot(direction_2));
+        if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
+            local_5 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
+        } else {
+            local_5 = rt::Scalar(true);
+        }
+        let _e107 = local_5;
+        if rt::Scalar::into_branch_condition(_e107) {
+            valid = rt::Scalar(0u32);
+        }
+        let duv_1 = (<rt::Vec2<f32>>::from_scalars(((td_1 * bb) - (bd_1 * tb)), ((bd_1 * tt) - (td_1 * tb))) / rt::Vec2::splat_from_scalar(area_2));
+        let _e118 = self.v_traced_scale_m();
+        let _e119 = self.v_base_height();
+        let slope_4 = ((rt::Scalar(0f32) - descent) / _e118);
+        let eye = ((rt::Scalar(0f32) - distance) * along_1);
+        let top_3 = (((_e119 - rt::Scalar(1f32)) * _e118) / descent);
+        enter = top_3.max(eye);
+        leave_3 = ((_e119 * _e118) / descent);
+        let _e135 = leave_3;
+        let _e136 = leave_3;
+        leave_3 = (_e135 + ((_e136 - top_3) * rt::Scalar(0.000001f32)));
+        let _e143 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e143.elementwise_eq(WRAP_CLAMP)) {
+            let _e148 = enter;
+            let _e149 = leave_3;
+            let _e151 = self.v_inside_unit(uv_14.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e148, _e149));
+            interval_1 = _e151;
+            let _e155 = interval_1;
+            let _e156 = self.v_inside_unit(uv_14.y(), duv_1.y(), _e155);
+            interval_1 = _e156;
+            let _e158 = interval_1.x();
+            enter = _e158;
+            let _e160 = interval_1.y();
+            leave_3 = _e160;
+        }
+        let _e161 = leave_3;
+        let _e162 = enter;
+        if rt::Scalar::into_branch_condition((!_e161.elementwise_gt(_e162))) {
+            valid = rt::Scalar(0u32);
+        }
+        let _e166 = enter;
+        let _e169 = enter;
+        let entry_height = (_e119 + (slope_4 * _e166)).select(rt::Scalar(1f32), _e169.elementwise_eq(top_3));
+        let _e173 = enter;
+        let base_1 = (rt::Scalar(0f32) - _e173).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e179 = enter;
+        let _e184 = leave_3;
+        let _e185 = enter;
+        let _e189 = rt::Scalar(self.surface_settings.scale_m);
+        let path_45 = <Path>::new((uv_14 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
+        let _e194 = valid;
+        return <Entered>::new(_e194, path_45, point_4, uv_14, tangent_1, bitangent, normal_4, rt::Scalar(0f32));
+    }
+    pub(crate) fn surface_stage(&self, pixel_5: PixelIn) -> Entered {
+        rt::into(self.v_surface_stage(pixel_5))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_stage(&self, pixel_5: PixelIn) -> Entered {
+        let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            _ => {
+                let _e10 = self.surface_settings.choices[0usize].params;
+                let _e11 = self.v_surface_plane(pixel_5, _e10);
+                return _e11;
+            }
+        }
+    }
+    pub(crate) fn enter_relief(&self, pixel_6: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_6))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_enter_relief(&self, pixel_6: PixelIn) -> Entered {
+        let mut at_5: Entered;
+
+        let _e1 = self.v_surface_stage(pixel_6);
+        at_5 = _e1;
+        let _e3 = at_5;
+        let _e4 = self.v_detail_stage(pixel_6, _e3);
+        rt::Scalar(at_5.path.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_5.footprint) = rt::Scalar(_e4.footprint);
+        let _e10 = at_5;
+        return _e10;
+    }
     pub(crate) fn entered_once(
         &self,
         path_10: Path,
@@ -1072,7 +1530,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut reads_1: rt::Scalar<u32>;
-        let mut local_2: rt::Scalar<bool>;
+        let mut local_6: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
@@ -1095,11 +1553,11 @@ impl<'g> Resources<'g> {
                     let _e30 = near_1;
                     if rt::Scalar::into_branch_condition(middle.elementwise_gt(_e30)) {
                         let _e34 = far_1;
-                        local_2 = middle.elementwise_lt(_e34);
+                        local_6 = middle.elementwise_lt(_e34);
                     } else {
-                        local_2 = rt::Scalar(false);
+                        local_6 = rt::Scalar(false);
                     }
-                    let _e37 = local_2;
+                    let _e37 = local_6;
                     if rt::Scalar::into_branch_condition((!_e37)) {
                         break 'naga_break;
                     }
@@ -1122,6 +1580,98 @@ impl<'g> Resources<'g> {
         let _e49 = far_gap;
         let _e50 = reads_1;
         return <Found>::new(FOUND_BRACKET, _e46, _e47, _e48, _e49, _e50);
+    }
+    pub(crate) fn from_tangent_space(
+        &self,
+        at_6: Entered,
+        n_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_from_tangent_space(at_6, rt::into(n_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_from_tangent_space(
+        &self,
+        at_6: Entered,
+        n_2: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let along_u = at_6.tangent.normalize();
+        let along_v = at_6.bitangent.normalize();
+        return (((along_u * n_2.x()) - (along_v * n_2.y())) + (at_6.normal * n_2.z()));
+    }
+    pub(crate) fn normal_at(
+        &self,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
+        level_8: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_6), rt::into(level_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_at(
+        &self,
+        uv_6: rt::Vec2<f32>,
+        level_8: rt::Scalar<u32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = self.surface_settings.normal_size;
+        let _e5 = self.v_level_texels(_e4, level_8);
+        let _e6 = self.v_texels_around(uv_6, _e5);
+        let k_13 = level_8.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(k_13));
+        let _e23 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(k_13));
+        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(k_13));
+        let _e39 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(k_13));
+        let _e41 = self.v_bilinear(_e15, _e23, _e31, _e39, _e6.part);
+        return _e41.xyz();
+    }
+    pub(crate) fn normal_from_height(
+        &self,
+        at_7: Entered,
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_from_height(at_7, rt::into(uv_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_from_height(
+        &self,
+        at_7: Entered,
+        uv_7: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e3 = self.v_height_size(rt::Scalar(0u32));
+        let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
+        let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
+        let _e16 = self.v_height_at((uv_7 + du), rt::Scalar(0u32));
+        let _e19 = self.v_height_at((uv_7 - du), rt::Scalar(0u32));
+        let _e26 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_u = ((_e16 - _e19) * ((rt::Scalar(0.5f32) * _e3.x()) * _e26));
+        let _e31 = self.v_height_at((uv_7 + dv), rt::Scalar(0u32));
+        let _e34 = self.v_height_at((uv_7 - dv), rt::Scalar(0u32));
+        let _e41 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_v = ((_e31 - _e34) * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
+        let along_u_1 = (at_7.tangent + (at_7.normal * slope_u));
+        let along_v_1 = (at_7.bitangent + (at_7.normal * slope_v));
+        let across = along_v_1.cross(along_u_1).normalize();
+        return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_7.normal).elementwise_ge(rt::Scalar(0f32))));
+    }
+    pub(crate) fn finest_normal(
+        &self,
+        at_8: Entered,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_finest_normal(at_8, rt::into(uv_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_finest_normal(
+        &self,
+        at_8: Entered,
+        uv_8: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
+            let _e8 = self.v_normal_at(uv_8, rt::Scalar(0u32));
+            let _e9 = self.v_from_tangent_space(at_8, _e8);
+            return _e9.normalize();
+        }
+        let _e11 = self.v_normal_from_height(at_8, uv_8);
+        return _e11;
     }
     pub(crate) fn quadratic(
         &self,
@@ -1204,102 +1754,69 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
-        t_6: impl rt::Into<rt::Scalar<f32>>,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
         first: impl rt::Into<rt::Scalar<bool>>,
         reads_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_6), rt::into(span_2), rt::into(first), rt::into(reads_2)))
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_7), rt::into(span_2), rt::into(first), rt::into(reads_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_3: rt::Vec3<f32>,
-        t_6: rt::Scalar<f32>,
+        t_7: rt::Scalar<f32>,
         span_2: rt::Scalar<f32>,
         first: rt::Scalar<bool>,
         reads_2: rt::Scalar<u32>,
     ) -> Found {
-        let mut local_3: rt::Scalar<bool>;
+        let mut local_7: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_3 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_7 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_3 = rt::Scalar(false);
+                local_7 = rt::Scalar(false);
             }
-            let _e14 = local_3;
+            let _e14 = local_7;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), reads_2);
             }
-            return <Found>::new(FOUND_BRACKET, t_6, t_6, c_3.x(), c_3.x(), reads_2);
+            return <Found>::new(FOUND_BRACKET, t_7, t_7, c_3.x(), c_3.x(), reads_2);
         }
         let _e25 = self.v_least_at(c_3, span_2);
         let _e26 = self.v_quadratic(c_3, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_6, (t_6 + _e25), c_3.x(), _e26, reads_2);
+            return <Found>::new(FOUND_BRACKET, t_7, (t_7 + _e25), c_3.x(), _e26, reads_2);
         }
         let _e36 = self.v_quadratic(c_3, span_2);
-        return <Found>::new(FOUND_ABOVE, t_6, (t_6 + span_2), c_3.x(), _e36, reads_2);
+        return <Found>::new(FOUND_ABOVE, t_7, (t_7 + span_2), c_3.x(), _e36, reads_2);
     }
-    pub(crate) fn near_uv(&self, uv_6: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_6)))
+    pub(crate) fn near_uv(&self, uv_9: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_near_uv(&self, uv_6: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_9: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_6 - uv_6.floor());
+            return (uv_9 - uv_9.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_6 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_6).floor()));
+            return (uv_9 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_9).floor()));
         }
-        return uv_6;
+        return uv_9;
     }
-    pub(crate) fn from_hit(&self, at_1: Entered, hit: Hit, light: Toward) -> Path {
-        rt::into(self.v_from_hit(at_1, hit, light))
+    pub(crate) fn from_hit(&self, at_9: Entered, hit: Hit, light: Toward) -> Path {
+        rt::into(self.v_from_hit(at_9, hit, light))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_1: Entered, hit: Hit, light: Toward) -> Path {
-        let _e4 = self.v_climb(at_1, light.direction);
+    fn v_from_hit(&self, at_9: Entered, hit: Hit, light: Toward) -> Path {
+        let _e4 = self.v_climb(at_9, light.direction);
         let _e6 = self.v_near_uv(hit.uv);
-        let _e7 = self.v_height_at(_e6);
-        let h_1 = <rt::Vec3<f32>>::from_scalars(_e7, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_1, rt::Scalar(0f32), rt::Scalar(0f32), at_1.path.metric, RAY_SHADOW, rt::Scalar(at_1.path.level));
-    }
-    pub(crate) fn inside_unit(
-        &self,
-        x0_: impl rt::Into<rt::Scalar<f32>>,
-        dx: impl rt::Into<rt::Scalar<f32>>,
-        interval: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec2<f32> {
-        rt::into(self.v_inside_unit(rt::into(x0_), rt::into(dx), rt::into(interval)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_inside_unit(
-        &self,
-        x0_: rt::Scalar<f32>,
-        dx: rt::Scalar<f32>,
-        interval: rt::Vec2<f32>,
-    ) -> rt::Vec2<f32> {
-        let mut local_4: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
-            if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_4 = x0_.elementwise_gt(rt::Scalar(1f32));
-            } else {
-                local_4 = rt::Scalar(true);
-            }
-            let _e13 = local_4;
-            if rt::Scalar::into_branch_condition(_e13) {
-                return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
-            }
-            return interval;
-        }
-        let a_2 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_2.min(b_2)), interval.y().min(a_2.max(b_2)));
+        let _e9 = self.v_height_at(_e6, rt::Scalar(at_9.path.level));
+        let h_1 = <rt::Vec3<f32>>::from_scalars(_e9, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_1, rt::Scalar(0f32), rt::Scalar(0f32), at_9.path.metric, RAY_SHADOW, rt::Scalar(at_9.path.level));
     }
     pub(crate) fn way_out(&self, path_11: Path, light_1: Toward) -> f32 {
         rt::into(self.v_way_out(path_11, light_1))
@@ -1307,18 +1824,18 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_way_out(&self, path_11: Path, light_1: Toward) -> rt::Scalar<f32> {
         let mut way: rt::Scalar<f32>;
-        let mut interval_1: rt::Vec2<f32>;
+        let mut interval_2: rt::Vec2<f32>;
 
         way = ((rt::Scalar(1f32) - path_11.h.x()) / path_11.h.y()).min(rt::Scalar(light_1.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way;
             let _e24 = self.v_inside_unit(path_11.uv.x(), path_11.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
-            interval_1 = _e24;
-            let _e30 = interval_1;
+            interval_2 = _e24;
+            let _e30 = interval_2;
             let _e31 = self.v_inside_unit(path_11.uv.y(), path_11.duv.y(), _e30);
-            interval_1 = _e31;
-            let _e33 = interval_1.y();
+            interval_2 = _e31;
+            let _e33 = interval_2.y();
             way = _e33;
         }
         let _e34 = way;
@@ -1329,17 +1846,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_grid_of(&self, path_12: Path) -> Grid {
-        let _e1 = self.v_height_size();
-        return <Grid>::new(((path_12.uv * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e1));
+        let _e2 = self.v_height_size(rt::Scalar(path_12.level));
+        return <Grid>::new(((path_12.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e2));
     }
-    pub(crate) fn light_ray(&self, at_2: Entered, hit_1: Hit, light_2: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_2, hit_1, light_2))
+    pub(crate) fn light_ray(&self, at_10: Entered, hit_1: Hit, light_2: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_10, hit_1, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_2: Entered, hit_1: Hit, light_2: Toward) -> LightRay {
-        let mut local_5: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_10: Entered, hit_1: Hit, light_2: Toward) -> LightRay {
+        let mut local_8: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_2, hit_1, light_2);
+        let _e3 = self.v_from_hit(at_10, hit_1, light_2);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -1351,54 +1868,54 @@ impl<'g> Resources<'g> {
         let _e19 = self.v_cell_of(_e17.origin);
         let _e20 = self.v_cell_leave(_e17, _e19);
         let end = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
-        let _e28 = self.v_height_cell(_e19.cast_elem_as_i32());
-        let _e30 = self.v_gap_to(_e3, _e17, _e19, _e28, rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition((!_e30.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_5 = (_e30.y() + (_e30.z() * end)).elementwise_lt(rt::Scalar(0f32));
+        let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
+        let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
+            local_8 = (_e31.y() + (_e31.z() * end)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_5 = rt::Scalar(true);
+            local_8 = rt::Scalar(true);
         }
-        let _e44 = local_5;
-        if rt::Scalar::into_branch_condition(_e44) {
+        let _e45 = local_8;
+        if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
         if rt::Scalar::into_branch_condition(end.elementwise_ge(_e11)) {
             return <LightRay>::new(LIGHT_RAY_LIT, _e3);
         }
-        let _e50 = self.v_path_uv(_e3, end);
-        let gap_1 = (end * (_e30.y() + (_e30.z() * end)));
-        let _e56 = self.v_height_at(_e50);
-        let h_2 = <rt::Vec3<f32>>::from_scalars(((_e56 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_45 = <Path>::new(_e50, _e3.duv, h_2, (_e11 - end), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_45);
+        let _e51 = self.v_path_uv(_e3, end);
+        let gap_1 = (end * (_e31.y() + (_e31.z() * end)));
+        let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
+        let h_2 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_46 = <Path>::new(_e51, _e3.duv, h_2, (_e11 - end), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_46);
     }
     pub(crate) fn search_none(
         &self,
         path_13: Path,
-        params: impl rt::Into<rt::Vec4<f32>>,
+        params_3: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_13, rt::into(params)))
+        rt::into(self.v_search_none(path_13, rt::into(params_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
         path_13: Path,
-        params: rt::Vec4<f32>,
+        params_3: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_13.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
     pub(crate) fn search_linear(
         &self,
         path_14: Path,
-        params_1: impl rt::Into<rt::Vec4<f32>>,
+        params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_14, rt::into(params_1)))
+        rt::into(self.v_search_linear(path_14, rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_14: Path,
-        params_1: rt::Vec4<f32>,
+        params_4: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
@@ -1406,7 +1923,7 @@ impl<'g> Resources<'g> {
         let mut k: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine = (path_14.h.y().abs() * path_14.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_1.x() * params_1.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
+        let steps = rt::Scalar(1f32).max((params_4.x() * params_4.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
         let _e22 = self.v_path_gap(path_14, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
@@ -1425,17 +1942,17 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e41 = k;
-                    let t_25 = (rt::Scalar(path_14.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_14, t_25);
+                    let t_27 = (rt::Scalar(path_14.exit) * (_e41 / steps));
+                    let _e44 = self.v_path_gap(path_14, t_27);
                     let _e45 = reads_3;
                     reads_3 = (_e45 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_2;
                         let _e52 = near_gap_1;
                         let _e53 = reads_3;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_25, _e52, _e44, _e53);
+                        return <Found>::new(FOUND_BRACKET, _e51, t_27, _e52, _e44, _e53);
                     }
-                    near_2 = t_25;
+                    near_2 = t_27;
                     near_gap_1 = _e44;
                     let _e55 = k;
                     k = (_e55 + rt::Scalar(1f32));
@@ -1452,24 +1969,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_15: Path,
-        params_2: impl rt::Into<rt::Vec4<f32>>,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_15, rt::into(params_2)))
+        rt::into(self.v_search_cells(path_15, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_15: Path,
-        params_2: rt::Vec4<f32>,
+        params_5: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_6: rt::Vec2<f32>;
-        let mut t_7: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_4: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e2 = self.v_grid_of(path_15);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_6 = _e4;
-        let limit = params_2.x().cast_elem_as_u32();
+        let limit = params_5.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = reads_4;
@@ -1482,13 +1999,13 @@ impl<'g> Resources<'g> {
                     let _e15 = self.v_cell_leave(_e2, _e14);
                     let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_15.exit));
                     let _e21 = cell_6;
-                    let _e22 = t_7;
+                    let _e22 = t_8;
                     let _e23 = self.v_cell_gap(path_15, _e2, _e21, _e22);
                     let _e24 = reads_4;
                     reads_4 = (_e24 + rt::Scalar(1u32));
-                    let _e27 = t_7;
+                    let _e27 = t_8;
                     let span_4 = (end_1 - _e27).max(rt::Scalar(0f32));
-                    let _e31 = t_7;
+                    let _e31 = t_8;
                     let _e32 = reads_4;
                     let _e35 = reads_4;
                     let _e36 = self.v_found_in_cell(_e23, _e31, span_4, _e32.elementwise_eq(rt::Scalar(1u32)), _e35);
@@ -1496,72 +2013,72 @@ impl<'g> Resources<'g> {
                         return _e36;
                     }
                     if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_15.exit))) {
-                        let _e43 = t_7;
+                        let _e43 = t_8;
                         let _e47 = reads_4;
                         return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_15.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
                     }
                     let _e49 = cell_6;
                     let _e50 = self.v_cell_next(_e2, _e49, _e15);
                     cell_6 = _e50;
-                    let _e51 = t_7;
-                    t_7 = _e51.max(end_1);
+                    let _e51 = t_8;
+                    t_8 = _e51.max(end_1);
                 }
             }
         }
-        let _e54 = t_7;
+        let _e54 = t_8;
         let _e56 = reads_4;
         return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_15.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
     }
     pub(crate) fn path_slope(
         &self,
         path_16: Path,
-        t_8: impl rt::Into<rt::Scalar<f32>>,
+        t_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_16, rt::into(t_8)))
+        rt::into(self.v_path_slope(path_16, rt::into(t_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
         path_16: Path,
-        t_8: rt::Scalar<f32>,
+        t_9: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_16.h.y() + ((rt::Scalar(2f32) * t_8) * path_16.h.z()));
+        return (path_16.h.y() + ((rt::Scalar(2f32) * t_9) * path_16.h.z()));
     }
     pub(crate) fn image_of(
         &self,
         cell_7: impl rt::Into<rt::Scalar<i32>>,
-        n_1: impl rt::Into<rt::Scalar<i32>>,
+        n_3: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_7), rt::into(n_1)))
+        rt::into(self.v_image_of(rt::into(cell_7), rt::into(n_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
         cell_7: rt::Scalar<i32>,
-        n_1: rt::Scalar<i32>,
+        n_3: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_6: rt::Scalar<bool>;
+        let mut local_9: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_7.elementwise_ge(rt::Scalar(0i32))) {
-            local_6 = cell_7.elementwise_lt(n_1);
+            local_9 = cell_7.elementwise_lt(n_3);
         } else {
-            local_6 = rt::Scalar(false);
+            local_9 = rt::Scalar(false);
         }
-        let _e8 = local_6;
+        let _e8 = local_9;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_7, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_7.clamp(rt::Scalar(0i32), (n_1 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_7.clamp(rt::Scalar(0i32), (n_3 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_7 % n_1) + n_1) % n_1), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_7 % n_3) + n_3) % n_3), rt::Scalar(0i32));
         }
-        let period_1 = (rt::Scalar(2i32) * n_1);
+        let period_1 = (rt::Scalar(2i32) * n_3);
         let folded_1 = (((cell_7 % period_1) + period_1) % period_1);
-        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_1)) {
+        if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_3)) {
             return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
         }
         if rt::Scalar::into_branch_condition(folded_1.elementwise_eq((period_1 - rt::Scalar(1i32)))) {
@@ -1584,25 +2101,24 @@ impl<'g> Resources<'g> {
         cell_8: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_7: rt::Scalar<bool>;
+        let mut local_10: rt::Scalar<bool>;
 
-        let _e7 = self.surface_settings.height_size.x();
-        let _e9 = self.v_image_of(cell_8.x(), _e7.cast_elem_as_i32());
-        let _e14 = self.surface_settings.height_size.y();
-        let _e16 = self.v_image_of(cell_8.y(), _e14.cast_elem_as_i32());
-        if rt::Scalar::into_branch_condition((!_e9.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_7 = _e16.y().elementwise_eq(rt::Scalar(2i32));
+        let _e4 = self.v_height_texels(rt::Scalar(path_17.level));
+        let _e7 = self.v_image_of(cell_8.x(), _e4.x());
+        let _e10 = self.v_image_of(cell_8.y(), _e4.y());
+        if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
+            local_10 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_7 = rt::Scalar(true);
+            local_10 = rt::Scalar(true);
         }
-        let _e27 = local_7;
-        if rt::Scalar::into_branch_condition(_e27) {
+        let _e21 = local_10;
+        if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e35 = self.v_search_texel(path_17, <rt::Vec2<i32>>::from_scalars(_e9.x(), _e16.x()), rt::Scalar(0i32), rt::Scalar(path_17.level).cast_elem_as_i32());
-        let right = forward_1.x().elementwise_eq(_e9.y().elementwise_eq(rt::Scalar(0i32)));
-        let down = forward_1.y().elementwise_eq(_e16.y().elementwise_eq(rt::Scalar(0i32)));
-        return _e35.w().select(_e35.z(), right).select(_e35.y().select(_e35.x(), right), down);
+        let _e29 = self.v_search_texel(path_17, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_17.level).cast_elem_as_i32());
+        let right = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
+        let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
+        return _e29.w().select(_e29.z(), right).select(_e29.y().select(_e29.x(), right), down);
     }
     pub(crate) fn stays_above(
         &self,
@@ -1643,28 +2159,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_18: Path,
-        params_3: impl rt::Into<rt::Vec4<f32>>,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_18, rt::into(params_3)))
+        rt::into(self.v_search_frustum(path_18, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_18: Path,
-        params_3: rt::Vec4<f32>,
+        params_6: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
-        let mut t_9: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_5: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_1: rt::Scalar<f32>;
         let mut slope_1: rt::Scalar<f32>;
-        let mut local_8: rt::Scalar<bool>;
+        let mut local_11: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_18);
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
-        let limit_1 = params_3.x().cast_elem_as_u32();
+        let limit_1 = params_6.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_5;
@@ -1676,106 +2192,106 @@ impl<'g> Resources<'g> {
                     let _e19 = reads_5;
                     let first_2 = _e19.elementwise_eq(rt::Scalar(0u32));
                     let _e22 = cell_9;
-                    let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
-                    let _e25 = reads_5;
-                    reads_5 = (_e25 + rt::Scalar(1u32));
-                    let _e28 = cell_9;
-                    let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_2 = _e29.x().min(_e29.y()).min(rt::Scalar(path_18.exit));
-                    let _e35 = t_9;
-                    let span_5 = (end_2 - _e35).max(rt::Scalar(0f32));
-                    let top_3 = _e24.x().max(_e24.y()).max(_e24.z().max(_e24.w()));
-                    let _e46 = t_9;
-                    let _e47 = self.v_path_height(path_18, _e46);
-                    let _e49 = t_9;
-                    let _e50 = self.v_path_slope(path_18, _e49);
-                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e47 - top_3), _e50, path_18.h.z());
-                    let _e57 = t_9;
-                    let _e61 = t_9;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_18.h.x().abs() + (_e57 * (path_18.h.y().abs() + (_e61 * path_18.h.z().abs())))));
-                    let _e71 = t_9;
-                    next_1 = _e71.max(end_2);
+                    let _e25 = self.v_height_cell(_e22.cast_elem_as_i32(), rt::Scalar(path_18.level));
+                    let _e26 = reads_5;
+                    reads_5 = (_e26 + rt::Scalar(1u32));
+                    let _e29 = cell_9;
+                    let _e30 = self.v_cell_leave(_e2, _e29);
+                    let end_2 = _e30.x().min(_e30.y()).min(rt::Scalar(path_18.exit));
+                    let _e36 = t_10;
+                    let span_5 = (end_2 - _e36).max(rt::Scalar(0f32));
+                    let top_4 = _e25.x().max(_e25.y()).max(_e25.z().max(_e25.w()));
+                    let _e47 = t_10;
+                    let _e48 = self.v_path_height(path_18, _e47);
+                    let _e50 = t_10;
+                    let _e51 = self.v_path_slope(path_18, _e50);
+                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e48 - top_4), _e51, path_18.h.z());
+                    let _e58 = t_10;
+                    let _e62 = t_10;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_18.h.x().abs() + (_e58 * (path_18.h.y().abs() + (_e62 * path_18.h.z().abs())))));
+                    let _e72 = t_10;
+                    next_1 = _e72.max(end_2);
                     slope_1 = rt::Scalar(-1f32);
-                    let _e76 = self.v_least_at(above_3, span_5);
-                    let _e77 = self.v_quadratic(above_3, _e76);
-                    if rt::Scalar::into_branch_condition(_e77.elementwise_gt(of_heights)) {
-                        local_8 = above_3.x().elementwise_gt(of_heights);
+                    let _e77 = self.v_least_at(above_3, span_5);
+                    let _e78 = self.v_quadratic(above_3, _e77);
+                    if rt::Scalar::into_branch_condition(_e78.elementwise_gt(of_heights)) {
+                        local_11 = above_3.x().elementwise_gt(of_heights);
                     } else {
-                        local_8 = rt::Scalar(false);
+                        local_11 = rt::Scalar(false);
                     }
-                    let _e84 = local_8;
-                    if rt::Scalar::into_branch_condition(_e84) {
+                    let _e85 = local_11;
+                    if rt::Scalar::into_branch_condition(_e85) {
                         if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_18.exit))) {
-                            let _e87 = cell_9;
-                            let _e89 = self.v_frustum_slope(path_18, _e87.cast_elem_as_i32(), forward_2);
-                            slope_1 = _e89;
-                            let _e90 = reads_5;
-                            let _e93 = slope_1;
-                            reads_5 = (_e90 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e93.elementwise_ge(rt::Scalar(0f32))));
+                            let _e88 = cell_9;
+                            let _e90 = self.v_frustum_slope(path_18, _e88.cast_elem_as_i32(), forward_2);
+                            slope_1 = _e90;
+                            let _e91 = reads_5;
+                            let _e94 = slope_1;
+                            reads_5 = (_e91 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e94.elementwise_ge(rt::Scalar(0f32))));
                         }
                     } else {
-                        let _e98 = cell_9;
-                        let _e99 = t_9;
-                        let _e100 = self.v_gap_to(path_18, _e2, _e98, _e24, _e99);
-                        let _e101 = t_9;
-                        let _e102 = reads_5;
-                        let _e103 = self.v_found_in_cell(_e100, _e101, span_5, first_2, _e102);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e103.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e103;
+                        let _e99 = cell_9;
+                        let _e100 = t_10;
+                        let _e101 = self.v_gap_to(path_18, _e2, _e99, _e25, _e100);
+                        let _e102 = t_10;
+                        let _e103 = reads_5;
+                        let _e104 = self.v_found_in_cell(_e101, _e102, span_5, first_2, _e103);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e104.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e104;
                         }
                     }
-                    let _e107 = slope_1;
-                    if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e111 = cell_9;
-                        let _e114 = t_9;
-                        let at_22 = ((_e2.origin - _e111) + (_e2.step * _e114));
-                        let left_1 = at_22.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_22), forward_2);
-                        let _e126 = t_9;
-                        let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e126)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                        let _e134 = slope_1;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e134) * far_4));
-                        let _e140 = t_9;
-                        let rest_1 = (rt::Scalar(path_18.exit) - _e140);
-                        let _e142 = slope_1;
-                        let _e147 = self.v_stays_above(above_3, _e142, left_1.x(), _e2.step.x(), lost_1.x(), rest_1);
-                        let _e148 = slope_1;
-                        let _e153 = self.v_stays_above(above_3, _e148, left_1.y(), _e2.step.y(), lost_1.y(), rest_1);
-                        let _e154 = next_1;
-                        let _e155 = t_9;
-                        next_1 = _e154.max((_e155 + _e147.min(_e153)));
+                    let _e108 = slope_1;
+                    if rt::Scalar::into_branch_condition(_e108.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e112 = cell_9;
+                        let _e115 = t_10;
+                        let at_30 = ((_e2.origin - _e112) + (_e2.step * _e115));
+                        let left_1 = at_30.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_30), forward_2);
+                        let _e127 = t_10;
+                        let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e127)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e135 = slope_1;
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e135) * far_4));
+                        let _e141 = t_10;
+                        let rest_1 = (rt::Scalar(path_18.exit) - _e141);
+                        let _e143 = slope_1;
+                        let _e148 = self.v_stays_above(above_3, _e143, left_1.x(), _e2.step.x(), lost_1.x(), rest_1);
+                        let _e149 = slope_1;
+                        let _e154 = self.v_stays_above(above_3, _e149, left_1.y(), _e2.step.y(), lost_1.y(), rest_1);
+                        let _e155 = next_1;
+                        let _e156 = t_10;
+                        next_1 = _e155.max((_e156 + _e148.min(_e154)));
                     }
-                    let _e159 = next_1;
-                    if rt::Scalar::into_branch_condition(_e159.elementwise_ge(rt::Scalar(path_18.exit))) {
-                        let _e163 = t_9;
-                        let _e165 = reads_5;
-                        return <Found>::new(FOUND_MISS, _e163, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e165);
+                    let _e160 = next_1;
+                    if rt::Scalar::into_branch_condition(_e160.elementwise_ge(rt::Scalar(path_18.exit))) {
+                        let _e164 = t_10;
+                        let _e166 = reads_5;
+                        return <Found>::new(FOUND_MISS, _e164, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
                     }
-                    let _e169 = slope_1;
-                    if rt::Scalar::into_branch_condition(_e169.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e172 = cell_9;
-                        let _e173 = next_1;
-                        let _e174 = self.v_cell_after(_e2, _e172, _e29, forward_2, _e173);
-                        cell_9 = _e174;
+                    let _e170 = slope_1;
+                    if rt::Scalar::into_branch_condition(_e170.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e173 = cell_9;
+                        let _e174 = next_1;
+                        let _e175 = self.v_cell_after(_e2, _e173, _e30, forward_2, _e174);
+                        cell_9 = _e175;
                     } else {
-                        let _e175 = cell_9;
-                        let _e176 = self.v_cell_next(_e2, _e175, _e29);
-                        cell_9 = _e176;
+                        let _e176 = cell_9;
+                        let _e177 = self.v_cell_next(_e2, _e176, _e30);
+                        cell_9 = _e177;
                     }
-                    let _e177 = next_1;
-                    t_9 = _e177;
+                    let _e178 = next_1;
+                    t_10 = _e178;
                 }
             }
         }
-        let _e179 = t_9;
-        let _e181 = reads_5;
-        return <Found>::new(FOUND_EXHAUSTED, _e179, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e181);
+        let _e180 = t_10;
+        let _e182 = reads_5;
+        return <Found>::new(FOUND_EXHAUSTED, _e180, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e182);
     }
-    pub(crate) fn nearest_corner(&self, at_3: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_3)))
+    pub(crate) fn nearest_corner(&self, at_11: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_3: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_3.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_11: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_11.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -1784,9 +2300,9 @@ impl<'g> Resources<'g> {
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_2: impl rt::Into<rt::Scalar<f32>>,
-        t_10: impl rt::Into<rt::Scalar<f32>>,
+        t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_19, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_2), rt::into(t_10)))
+        rt::into(self.v_stays_inside(path_19, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_2), rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
@@ -1796,17 +2312,17 @@ impl<'g> Resources<'g> {
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_2: rt::Scalar<f32>,
-        t_10: rt::Scalar<f32>,
+        t_11: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_9: rt::Scalar<bool>;
-        let mut leave_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut local_12: rt::Scalar<bool>;
+        let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_2 = (rt::Scalar(path_19.exit) - t_10);
-        let _e8 = self.v_path_height(path_19, t_10);
+        let rest_2 = (rt::Scalar(path_19.exit) - t_11);
+        let _e8 = self.v_path_height(path_19, t_11);
         let height_2 = (_e8 - apex);
         let terms = (path_19.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_19.exit)) * path_19.h.z().abs()));
-        let _e21 = self.v_path_slope(path_19, t_10);
+        let _e21 = self.v_path_slope(path_19, t_11);
         let rise_1 = ((_e21 + (path_19.h.z().min(rt::Scalar(0f32)) * rest_2)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_2;
         if rt::Scalar::into_branch_condition(rise_1.elementwise_lt(rt::Scalar(0f32))) {
@@ -1814,63 +2330,63 @@ impl<'g> Resources<'g> {
             most = _e34.min((height_2 / (rt::Scalar(0f32) - rise_1)));
         }
         let _e39 = most;
-        let end_3 = (t_10 + _e39);
-        let _e51 = self.v_height_size();
-        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e51);
+        let end_3 = (t_11 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_19.level));
+        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
         let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_19.h.x().abs() + (end_3 * (path_19.h.y().abs() + (end_3 * path_19.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_2) * (far_5.x() + far_5.y())));
         let gap_3 = (height_2 - (rt::Scalar(2f32) * lost_2));
-        let _e83 = self.v_height_size();
-        let aside = (((grid_6.origin - offset) + (grid_6.step * t_10)) / _e83);
-        let c_5 = (((slope_2 * aside.length()) - gap_3) * ((slope_2 * aside.length()) + gap_3));
+        let _e85 = self.v_height_size(rt::Scalar(path_19.level));
+        let aside_1 = (((grid_6.origin - offset) + (grid_6.step * t_11)) / _e85);
+        let c_5 = (((slope_2 * aside_1.length()) - gap_3) * ((slope_2 * aside_1.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_9 = c_5.elementwise_ge(rt::Scalar(0f32));
+            local_12 = c_5.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_9 = rt::Scalar(true);
+            local_12 = rt::Scalar(true);
         }
-        let _e100 = local_9;
-        if rt::Scalar::into_branch_condition(_e100) {
+        let _e102 = local_12;
+        if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_2 * slope_2) * aside.dot(path_19.duv)) - (gap_3 * rise_1));
-        let a_3 = (((slope_2 * slope_2) * path_19.duv.dot(path_19.duv)) - (rise_1 * rise_1));
-        let discriminant_1 = ((b_3 * b_3) - (a_3 * c_5));
+        let b_3 = (((slope_2 * slope_2) * aside_1.dot(path_19.duv)) - (gap_3 * rise_1));
+        let a_5 = (((slope_2 * slope_2) * path_19.duv.dot(path_19.duv)) - (rise_1 * rise_1));
+        let discriminant_1 = ((b_3 * b_3) - (a_5 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
             if rt::Scalar::into_branch_condition(b_3.elementwise_ge(rt::Scalar(0f32))) {
-                leave_3 = ((rt::Scalar(0f32) - c_5) / (b_3 + root_1));
+                leave_4 = ((rt::Scalar(0f32) - c_5) / (b_3 + root_1));
             } else {
-                if rt::Scalar::into_branch_condition(a_3.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_3 = ((root_1 - b_3) / a_3);
+                if rt::Scalar::into_branch_condition(a_5.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_4 = ((root_1 - b_3) / a_5);
                 }
             }
         }
-        let _e133 = leave_3;
-        let _e134 = most;
-        leave_3 = _e133.min(_e134);
-        let _e137 = leave_3;
-        let _e143 = leave_3;
-        if rt::Scalar::into_branch_condition(((slope_2 * (aside + (path_19.duv * _e137)).length()) + lost_2).elementwise_le((height_2 + (rise_1 * _e143)))) {
-            let _e147 = leave_3;
-            return _e147;
+        let _e135 = leave_4;
+        let _e136 = most;
+        leave_4 = _e135.min(_e136);
+        let _e139 = leave_4;
+        let _e145 = leave_4;
+        if rt::Scalar::into_branch_condition(((slope_2 * (aside_1 + (path_19.duv * _e139)).length()) + lost_2).elementwise_le((height_2 + (rise_1 * _e145)))) {
+            let _e149 = leave_4;
+            return _e149;
         }
         return rt::Scalar(0f32);
     }
     pub(crate) fn search_cone(
         &self,
         path_20: Path,
-        params_4: impl rt::Into<rt::Vec4<f32>>,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_20, rt::into(params_4)))
+        rt::into(self.v_search_cone(path_20, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_20: Path,
-        params_4: rt::Vec4<f32>,
+        params_7: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
-        let mut t_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_6: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_2: rt::Scalar<f32>;
 
@@ -1878,7 +2394,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
-        let limit_2 = params_4.x().cast_elem_as_u32();
+        let limit_2 = params_7.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_6;
@@ -1890,350 +2406,349 @@ impl<'g> Resources<'g> {
                     let _e19 = reads_6;
                     let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
                     let _e22 = cell_10;
-                    let _e24 = self.v_height_cell(_e22.cast_elem_as_i32());
-                    let _e25 = reads_6;
-                    reads_6 = (_e25 + rt::Scalar(1u32));
-                    let _e28 = cell_10;
-                    let _e29 = self.v_cell_leave(_e2, _e28);
-                    let end_4 = _e29.x().min(_e29.y()).min(rt::Scalar(path_20.exit));
-                    let _e35 = t_11;
-                    let span_6 = (end_4 - _e35).max(rt::Scalar(0f32));
-                    let _e40 = cell_10;
-                    let _e43 = t_11;
-                    let at_23 = ((_e2.origin - _e40) + (_e2.step * _e43));
-                    let _e46 = self.v_nearest_corner(at_23);
-                    let _e47 = self.v_corner_height(_e24, _e46);
-                    let _e48 = t_11;
-                    next_2 = _e48;
-                    let _e50 = t_11;
-                    let _e51 = self.v_path_height(path_20, _e50);
-                    if rt::Scalar::into_branch_condition(_e51.elementwise_gt(_e47)) {
-                        let _e53 = cell_10;
-                        let texel_5 = (_e53 + _e46);
-                        let _e55 = self.v_cone_slope(path_20, texel_5);
-                        let _e56 = reads_6;
-                        reads_6 = (_e56 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e55.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e61 = t_11;
-                            let _e62 = t_11;
-                            let _e63 = self.v_stays_inside(path_20, _e2, texel_5, _e47, _e55, _e62);
-                            next_2 = (_e61 + _e63);
+                    let _e25 = self.v_height_cell(_e22.cast_elem_as_i32(), rt::Scalar(path_20.level));
+                    let _e26 = reads_6;
+                    reads_6 = (_e26 + rt::Scalar(1u32));
+                    let _e29 = cell_10;
+                    let _e30 = self.v_cell_leave(_e2, _e29);
+                    let end_4 = _e30.x().min(_e30.y()).min(rt::Scalar(path_20.exit));
+                    let _e36 = t_12;
+                    let span_6 = (end_4 - _e36).max(rt::Scalar(0f32));
+                    let _e41 = cell_10;
+                    let _e44 = t_12;
+                    let at_31 = ((_e2.origin - _e41) + (_e2.step * _e44));
+                    let _e47 = self.v_nearest_corner(at_31);
+                    let _e48 = self.v_corner_height(_e25, _e47);
+                    let _e49 = t_12;
+                    next_2 = _e49;
+                    let _e51 = t_12;
+                    let _e52 = self.v_path_height(path_20, _e51);
+                    if rt::Scalar::into_branch_condition(_e52.elementwise_gt(_e48)) {
+                        let _e54 = cell_10;
+                        let texel_5 = (_e54 + _e47);
+                        let _e56 = self.v_cone_slope(path_20, texel_5);
+                        let _e57 = reads_6;
+                        reads_6 = (_e57 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e56.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e62 = t_12;
+                            let _e63 = t_12;
+                            let _e64 = self.v_stays_inside(path_20, _e2, texel_5, _e48, _e56, _e63);
+                            next_2 = (_e62 + _e64);
                         }
                     }
-                    let _e65 = next_2;
-                    if rt::Scalar::into_branch_condition(_e65.elementwise_lt(end_4)) {
-                        let _e67 = cell_10;
-                        let _e68 = t_11;
-                        let _e69 = self.v_gap_to(path_20, _e2, _e67, _e24, _e68);
-                        let _e70 = t_11;
-                        let _e71 = reads_6;
-                        let _e72 = self.v_found_in_cell(_e69, _e70, span_6, first_3, _e71);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e72.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e72;
+                    let _e66 = next_2;
+                    if rt::Scalar::into_branch_condition(_e66.elementwise_lt(end_4)) {
+                        let _e68 = cell_10;
+                        let _e69 = t_12;
+                        let _e70 = self.v_gap_to(path_20, _e2, _e68, _e25, _e69);
+                        let _e71 = t_12;
+                        let _e72 = reads_6;
+                        let _e73 = self.v_found_in_cell(_e70, _e71, span_6, first_3, _e72);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e73.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e73;
                         }
-                        let _e76 = t_11;
-                        next_2 = _e76.max(end_4);
+                        let _e77 = t_12;
+                        next_2 = _e77.max(end_4);
                     }
-                    let _e78 = next_2;
-                    if rt::Scalar::into_branch_condition(_e78.elementwise_ge(rt::Scalar(path_20.exit))) {
-                        let _e82 = t_11;
-                        let _e84 = reads_6;
-                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                    let _e79 = next_2;
+                    if rt::Scalar::into_branch_condition(_e79.elementwise_ge(rt::Scalar(path_20.exit))) {
+                        let _e83 = t_12;
+                        let _e85 = reads_6;
+                        return <Found>::new(FOUND_MISS, _e83, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e85);
                     }
-                    let _e88 = cell_10;
-                    let _e89 = next_2;
-                    let _e90 = self.v_cell_after(_e2, _e88, _e29, forward_3, _e89);
-                    cell_10 = _e90;
-                    let _e91 = next_2;
-                    t_11 = _e91;
+                    let _e89 = cell_10;
+                    let _e90 = next_2;
+                    let _e91 = self.v_cell_after(_e2, _e89, _e30, forward_3, _e90);
+                    cell_10 = _e91;
+                    let _e92 = next_2;
+                    t_12 = _e92;
                 }
             }
         }
-        let _e93 = t_11;
-        let _e95 = reads_6;
-        return <Found>::new(FOUND_EXHAUSTED, _e93, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e95);
+        let _e94 = t_12;
+        let _e96 = reads_6;
+        return <Found>::new(FOUND_EXHAUSTED, _e94, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e96);
     }
     pub(crate) fn node_extent(
         &self,
         cell_11: impl rt::Into<rt::Scalar<i32>>,
         image: impl rt::Into<rt::Vec2<i32>>,
-        n_2: impl rt::Into<rt::Scalar<i32>>,
-        level_1: impl rt::Into<rt::Scalar<u32>>,
+        n_4: impl rt::Into<rt::Scalar<i32>>,
+        level_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_2), rt::into(level_1)))
+        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_4), rt::into(level_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
         cell_11: rt::Scalar<i32>,
         image: rt::Vec2<i32>,
-        n_2: rt::Scalar<i32>,
-        level_1: rt::Scalar<u32>,
+        n_4: rt::Scalar<i32>,
+        level_9: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_10: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
 
-        let first_4 = ((image.x() >> level_1) << level_1);
-        let side_1 = (rt::Scalar(1i32) << level_1);
+        let first_4 = ((image.x() >> level_9) << level_9);
+        let side_1 = (rt::Scalar(1i32) << level_9);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
             let low = (cell_11 - (image.x() - first_4));
-            return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_2 - first_4))));
+            return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_4 - first_4))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
             let high = ((cell_11 + (image.x() - first_4)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_2 - rt::Scalar(1i32)) - first_4))), high);
+            return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_4 - rt::Scalar(1i32)) - first_4))), high);
         }
-        if rt::Scalar::into_branch_condition(level_1.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_9.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_10 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_13 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_10 = rt::Scalar(false);
+            local_13 = rt::Scalar(false);
         }
-        let _e43 = local_10;
+        let _e43 = local_13;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_2, cell_11.elementwise_ge(n_2)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_11.elementwise_ge(n_2)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_11.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_11.elementwise_ge(n_4)));
         }
         return <rt::Vec2<i32>>::from_scalars(cell_11, (cell_11 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
-        origin: impl rt::Into<rt::Scalar<f32>>,
+        origin_1: impl rt::Into<rt::Scalar<f32>>,
         step: impl rt::Into<rt::Scalar<f32>>,
         extent: impl rt::Into<rt::Vec2<i32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_extent(rt::into(origin), rt::into(step), rt::into(extent)))
+        rt::into(self.v_leaves_extent(rt::into(origin_1), rt::into(step), rt::into(extent)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_leaves_extent(
         &self,
-        origin: rt::Scalar<f32>,
+        origin_1: rt::Scalar<f32>,
         step: rt::Scalar<f32>,
         extent: rt::Vec2<i32>,
     ) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(step.elementwise_gt(rt::Scalar(0f32))) {
-            return ((extent.y().cast_elem_as_f32() - origin) / step);
+            return ((extent.y().cast_elem_as_f32() - origin_1) / step);
         }
         if rt::Scalar::into_branch_condition(step.elementwise_lt(rt::Scalar(0f32))) {
-            return ((extent.x().cast_elem_as_f32() - origin) / step);
+            return ((extent.x().cast_elem_as_f32() - origin_1) / step);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn search_pyramid(
         &self,
         path_21: Path,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_21, rt::into(params_5)))
+        rt::into(self.v_search_pyramid(path_21, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_21: Path,
-        params_5: rt::Vec4<f32>,
+        params_8: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_2: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_10: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_12: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_7: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_11: rt::Scalar<bool>;
-        let mut local_12: rt::Scalar<bool>;
-        let mut local_13: rt::Scalar<bool>;
         let mut local_14: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_21);
-        let _e5 = self.surface_settings.height_size;
-        let n_7 = _e5.cast_elem_as_i32();
+        let _e4 = self.v_height_texels(rt::Scalar(path_21.level));
         let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_21.exit));
         'naga_break: loop {
             'naga_continue: {
-                let _e20 = top;
-                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e20).elementwise_lt(n_7.x().max(n_7.y()))) {
+                let _e18 = top;
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e18).elementwise_lt(_e4.x().max(_e4.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e27 = top;
-                    top = (_e27 + rt::Scalar(1u32));
-                    let _e30 = level_2;
-                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e30).cast_elem_as_f32().elementwise_lt(long)) {
-                        let _e35 = level_2;
-                        level_2 = (_e35 + rt::Scalar(1u32));
+                    let _e25 = top;
+                    top = (_e25 + rt::Scalar(1u32));
+                    let _e28 = level_10;
+                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long)) {
+                        let _e33 = level_10;
+                        level_10 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
-        let _e39 = self.v_cell_of(_e2.origin);
-        cell_12 = _e39.cast_elem_as_i32();
-        let limit_3 = params_5.x().cast_elem_as_u32();
+        let _e37 = self.v_cell_of(_e2.origin);
+        cell_12 = _e37.cast_elem_as_i32();
+        let limit_3 = params_8.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e52 = reads_7;
-                if rt::Scalar::into_branch_condition(_e52.elementwise_lt(limit_3)) {
+                let _e50 = reads_7;
+                if rt::Scalar::into_branch_condition(_e50.elementwise_lt(limit_3)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e55 = cell_12.x();
-                    let _e57 = self.v_image_of(_e55, n_7.x());
-                    let _e59 = cell_12.y();
-                    let _e61 = self.v_image_of(_e59, n_7.y());
-                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e57.x(), _e61.x());
-                    let _e65 = level_2;
-                    let above_level = (_e65 + rt::Scalar(1u32));
+                    let _e53 = cell_12.x();
+                    let _e55 = self.v_image_of(_e53, _e4.x());
+                    let _e57 = cell_12.y();
+                    let _e59 = self.v_image_of(_e57, _e4.y());
+                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e55.x(), _e59.x());
+                    let _e63 = level_10;
+                    let above_level = (_e63 + rt::Scalar(1u32));
                     let over = <rt::Vec2<i32>>::from_scalars((place_4.x() >> above_level), (place_4.y() >> above_level));
-                    let _e74 = parent.x();
-                    if rt::Scalar::into_branch_condition(_e74.elementwise_ge(rt::Scalar(0i32))) {
-                        let _e80 = parent.x();
-                        if rt::Scalar::into_branch_condition((!_e80.elementwise_ne(over.x()))) {
-                            let _e87 = parent.y();
-                            local_12 = _e87.elementwise_ne(over.y());
+                    let _e72 = parent.x();
+                    if rt::Scalar::into_branch_condition(_e72.elementwise_ge(rt::Scalar(0i32))) {
+                        let _e78 = parent.x();
+                        if rt::Scalar::into_branch_condition((!_e78.elementwise_ne(over.x()))) {
+                            let _e85 = parent.y();
+                            local_15 = _e85.elementwise_ne(over.y());
                         } else {
-                            local_12 = rt::Scalar(true);
+                            local_15 = rt::Scalar(true);
                         }
-                        let _e91 = local_12;
-                        local_11 = _e91;
+                        let _e89 = local_15;
+                        local_14 = _e89;
                     } else {
-                        local_11 = rt::Scalar(false);
+                        local_14 = rt::Scalar(false);
                     }
-                    let left_2 = local_11;
+                    let left_2 = local_14;
                     if rt::Scalar::into_branch_condition(left_2) {
-                        let _e96 = level_2;
-                        let _e97 = top;
-                        local_13 = _e96.elementwise_lt(_e97);
+                        let _e94 = level_10;
+                        let _e95 = top;
+                        local_16 = _e94.elementwise_lt(_e95);
                     } else {
-                        local_13 = rt::Scalar(false);
+                        local_16 = rt::Scalar(false);
                     }
-                    let _e100 = local_13;
-                    if rt::Scalar::into_branch_condition(_e100) {
-                        level_2 = above_level;
+                    let _e98 = local_16;
+                    if rt::Scalar::into_branch_condition(_e98) {
+                        level_10 = above_level;
                     }
-                    let _e102 = cell_12.x();
-                    let _e104 = level_2;
-                    let _e105 = self.v_node_extent(_e102, _e57, n_7.x(), _e104);
-                    let _e107 = cell_12.y();
-                    let _e109 = level_2;
-                    let _e110 = self.v_node_extent(_e107, _e61, n_7.y(), _e109);
-                    let _e115 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e105);
-                    let _e120 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e110);
-                    let end_5 = _e115.min(_e120).min(rt::Scalar(path_21.exit));
-                    let _e124 = t_12;
-                    let span_7 = (end_5 - _e124).max(rt::Scalar(0f32));
-                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e105.x(), _e110.x());
-                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e105.y() - rt::Scalar(1i32)), (_e110.y() - rt::Scalar(1i32)));
-                    let _e138 = reads_7;
-                    reads_7 = (_e138 + rt::Scalar(1u32));
-                    let _e141 = level_2;
-                    if rt::Scalar::into_branch_condition(_e141.elementwise_eq(rt::Scalar(0u32))) {
+                    let _e100 = cell_12.x();
+                    let _e102 = level_10;
+                    let _e103 = self.v_node_extent(_e100, _e55, _e4.x(), _e102);
+                    let _e105 = cell_12.y();
+                    let _e107 = level_10;
+                    let _e108 = self.v_node_extent(_e105, _e59, _e4.y(), _e107);
+                    let _e113 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e103);
+                    let _e118 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e108);
+                    let end_5 = _e113.min(_e118).min(rt::Scalar(path_21.exit));
+                    let _e122 = t_13;
+                    let span_7 = (end_5 - _e122).max(rt::Scalar(0f32));
+                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e103.x(), _e108.x());
+                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e103.y() - rt::Scalar(1i32)), (_e108.y() - rt::Scalar(1i32)));
+                    let _e136 = reads_7;
+                    reads_7 = (_e136 + rt::Scalar(1u32));
+                    let _e139 = level_10;
+                    if rt::Scalar::into_branch_condition(_e139.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e142 = cell_12;
                         let _e144 = cell_12;
-                        let _e146 = cell_12;
-                        let _e147 = self.v_height_cell(_e146);
-                        let _e148 = t_12;
-                        let _e149 = self.v_gap_to(path_21, _e2, _e144.cast_elem_as_f32(), _e147, _e148);
-                        let _e150 = t_12;
-                        let _e151 = t_12;
-                        let _e154 = reads_7;
-                        let _e155 = self.v_found_in_cell(_e149, _e150, span_7, _e151.elementwise_eq(rt::Scalar(0f32)), _e154);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e155.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e155;
+                        let _e146 = self.v_height_cell(_e144, rt::Scalar(path_21.level));
+                        let _e147 = t_13;
+                        let _e148 = self.v_gap_to(path_21, _e2, _e142.cast_elem_as_f32(), _e146, _e147);
+                        let _e149 = t_13;
+                        let _e150 = t_13;
+                        let _e153 = reads_7;
+                        let _e154 = self.v_found_in_cell(_e148, _e149, span_7, _e150.elementwise_eq(rt::Scalar(0f32)), _e153);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e154.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e154;
                         }
                     } else {
-                        let _e160 = level_2;
-                        let _e163 = level_2;
-                        let _e167 = level_2;
-                        let _e171 = self.v_search_texel(path_21, <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e160), (place_4.y() >> _e163)), rt::Scalar(0i32), (_e167.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        let highest_1 = _e171.y();
-                        let _e173 = t_12;
-                        let furthest = (_e173 + span_7);
+                        let _e159 = level_10;
+                        let _e162 = level_10;
+                        let _e166 = level_10;
+                        let _e170 = self.v_search_texel(path_21, <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e159), (place_4.y() >> _e162)), rt::Scalar(0i32), (_e166.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let highest_1 = _e170.y();
+                        let _e172 = t_13;
+                        let furthest = (_e172 + span_7);
                         let rounded = (path_21.h.x().abs() + (furthest * (path_21.h.y().abs() + (furthest * path_21.h.z().abs()))));
-                        let _e188 = t_12;
-                        let _e189 = self.v_path_height(path_21, _e188);
-                        let _e194 = t_12;
-                        let _e195 = self.v_path_slope(path_21, _e194);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e189 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e195, path_21.h.z());
+                        let _e187 = t_13;
+                        let _e188 = self.v_path_height(path_21, _e187);
+                        let _e193 = t_13;
+                        let _e194 = self.v_path_slope(path_21, _e193);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e188 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e194, path_21.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e205 = self.v_least_at(gap_4, span_7);
-                            let _e206 = self.v_quadratic(gap_4, _e205);
-                            local_14 = _e206.elementwise_le(rt::Scalar(0f32));
+                            let _e204 = self.v_least_at(gap_4, span_7);
+                            let _e205 = self.v_quadratic(gap_4, _e204);
+                            local_17 = _e205.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_14 = rt::Scalar(true);
+                            local_17 = rt::Scalar(true);
                         }
-                        let _e210 = local_14;
-                        if rt::Scalar::into_branch_condition(_e210) {
+                        let _e209 = local_17;
+                        if rt::Scalar::into_branch_condition(_e209) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e214 = t_12;
-                                let _e215 = self.v_first_root(gap_4, span_7);
-                                t_12 = (_e214 + _e215.min(span_7));
+                                let _e213 = t_13;
+                                let _e214 = self.v_first_root(gap_4, span_7);
+                                t_13 = (_e213 + _e214.min(span_7));
                             }
-                            let _e220 = t_12;
-                            let _e223 = self.v_cell_of((_e2.origin + (_e2.step * _e220)));
-                            cell_12 = _e223.cast_elem_as_i32().clamp(low_1, last_1);
-                            let _e226 = level_2;
-                            level_2 = (_e226 - rt::Scalar(1u32));
+                            let _e219 = t_13;
+                            let _e222 = self.v_cell_of((_e2.origin + (_e2.step * _e219)));
+                            cell_12 = _e222.cast_elem_as_i32().clamp(low_1, last_1);
+                            let _e225 = level_10;
+                            level_10 = (_e225 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
                     if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_21.exit))) {
-                        let _e235 = t_12;
-                        let _e237 = reads_7;
-                        return <Found>::new(FOUND_MISS, _e235, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e237);
+                        let _e234 = t_13;
+                        let _e236 = reads_7;
+                        return <Found>::new(FOUND_MISS, _e234, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e236);
                     }
-                    let _e245 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
-                    cell_12 = _e245.cast_elem_as_i32().clamp(low_1, last_1);
-                    if rt::Scalar::into_branch_condition(_e115.elementwise_le(end_5)) {
-                        cell_12.set_x((low_1.x() - rt::Scalar(1i32)).select(_e105.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    let _e244 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
+                    cell_12 = _e244.cast_elem_as_i32().clamp(low_1, last_1);
+                    if rt::Scalar::into_branch_condition(_e113.elementwise_le(end_5)) {
+                        cell_12.set_x((low_1.x() - rt::Scalar(1i32)).select(_e103.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e120.elementwise_le(end_5)) {
-                        cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e110.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_5)) {
+                        cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e271 = level_2;
-                    let _e276 = level_2;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_4.x() >> (_e271 + rt::Scalar(1u32))), (place_4.y() >> (_e276 + rt::Scalar(1u32))));
-                    let _e281 = t_12;
-                    t_12 = _e281.max(end_5);
+                    let _e270 = level_10;
+                    let _e275 = level_10;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_4.x() >> (_e270 + rt::Scalar(1u32))), (place_4.y() >> (_e275 + rt::Scalar(1u32))));
+                    let _e280 = t_13;
+                    t_13 = _e280.max(end_5);
                 }
             }
         }
-        let _e284 = t_12;
-        let _e286 = reads_7;
-        return <Found>::new(FOUND_EXHAUSTED, _e284, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e286);
+        let _e283 = t_13;
+        let _e285 = reads_7;
+        return <Found>::new(FOUND_EXHAUSTED, _e283, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e285);
     }
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
-        n_3: impl rt::Into<rt::Scalar<i32>>,
-        level_3: impl rt::Into<rt::Scalar<u32>>,
+        n_5: impl rt::Into<rt::Scalar<i32>>,
+        level_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_3), rt::into(level_3)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
-        n_3: rt::Scalar<i32>,
-        level_3: rt::Scalar<u32>,
+        n_5: rt::Scalar<i32>,
+        level_11: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_15: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
 
-        let _e3 = self.v_wrap_index(texel_2, n_3);
-        let first_5 = ((_e3 >> level_3) << level_3);
-        let last_2 = (first_5 + (rt::Scalar(1i32) << level_3)).min(n_3);
+        let _e3 = self.v_wrap_index(texel_2, n_5);
+        let first_5 = ((_e3 >> level_11) << level_11);
+        let last_2 = (first_5 + (rt::Scalar(1i32) << level_11)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_15 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_18 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_15 = rt::Scalar(true);
+            local_18 = rt::Scalar(true);
         }
-        let _e20 = local_15;
+        let _e20 = local_18;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
-            let period_2 = (rt::Scalar(2i32) * n_3);
+            let period_2 = (rt::Scalar(2i32) * n_5);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
-            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_3)) {
+            if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_5)) {
                 return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
             }
             return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_2) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_5) + rt::Scalar(1i32)));
@@ -2243,45 +2758,44 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid_texels(
         &self,
         path_22: Path,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_22, rt::into(params_6)))
+        rt::into(self.v_search_pyramid_texels(path_22, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
         path_22: Path,
-        params_6: rt::Vec4<f32>,
+        params_9: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_12: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e4 = self.surface_settings.height_size;
-        let n_8 = _e4.cast_elem_as_i32();
-        let _e7 = self.v_height_size();
-        let origin_1 = (path_22.uv * _e7);
-        let _e10 = self.v_height_size();
+        let _e3 = self.v_height_texels(rt::Scalar(path_22.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_22.level));
+        let origin_2 = (path_22.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_22.level));
         let step_1 = (path_22.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_4;
-                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(n_8.x().max(n_8.y()))) {
+                let _e14 = level_12;
+                if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_4;
-                    level_4 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_12;
+                    level_12 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e24 = self.v_cell_of(origin_1);
+        let _e24 = self.v_cell_of(origin_2);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_4 = params_6.x().cast_elem_as_u32();
+        let limit_4 = params_9.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e33 = reads_8;
@@ -2291,45 +2805,45 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e36 = texel_3.x();
-                    let _e38 = self.v_wrap_index(_e36, n_8.x());
+                    let _e38 = self.v_wrap_index(_e36, _e3.x());
                     let _e40 = texel_3.y();
-                    let _e42 = self.v_wrap_index(_e40, n_8.y());
+                    let _e42 = self.v_wrap_index(_e40, _e3.y());
                     let place_5 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
                     highest = rt::Scalar(0f32);
-                    let _e46 = level_4;
+                    let _e46 = level_12;
                     if rt::Scalar::into_branch_condition(_e46.elementwise_eq(rt::Scalar(0u32))) {
                         let _e51 = rt::texture::Read::read_texel((&self.height_map), place_5, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e51.x();
                     } else {
-                        let _e54 = level_4;
-                        let _e57 = level_4;
+                        let _e54 = level_12;
+                        let _e57 = level_12;
                         let node = <rt::Vec2<i32>>::from_scalars((place_5.x() >> _e54), (place_5.y() >> _e57));
-                        let _e61 = level_4;
+                        let _e61 = level_12;
                         let _e65 = self.v_search_texel(path_22, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e65.y();
                     }
                     let _e67 = reads_8;
                     reads_8 = (_e67 + rt::Scalar(1u32));
                     let _e71 = texel_3.x();
-                    let _e73 = level_4;
-                    let _e74 = self.v_texel_extent(_e71, n_8.x(), _e73);
+                    let _e73 = level_12;
+                    let _e74 = self.v_texel_extent(_e71, _e3.x(), _e73);
                     let _e76 = texel_3.y();
-                    let _e78 = level_4;
-                    let _e79 = self.v_texel_extent(_e76, n_8.y(), _e78);
-                    let _e82 = self.v_leaves_extent(origin_1.x(), step_1.x(), _e74);
-                    let _e85 = self.v_leaves_extent(origin_1.y(), step_1.y(), _e79);
+                    let _e78 = level_12;
+                    let _e79 = self.v_texel_extent(_e76, _e3.y(), _e78);
+                    let _e82 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e74);
+                    let _e85 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e79);
                     let leave_5 = <rt::Vec2<f32>>::from_scalars(_e82, _e85);
-                    let _e92 = t_13;
+                    let _e92 = t_14;
                     let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_22.exit)).max(_e92);
-                    let _e94 = t_13;
+                    let _e94 = t_14;
                     let _e95 = self.v_path_height(path_22, _e94);
                     let _e96 = highest;
-                    let _e98 = t_13;
+                    let _e98 = t_14;
                     let _e99 = self.v_path_slope(path_22, _e98);
                     let gap_5 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_22.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e108 = t_13;
+                        let _e108 = t_14;
                         let _e110 = self.v_first_root(gap_5, (end_6 - _e108));
                         sinks = _e110;
                     }
@@ -2337,27 +2851,27 @@ impl<'g> Resources<'g> {
                     let last_3 = <rt::Vec2<i32>>::from_scalars((_e74.y() - rt::Scalar(1i32)), (_e79.y() - rt::Scalar(1i32)));
                     let _e121 = sinks;
                     if rt::Scalar::into_branch_condition(_e121.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e124 = t_13;
+                        let _e124 = t_14;
                         let _e125 = sinks;
-                        t_13 = (_e124 + _e125);
-                        let _e127 = level_4;
+                        t_14 = (_e124 + _e125);
+                        let _e127 = level_12;
                         if rt::Scalar::into_branch_condition(_e127.elementwise_eq(rt::Scalar(0u32))) {
-                            let _e131 = t_13;
+                            let _e131 = t_14;
                             let _e132 = reads_8;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e131, rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                         }
-                        let _e137 = level_4;
-                        level_4 = (_e137 - rt::Scalar(1u32));
-                        let _e140 = t_13;
-                        let _e143 = self.v_cell_of((origin_1 + (step_1 * _e140)));
+                        let _e137 = level_12;
+                        level_12 = (_e137 - rt::Scalar(1u32));
+                        let _e140 = t_14;
+                        let _e143 = self.v_cell_of((origin_2 + (step_1 * _e140)));
                         texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_3);
                     } else {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_22.exit))) {
-                            let _e149 = t_13;
+                            let _e149 = t_14;
                             let _e151 = reads_8;
                             return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                         }
-                        let _e157 = self.v_cell_of((origin_1 + (step_1 * end_6)));
+                        let _e157 = self.v_cell_of((origin_2 + (step_1 * end_6)));
                         texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_3);
                         if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_6)) {
                             texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
@@ -2365,12 +2879,12 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_6)) {
                             texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e79.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_13 = end_6;
+                        t_14 = end_6;
                     }
                 }
             }
         }
-        let _e183 = t_13;
+        let _e183 = t_14;
         let _e185 = reads_8;
         return <Found>::new(FOUND_EXHAUSTED, _e183, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e185);
     }
@@ -2398,179 +2912,178 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_dilation_erosion(
         &self,
         path_23: Path,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_23, rt::into(params_7)))
+        rt::into(self.v_search_dilation_erosion(path_23, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
         path_23: Path,
-        params_7: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_14: rt::Vec2<f32>;
-        let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_9: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_16: rt::Scalar<bool>;
-        let mut local_17: rt::Scalar<bool>;
-        let mut local_18: rt::Scalar<bool>;
         let mut local_19: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_23);
-        let _e5 = self.surface_settings.height_size;
-        let n_9 = _e5.cast_elem_as_i32();
+        let _e4 = self.v_height_texels(rt::Scalar(path_23.level));
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e13 = self.v_cell_of(_e2.origin);
-        cell_14 = _e13;
-        let limit_5 = params_7.x().cast_elem_as_u32();
+        let _e11 = self.v_cell_of(_e2.origin);
+        cell_14 = _e11;
+        let limit_5 = params_10.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e23 = reads_9;
-                if rt::Scalar::into_branch_condition(_e23.elementwise_lt(limit_5)) {
+                let _e21 = reads_9;
+                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(limit_5)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = cell_14;
-                    let _e26 = self.v_cell_leave(_e2, _e25);
-                    let end_7 = _e26.x().min(_e26.y()).min(rt::Scalar(path_23.exit));
-                    let _e32 = t_14;
-                    let span_8 = (end_7 - _e32).max(rt::Scalar(0f32));
-                    let _e36 = t_14;
-                    next_3 = _e36;
-                    looks = params_7.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e43 = cell_14.x();
-                    let _e46 = self.v_image_of(_e43.cast_elem_as_i32(), n_9.x());
-                    let _e48 = cell_14.y();
-                    let _e51 = self.v_image_of(_e48.cast_elem_as_i32(), n_9.y());
-                    if rt::Scalar::into_branch_condition((!_e46.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_16 = _e51.y().elementwise_eq(rt::Scalar(2i32));
-                    } else {
-                        local_16 = rt::Scalar(true);
-                    }
-                    let _e62 = local_16;
-                    if rt::Scalar::into_branch_condition(_e62) {
-                        looks = rt::Scalar(true);
-                    } else {
-                        let _e70 = self.v_search_texel(path_23, <rt::Vec2<i32>>::from_scalars(_e46.x(), _e51.x()), rt::Scalar(0i32), rt::Scalar(path_23.level).cast_elem_as_i32());
-                        let _e71 = reads_9;
-                        reads_9 = (_e71 + rt::Scalar(1u32));
-                        let _e74 = cell_14;
-                        let _e76 = self.v_leaves_window(_e2, _e74, params_7.z());
-                        let _e79 = t_14;
-                        let reach = (_e76.min(rt::Scalar(path_23.exit)) - _e79).max(rt::Scalar(0f32));
-                        let _e83 = t_14;
-                        let furthest_1 = (_e83 + reach);
-                        let rounded_1 = (path_23.h.x().abs() + (furthest_1 * (path_23.h.y().abs() + (furthest_1 * path_23.h.z().abs()))));
-                        let _e98 = t_14;
-                        let _e99 = self.v_path_height(path_23, _e98);
-                        let _e105 = t_14;
-                        let _e106 = self.v_path_slope(path_23, _e105);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e99 - _e70.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e106, path_23.h.z());
-                        if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e113 = t_14;
-                            safe_ = _e113;
-                            let _e114 = t_14;
-                            next_3 = (_e114 + reach);
-                            let _e116 = self.v_least_at(gap_6, reach);
-                            let _e117 = self.v_quadratic(gap_6, _e116);
-                            if rt::Scalar::into_branch_condition(_e117.elementwise_le(rt::Scalar(0f32))) {
-                                let _e120 = t_14;
-                                let _e121 = self.v_first_root(gap_6, reach);
-                                next_3 = (_e120 + _e121.min(reach));
-                            }
-                        }
-                        let _e124 = looks;
-                        if rt::Scalar::into_branch_condition((!_e124)) {
-                            let _e128 = next_3;
-                            local_17 = _e128.elementwise_lt(end_7);
-                        } else {
-                            local_17 = rt::Scalar(false);
-                        }
-                        let _e131 = local_17;
-                        if rt::Scalar::into_branch_condition(_e131) {
-                            let _e134 = self.v_path_height(path_23, end_7);
-                            local_18 = _e134.elementwise_lt(_e70.x());
-                        } else {
-                            local_18 = rt::Scalar(false);
-                        }
-                        let _e138 = local_18;
-                        if rt::Scalar::into_branch_condition(_e138) {
-                            let _e139 = safe_;
-                            let _e140 = reads_9;
-                            let _e141 = self.v_bracket_between(path_23, _e139, end_7, _e140);
-                            return _e141;
-                        }
-                    }
-                    let _e142 = next_3;
-                    if rt::Scalar::into_branch_condition((!_e142.elementwise_lt(end_7))) {
-                        let _e147 = t_14;
-                        local_19 = (!end_7.elementwise_gt(_e147));
+                    let _e23 = cell_14;
+                    let _e24 = self.v_cell_leave(_e2, _e23);
+                    let end_7 = _e24.x().min(_e24.y()).min(rt::Scalar(path_23.exit));
+                    let _e30 = t_15;
+                    let span_8 = (end_7 - _e30).max(rt::Scalar(0f32));
+                    let _e34 = t_15;
+                    next_3 = _e34;
+                    looks = params_10.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e41 = cell_14.x();
+                    let _e44 = self.v_image_of(_e41.cast_elem_as_i32(), _e4.x());
+                    let _e46 = cell_14.y();
+                    let _e49 = self.v_image_of(_e46.cast_elem_as_i32(), _e4.y());
+                    if rt::Scalar::into_branch_condition((!_e44.y().elementwise_eq(rt::Scalar(2i32)))) {
+                        local_19 = _e49.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
                         local_19 = rt::Scalar(true);
                     }
-                    let _e151 = local_19;
-                    if rt::Scalar::into_branch_condition(_e151) {
-                        let _e152 = looks;
-                        if rt::Scalar::into_branch_condition(_e152) {
-                            let _e153 = reads_9;
-                            reads_9 = (_e153 + rt::Scalar(1u32));
-                            let _e156 = cell_14;
-                            let _e158 = self.v_height_cell(_e156.cast_elem_as_i32());
-                            let _e159 = cell_14;
-                            let _e160 = t_14;
-                            let _e161 = self.v_gap_to(path_23, _e2, _e159, _e158, _e160);
-                            let _e162 = t_14;
-                            let _e163 = t_14;
-                            let _e166 = reads_9;
-                            let _e167 = self.v_found_in_cell(_e161, _e162, span_8, _e163.elementwise_eq(rt::Scalar(0f32)), _e166);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e167.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e167;
+                    let _e60 = local_19;
+                    if rt::Scalar::into_branch_condition(_e60) {
+                        looks = rt::Scalar(true);
+                    } else {
+                        let _e68 = self.v_search_texel(path_23, <rt::Vec2<i32>>::from_scalars(_e44.x(), _e49.x()), rt::Scalar(0i32), rt::Scalar(path_23.level).cast_elem_as_i32());
+                        let _e69 = reads_9;
+                        reads_9 = (_e69 + rt::Scalar(1u32));
+                        let _e72 = cell_14;
+                        let _e74 = self.v_leaves_window(_e2, _e72, params_10.z());
+                        let _e77 = t_15;
+                        let reach = (_e74.min(rt::Scalar(path_23.exit)) - _e77).max(rt::Scalar(0f32));
+                        let _e81 = t_15;
+                        let furthest_1 = (_e81 + reach);
+                        let rounded_1 = (path_23.h.x().abs() + (furthest_1 * (path_23.h.y().abs() + (furthest_1 * path_23.h.z().abs()))));
+                        let _e96 = t_15;
+                        let _e97 = self.v_path_height(path_23, _e96);
+                        let _e103 = t_15;
+                        let _e104 = self.v_path_slope(path_23, _e103);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e97 - _e68.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e104, path_23.h.z());
+                        if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
+                            let _e111 = t_15;
+                            safe_ = _e111;
+                            let _e112 = t_15;
+                            next_3 = (_e112 + reach);
+                            let _e114 = self.v_least_at(gap_6, reach);
+                            let _e115 = self.v_quadratic(gap_6, _e114);
+                            if rt::Scalar::into_branch_condition(_e115.elementwise_le(rt::Scalar(0f32))) {
+                                let _e118 = t_15;
+                                let _e119 = self.v_first_root(gap_6, reach);
+                                next_3 = (_e118 + _e119.min(reach));
                             }
                         }
-                        let _e171 = t_14;
-                        next_3 = _e171.max(end_7);
+                        let _e122 = looks;
+                        if rt::Scalar::into_branch_condition((!_e122)) {
+                            let _e126 = next_3;
+                            local_20 = _e126.elementwise_lt(end_7);
+                        } else {
+                            local_20 = rt::Scalar(false);
+                        }
+                        let _e129 = local_20;
+                        if rt::Scalar::into_branch_condition(_e129) {
+                            let _e132 = self.v_path_height(path_23, end_7);
+                            local_21 = _e132.elementwise_lt(_e68.x());
+                        } else {
+                            local_21 = rt::Scalar(false);
+                        }
+                        let _e136 = local_21;
+                        if rt::Scalar::into_branch_condition(_e136) {
+                            let _e137 = safe_;
+                            let _e138 = reads_9;
+                            let _e139 = self.v_bracket_between(path_23, _e137, end_7, _e138);
+                            return _e139;
+                        }
                     }
-                    let _e173 = next_3;
-                    if rt::Scalar::into_branch_condition(_e173.elementwise_ge(rt::Scalar(path_23.exit))) {
-                        let _e177 = t_14;
-                        let _e179 = reads_9;
-                        return <Found>::new(FOUND_MISS, _e177, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e179);
+                    let _e140 = next_3;
+                    if rt::Scalar::into_branch_condition((!_e140.elementwise_lt(end_7))) {
+                        let _e145 = t_15;
+                        local_22 = (!end_7.elementwise_gt(_e145));
+                    } else {
+                        local_22 = rt::Scalar(true);
                     }
-                    let _e183 = cell_14;
-                    let _e184 = next_3;
-                    let _e185 = self.v_cell_after(_e2, _e183, _e26, forward_4, _e184);
-                    cell_14 = _e185;
-                    let _e186 = next_3;
-                    t_14 = _e186;
+                    let _e149 = local_22;
+                    if rt::Scalar::into_branch_condition(_e149) {
+                        let _e150 = looks;
+                        if rt::Scalar::into_branch_condition(_e150) {
+                            let _e151 = reads_9;
+                            reads_9 = (_e151 + rt::Scalar(1u32));
+                            let _e154 = cell_14;
+                            let _e157 = self.v_height_cell(_e154.cast_elem_as_i32(), rt::Scalar(path_23.level));
+                            let _e158 = cell_14;
+                            let _e159 = t_15;
+                            let _e160 = self.v_gap_to(path_23, _e2, _e158, _e157, _e159);
+                            let _e161 = t_15;
+                            let _e162 = t_15;
+                            let _e165 = reads_9;
+                            let _e166 = self.v_found_in_cell(_e160, _e161, span_8, _e162.elementwise_eq(rt::Scalar(0f32)), _e165);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e166.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e166;
+                            }
+                        }
+                        let _e170 = t_15;
+                        next_3 = _e170.max(end_7);
+                    }
+                    let _e172 = next_3;
+                    if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(path_23.exit))) {
+                        let _e176 = t_15;
+                        let _e178 = reads_9;
+                        return <Found>::new(FOUND_MISS, _e176, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e178);
+                    }
+                    let _e182 = cell_14;
+                    let _e183 = next_3;
+                    let _e184 = self.v_cell_after(_e2, _e182, _e24, forward_4, _e183);
+                    cell_14 = _e184;
+                    let _e185 = next_3;
+                    t_15 = _e185;
                 }
             }
         }
-        let _e188 = t_14;
-        let _e190 = reads_9;
-        return <Found>::new(FOUND_EXHAUSTED, _e188, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e190);
+        let _e187 = t_15;
+        let _e189 = reads_9;
+        return <Found>::new(FOUND_EXHAUSTED, _e187, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e189);
     }
     pub(crate) fn search_sphere(
         &self,
         path_24: Path,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_24, rt::into(params_8)))
+        rt::into(self.v_search_sphere(path_24, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_24: Path,
-        params_8: rt::Vec4<f32>,
+        params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_15: rt::Vec2<f32>;
-        let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_4: rt::Scalar<f32>;
-        let mut local_20: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_24);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -2584,7 +3097,7 @@ impl<'g> Resources<'g> {
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_15 = _e52;
-        let limit_6 = params_8.x().cast_elem_as_u32();
+        let limit_6 = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e60 = reads_10;
@@ -2596,132 +3109,132 @@ impl<'g> Resources<'g> {
                     let _e62 = cell_15;
                     let _e63 = self.v_cell_leave(_e2, _e62);
                     let end_8 = _e63.x().min(_e63.y()).min(rt::Scalar(path_24.exit));
-                    let _e69 = t_15;
+                    let _e69 = t_16;
                     let span_9 = (end_8 - _e69).max(rt::Scalar(0f32));
-                    let _e73 = t_15;
+                    let _e73 = t_16;
                     let _e74 = self.v_path_uv(path_24, _e73);
-                    let _e75 = t_15;
+                    let _e75 = t_16;
                     let _e76 = self.v_path_height(path_24, _e75);
-                    let _e78 = self.v_distance_at(path_24, _e74, _e76, params_8.z());
+                    let _e78 = self.v_distance_at(path_24, _e74, _e76, params_11.z());
                     let free_1 = (_e78 - lost_3);
                     let _e80 = reads_10;
                     reads_10 = (_e80 + rt::Scalar(2u32));
-                    let _e83 = t_15;
+                    let _e83 = t_16;
                     next_4 = _e83;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e87 = t_15;
+                        let _e87 = t_16;
                         next_4 = (_e87 + (free_1 / speed_1));
                     }
-                    if rt::Scalar::into_branch_condition(params_8.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_11.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e93 = next_4;
-                        let _e94 = t_15;
+                        let _e94 = t_16;
                         if rt::Scalar::into_branch_condition((!(_e93 - _e94).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_24.exit))))) {
-                            let _e102 = t_15;
+                            let _e102 = t_16;
                             let _e104 = reads_10;
                             return <Found>::new(FOUND_ABOVE, _e102, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e104);
                         }
                     } else {
                         let _e108 = next_4;
                         if rt::Scalar::into_branch_condition((!_e108.elementwise_lt(end_8))) {
-                            let _e113 = t_15;
-                            local_20 = (!end_8.elementwise_gt(_e113));
+                            let _e113 = t_16;
+                            local_23 = (!end_8.elementwise_gt(_e113));
                         } else {
-                            local_20 = rt::Scalar(true);
+                            local_23 = rt::Scalar(true);
                         }
-                        let _e117 = local_20;
+                        let _e117 = local_23;
                         if rt::Scalar::into_branch_condition(_e117) {
                             let _e118 = reads_10;
                             reads_10 = (_e118 + rt::Scalar(1u32));
                             let _e121 = cell_15;
                             let _e122 = cell_15;
-                            let _e124 = self.v_height_cell(_e122.cast_elem_as_i32());
-                            let _e125 = t_15;
-                            let _e126 = self.v_gap_to(path_24, _e2, _e121, _e124, _e125);
-                            let _e127 = t_15;
-                            let _e128 = t_15;
-                            let _e131 = reads_10;
-                            let _e132 = self.v_found_in_cell(_e126, _e127, span_9, _e128.elementwise_eq(rt::Scalar(0f32)), _e131);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e132.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e132;
+                            let _e125 = self.v_height_cell(_e122.cast_elem_as_i32(), rt::Scalar(path_24.level));
+                            let _e126 = t_16;
+                            let _e127 = self.v_gap_to(path_24, _e2, _e121, _e125, _e126);
+                            let _e128 = t_16;
+                            let _e129 = t_16;
+                            let _e132 = reads_10;
+                            let _e133 = self.v_found_in_cell(_e127, _e128, span_9, _e129.elementwise_eq(rt::Scalar(0f32)), _e132);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e133.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e133;
                             }
-                            let _e136 = t_15;
-                            next_4 = _e136.max(end_8);
+                            let _e137 = t_16;
+                            next_4 = _e137.max(end_8);
                         }
                     }
-                    let _e138 = next_4;
-                    if rt::Scalar::into_branch_condition(_e138.elementwise_ge(rt::Scalar(path_24.exit))) {
-                        let _e142 = t_15;
-                        let _e144 = reads_10;
-                        return <Found>::new(FOUND_MISS, _e142, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e144);
+                    let _e139 = next_4;
+                    if rt::Scalar::into_branch_condition(_e139.elementwise_ge(rt::Scalar(path_24.exit))) {
+                        let _e143 = t_16;
+                        let _e145 = reads_10;
+                        return <Found>::new(FOUND_MISS, _e143, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e145);
                     }
-                    let _e148 = cell_15;
-                    let _e149 = next_4;
-                    let _e150 = self.v_cell_after(_e2, _e148, _e63, forward_5, _e149);
-                    cell_15 = _e150;
-                    let _e151 = next_4;
-                    t_15 = _e151;
+                    let _e149 = cell_15;
+                    let _e150 = next_4;
+                    let _e151 = self.v_cell_after(_e2, _e149, _e63, forward_5, _e150);
+                    cell_15 = _e151;
+                    let _e152 = next_4;
+                    t_16 = _e152;
                 }
             }
         }
-        let _e153 = t_15;
-        let _e155 = reads_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e153, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e155);
+        let _e154 = t_16;
+        let _e156 = reads_10;
+        return <Found>::new(FOUND_EXHAUSTED, _e154, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e156);
     }
     pub(crate) fn search_cone_moved(
         &self,
         path_25: Path,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_25, rt::into(params_9)))
+        rt::into(self.v_search_cone_moved(path_25, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
         path_25: Path,
-        params_9: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
-        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_21: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
 
-        let aside_1 = path_25.duv.length();
+        let aside_2 = path_25.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_1;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_9.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_12.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = t_16;
+                    let _e17 = t_17;
                     let _e18 = self.v_path_gap(path_25, _e17);
                     let _e19 = reads_11;
                     reads_11 = (_e19 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
-                        let _e24 = t_16;
+                        let _e24 = t_17;
                         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(rt::Scalar(0f32))) {
-                            local_21 = _e18.elementwise_lt(rt::Scalar(0f32));
+                            local_24 = _e18.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_21 = rt::Scalar(false);
+                            local_24 = rt::Scalar(false);
                         }
-                        let _e32 = local_21;
+                        let _e32 = local_24;
                         if rt::Scalar::into_branch_condition(_e32) {
                             let _e34 = reads_11;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e18, _e18, _e34);
                         }
                         let _e39 = near_3;
-                        let _e40 = t_16;
+                        let _e40 = t_17;
                         let _e41 = near_gap_2;
                         let _e42 = reads_11;
                         return <Found>::new(FOUND_BRACKET, _e39, _e40, _e41, _e18, _e42);
                     }
-                    let _e44 = t_16;
+                    let _e44 = t_17;
                     near_3 = _e44;
                     near_gap_2 = _e18;
-                    let _e45 = t_16;
+                    let _e45 = t_17;
                     let _e46 = self.v_path_uv(path_25, _e45);
                     let _e48 = self.v_search_texel_between(path_25, _e46, rt::Scalar(0i32));
                     let _e50 = self.v_slope_of(_e48.x());
@@ -2730,24 +3243,24 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e50.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e57 = t_16;
+                    let _e57 = t_17;
                     let rest_3 = (rt::Scalar(path_25.exit) - _e57);
-                    let _e59 = t_16;
+                    let _e59 = t_17;
                     let _e60 = self.v_path_slope(path_25, _e59);
                     let rise_2 = (_e60 + (path_25.h.z().min(rt::Scalar(0f32)) * rest_3));
                     let terms_1 = (path_25.h.x().abs() + (rt::Scalar(path_25.exit) * (path_25.h.y().abs() + (rt::Scalar(path_25.exit) * path_25.h.z().abs()))));
                     let far_7 = (((path_25.uv.abs() + (path_25.duv.abs() * rt::Scalar(path_25.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e50);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
-                    let nearing = ((_e50 * aside_1) - rise_2);
+                    let nearing = ((_e50 * aside_2) - rise_2);
                     let closing_1 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_1.elementwise_le(rt::Scalar(0f32))) {
-                        let _e108 = t_16;
+                        let _e108 = t_17;
                         let _e110 = reads_11;
                         return <Found>::new(FOUND_MISS, _e108, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e110);
                     }
-                    let _e114 = t_16;
-                    t_16 = (_e114 + ((_e18 - lost_4).max(rt::Scalar(0f32)) / closing_1));
-                    let _e120 = t_16;
+                    let _e114 = t_17;
+                    t_17 = (_e114 + ((_e18 - lost_4).max(rt::Scalar(0f32)) / closing_1));
+                    let _e120 = t_17;
                     if rt::Scalar::into_branch_condition(_e120.elementwise_ge(rt::Scalar(path_25.exit))) {
                         let _e124 = near_3;
                         let _e126 = reads_11;
@@ -2758,8 +3271,8 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e134 = t_16;
-        let _e136 = t_16;
+        let _e134 = t_17;
+        let _e136 = t_17;
         let _e137 = self.v_path_height(path_25, _e136);
         let _e138 = reads_11;
         return <Found>::new(FOUND_ABOVE, _e134, rt::Scalar(path_25.exit), _e137, rt::Scalar(0f32), _e138);
@@ -2767,195 +3280,195 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone(
         &self,
         path_26: Path,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_26, rt::into(params_10)))
+        rt::into(self.v_search_relaxed_cone(path_26, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
         path_26: Path,
-        params_10: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
-        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_22: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_26);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_2 = path_26.duv.length();
+        let aside_3 = path_26.duv.length();
         let _e11 = self.v_path_slope(path_26, rt::Scalar(0f32));
         let terms_2 = (path_26.h.x().abs() + (rt::Scalar(path_26.exit) * path_26.h.y().abs()));
-        let _e32 = self.v_height_size();
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_26.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e32);
-        let _e35 = self.v_cell_of(_e2.origin);
-        cell_16 = _e35;
-        let limit_7 = params_10.x().cast_elem_as_u32();
+        let _e33 = self.v_height_size(rt::Scalar(path_26.level));
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_26.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let _e36 = self.v_cell_of(_e2.origin);
+        cell_16 = _e36;
+        let limit_7 = params_13.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e47 = reads_12;
-                if rt::Scalar::into_branch_condition(_e47.elementwise_lt(limit_7)) {
+                let _e48 = reads_12;
+                if rt::Scalar::into_branch_condition(_e48.elementwise_lt(limit_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e49 = cell_16;
-                    let _e50 = self.v_cell_leave(_e2, _e49);
-                    let end_9 = _e50.x().min(_e50.y()).min(rt::Scalar(path_26.exit));
-                    let _e56 = t_17;
-                    let span_10 = (end_9 - _e56).max(rt::Scalar(0f32));
-                    let _e60 = cell_16;
+                    let _e50 = cell_16;
+                    let _e51 = self.v_cell_leave(_e2, _e50);
+                    let end_9 = _e51.x().min(_e51.y()).min(rt::Scalar(path_26.exit));
+                    let _e57 = t_18;
+                    let span_10 = (end_9 - _e57).max(rt::Scalar(0f32));
                     let _e61 = cell_16;
-                    let _e63 = self.v_height_cell(_e61.cast_elem_as_i32());
-                    let _e64 = t_17;
-                    let _e65 = self.v_gap_to(path_26, _e2, _e60, _e63, _e64);
-                    let _e66 = reads_12;
-                    reads_12 = (_e66 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e65.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e72 = near_4;
-                        let _e73 = t_17;
-                        if rt::Scalar::into_branch_condition(_e72.elementwise_lt(_e73)) {
-                            let _e77 = near_gap_3;
-                            local_22 = _e77.elementwise_gt(rt::Scalar(0f32));
+                    let _e62 = cell_16;
+                    let _e65 = self.v_height_cell(_e62.cast_elem_as_i32(), rt::Scalar(path_26.level));
+                    let _e66 = t_18;
+                    let _e67 = self.v_gap_to(path_26, _e2, _e61, _e65, _e66);
+                    let _e68 = reads_12;
+                    reads_12 = (_e68 + rt::Scalar(1u32));
+                    if rt::Scalar::into_branch_condition(_e67.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e74 = near_4;
+                        let _e75 = t_18;
+                        if rt::Scalar::into_branch_condition(_e74.elementwise_lt(_e75)) {
+                            let _e79 = near_gap_3;
+                            local_25 = _e79.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_22 = rt::Scalar(false);
+                            local_25 = rt::Scalar(false);
                         }
-                        let _e81 = local_22;
-                        if rt::Scalar::into_branch_condition(_e81) {
-                            let _e82 = near_4;
-                            let _e83 = t_17;
-                            let _e84 = near_gap_3;
-                            let _e86 = reads_12;
-                            let _e87 = self.v_entered_once(path_26, _e2, _e82, _e83, _e84, _e65.x(), _e86);
-                            return _e87;
+                        let _e83 = local_25;
+                        if rt::Scalar::into_branch_condition(_e83) {
+                            let _e84 = near_4;
+                            let _e85 = t_18;
+                            let _e86 = near_gap_3;
+                            let _e88 = reads_12;
+                            let _e89 = self.v_entered_once(path_26, _e2, _e84, _e85, _e86, _e67.x(), _e88);
+                            return _e89;
                         }
-                        let _e88 = t_17;
-                        let _e89 = t_17;
-                        let _e92 = reads_12;
-                        let _e93 = self.v_found_in_cell(_e65, _e88, span_10, _e89.elementwise_eq(rt::Scalar(0f32)), _e92);
-                        return _e93;
+                        let _e90 = t_18;
+                        let _e91 = t_18;
+                        let _e94 = reads_12;
+                        let _e95 = self.v_found_in_cell(_e67, _e90, span_10, _e91.elementwise_eq(rt::Scalar(0f32)), _e94);
+                        return _e95;
                     }
-                    let _e94 = t_17;
-                    start = _e94;
-                    gap = _e65.x();
-                    if rt::Scalar::into_branch_condition(params_10.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e101 = t_17;
-                        let _e102 = t_17;
-                        let _e105 = reads_12;
-                        let _e106 = self.v_found_in_cell(_e65, _e101, span_10, _e102.elementwise_eq(rt::Scalar(0f32)), _e105);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e106.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e106;
+                    let _e96 = t_18;
+                    start = _e96;
+                    gap = _e67.x();
+                    if rt::Scalar::into_branch_condition(params_13.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e103 = t_18;
+                        let _e104 = t_18;
+                        let _e107 = reads_12;
+                        let _e108 = self.v_found_in_cell(_e67, _e103, span_10, _e104.elementwise_eq(rt::Scalar(0f32)), _e107);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e108;
                         }
-                        let _e110 = t_17;
-                        start = _e110.max(end_9);
-                        gap = rt::Scalar(_e106.far_gap);
+                        let _e112 = t_18;
+                        start = _e112.max(end_9);
+                        gap = rt::Scalar(_e108.far_gap);
                     }
-                    let _e113 = start;
-                    if rt::Scalar::into_branch_condition(_e113.elementwise_ge(rt::Scalar(path_26.exit))) {
-                        let _e117 = t_17;
-                        let _e119 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e117, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e119);
+                    let _e115 = start;
+                    if rt::Scalar::into_branch_condition(_e115.elementwise_ge(rt::Scalar(path_26.exit))) {
+                        let _e119 = t_18;
+                        let _e121 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e119, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e121);
                     }
-                    let _e123 = start;
-                    near_4 = _e123;
-                    let _e124 = gap;
-                    near_gap_3 = _e124;
-                    let _e125 = cell_16;
+                    let _e125 = start;
+                    near_4 = _e125;
+                    let _e126 = gap;
+                    near_gap_3 = _e126;
                     let _e127 = cell_16;
-                    let _e130 = start;
-                    let _e133 = self.v_nearest_corner(((_e2.origin - _e127) + (_e2.step * _e130)));
-                    let _e135 = self.v_cone_slope(path_26, (_e125 + _e133));
-                    let _e136 = reads_12;
-                    reads_12 = (_e136 + rt::Scalar(1u32));
-                    let _e139 = start;
-                    next_5 = _e139;
-                    if rt::Scalar::into_branch_condition(_e135.elementwise_ge(rt::Scalar(0f32))) {
-                        let nearing_1 = ((_e135 * aside_2) - _e11);
+                    let _e129 = cell_16;
+                    let _e132 = start;
+                    let _e135 = self.v_nearest_corner(((_e2.origin - _e129) + (_e2.step * _e132)));
+                    let _e137 = self.v_cone_slope(path_26, (_e127 + _e135));
+                    let _e138 = reads_12;
+                    reads_12 = (_e138 + rt::Scalar(1u32));
+                    let _e141 = start;
+                    next_5 = _e141;
+                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(0f32))) {
+                        let nearing_1 = ((_e137 * aside_3) - _e11);
                         let closing_2 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
-                        let _e148 = gap;
-                        let room = (_e148 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e135 * (far_8.x() + far_8.y())))));
+                        let _e150 = gap;
+                        let room = (_e150 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e137 * (far_8.x() + far_8.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
-                            let _e160 = start;
-                            next_5 = (_e160 + (room.max(rt::Scalar(0f32)) / closing_2));
+                            let _e162 = start;
+                            next_5 = (_e162 + (room.max(rt::Scalar(0f32)) / closing_2));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_10.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e170 = next_5;
-                        let _e171 = t_17;
-                        local_23 = (!(_e170 - _e171).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
+                    if rt::Scalar::into_branch_condition(params_13.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                        let _e172 = next_5;
+                        let _e173 = t_18;
+                        local_26 = (!(_e172 - _e173).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
                     } else {
-                        local_23 = rt::Scalar(false);
+                        local_26 = rt::Scalar(false);
                     }
-                    let _e179 = local_23;
-                    if rt::Scalar::into_branch_condition(_e179) {
-                        let _e181 = t_17;
-                        let _e183 = gap;
-                        let _e184 = reads_12;
-                        return <Found>::new(FOUND_ABOVE, _e181, rt::Scalar(path_26.exit), _e183, rt::Scalar(0f32), _e184);
+                    let _e181 = local_26;
+                    if rt::Scalar::into_branch_condition(_e181) {
+                        let _e183 = t_18;
+                        let _e185 = gap;
+                        let _e186 = reads_12;
+                        return <Found>::new(FOUND_ABOVE, _e183, rt::Scalar(path_26.exit), _e185, rt::Scalar(0f32), _e186);
                     }
-                    let _e187 = next_5;
-                    if rt::Scalar::into_branch_condition(_e187.elementwise_ge(rt::Scalar(path_26.exit))) {
-                        let _e191 = self.v_path_gap(path_26, rt::Scalar(path_26.exit));
-                        let _e192 = reads_12;
-                        reads_12 = (_e192 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e191.elementwise_le(rt::Scalar(0f32))) {
-                            let _e197 = start;
-                            let _e199 = gap;
-                            let _e200 = reads_12;
-                            let _e201 = self.v_entered_once(path_26, _e2, _e197, rt::Scalar(path_26.exit), _e199, _e191, _e200);
-                            return _e201;
+                    let _e189 = next_5;
+                    if rt::Scalar::into_branch_condition(_e189.elementwise_ge(rt::Scalar(path_26.exit))) {
+                        let _e193 = self.v_path_gap(path_26, rt::Scalar(path_26.exit));
+                        let _e194 = reads_12;
+                        reads_12 = (_e194 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e193.elementwise_le(rt::Scalar(0f32))) {
+                            let _e199 = start;
+                            let _e201 = gap;
+                            let _e202 = reads_12;
+                            let _e203 = self.v_entered_once(path_26, _e2, _e199, rt::Scalar(path_26.exit), _e201, _e193, _e202);
+                            return _e203;
                         }
-                        let _e203 = start;
-                        let _e205 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e203, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e205);
+                        let _e205 = start;
+                        let _e207 = reads_12;
+                        return <Found>::new(FOUND_MISS, _e205, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e207);
                     }
-                    let _e209 = cell_16;
-                    let _e210 = next_5;
-                    let _e211 = self.v_cell_after(_e2, _e209, _e50, forward_6, _e210);
-                    cell_16 = _e211;
+                    let _e211 = cell_16;
                     let _e212 = next_5;
-                    t_17 = _e212;
+                    let _e213 = self.v_cell_after(_e2, _e211, _e51, forward_6, _e212);
+                    cell_16 = _e213;
+                    let _e214 = next_5;
+                    t_18 = _e214;
                 }
             }
         }
-        let _e214 = t_17;
-        let _e216 = reads_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e214, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e216);
+        let _e216 = t_18;
+        let _e218 = reads_12;
+        return <Found>::new(FOUND_EXHAUSTED, _e216, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e218);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_27: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_27, rt::into(params_11)))
+        rt::into(self.v_search_relaxed_cone_resting(path_27, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
         path_27: Path,
-        params_11: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
-        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_27);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_17 = _e9;
-        let limit_8 = params_11.x().cast_elem_as_u32();
+        let limit_8 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = reads_13;
@@ -2965,175 +3478,175 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e23 = cell_17;
-                    let _e25 = self.v_height_cell(_e23.cast_elem_as_i32());
-                    let _e26 = reads_13;
-                    reads_13 = (_e26 + rt::Scalar(1u32));
-                    let _e29 = cell_17;
-                    let _e30 = self.v_cell_leave(_e2, _e29);
-                    let end_10 = _e30.x().min(_e30.y()).min(rt::Scalar(path_27.exit));
-                    let _e36 = t_18;
-                    let span_11 = (end_10 - _e36).max(rt::Scalar(0f32));
-                    let _e40 = cell_17;
-                    let _e41 = t_18;
-                    let _e42 = self.v_gap_to(path_27, _e2, _e40, _e25, _e41);
-                    if rt::Scalar::into_branch_condition(_e42.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e46 = near_5;
-                        let _e47 = t_18;
-                        if rt::Scalar::into_branch_condition(_e46.elementwise_lt(_e47)) {
-                            let _e51 = near_gap_4;
-                            local_24 = _e51.elementwise_gt(rt::Scalar(0f32));
+                    let _e26 = self.v_height_cell(_e23.cast_elem_as_i32(), rt::Scalar(path_27.level));
+                    let _e27 = reads_13;
+                    reads_13 = (_e27 + rt::Scalar(1u32));
+                    let _e30 = cell_17;
+                    let _e31 = self.v_cell_leave(_e2, _e30);
+                    let end_10 = _e31.x().min(_e31.y()).min(rt::Scalar(path_27.exit));
+                    let _e37 = t_19;
+                    let span_11 = (end_10 - _e37).max(rt::Scalar(0f32));
+                    let _e41 = cell_17;
+                    let _e42 = t_19;
+                    let _e43 = self.v_gap_to(path_27, _e2, _e41, _e26, _e42);
+                    if rt::Scalar::into_branch_condition(_e43.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e47 = near_5;
+                        let _e48 = t_19;
+                        if rt::Scalar::into_branch_condition(_e47.elementwise_lt(_e48)) {
+                            let _e52 = near_gap_4;
+                            local_27 = _e52.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_24 = rt::Scalar(false);
+                            local_27 = rt::Scalar(false);
                         }
-                        let _e55 = local_24;
-                        if rt::Scalar::into_branch_condition(_e55) {
-                            let _e56 = near_5;
-                            let _e57 = t_18;
-                            let _e58 = near_gap_4;
-                            let _e60 = reads_13;
-                            let _e61 = self.v_entered_once(path_27, _e2, _e56, _e57, _e58, _e42.x(), _e60);
-                            return _e61;
+                        let _e56 = local_27;
+                        if rt::Scalar::into_branch_condition(_e56) {
+                            let _e57 = near_5;
+                            let _e58 = t_19;
+                            let _e59 = near_gap_4;
+                            let _e61 = reads_13;
+                            let _e62 = self.v_entered_once(path_27, _e2, _e57, _e58, _e59, _e43.x(), _e61);
+                            return _e62;
                         }
-                        let _e62 = t_18;
-                        let _e63 = t_18;
-                        let _e66 = reads_13;
-                        let _e67 = self.v_found_in_cell(_e42, _e62, span_11, _e63.elementwise_eq(rt::Scalar(0f32)), _e66);
-                        return _e67;
+                        let _e63 = t_19;
+                        let _e64 = t_19;
+                        let _e67 = reads_13;
+                        let _e68 = self.v_found_in_cell(_e43, _e63, span_11, _e64.elementwise_eq(rt::Scalar(0f32)), _e67);
+                        return _e68;
                     }
-                    let _e68 = t_18;
-                    let _e69 = t_18;
-                    let _e72 = reads_13;
-                    let _e73 = self.v_found_in_cell(_e42, _e68, span_11, _e69.elementwise_eq(rt::Scalar(0f32)), _e72);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e73.status).elementwise_ne(FOUND_ABOVE)) {
-                        return _e73;
+                    let _e69 = t_19;
+                    let _e70 = t_19;
+                    let _e73 = reads_13;
+                    let _e74 = self.v_found_in_cell(_e43, _e69, span_11, _e70.elementwise_eq(rt::Scalar(0f32)), _e73);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e74.status).elementwise_ne(FOUND_ABOVE)) {
+                        return _e74;
                     }
-                    let _e77 = t_18;
-                    let start_1 = _e77.max(end_10);
+                    let _e78 = t_19;
+                    let start_1 = _e78.max(end_10);
                     if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_27.exit))) {
-                        let _e82 = t_18;
-                        let _e84 = reads_13;
-                        return <Found>::new(FOUND_MISS, _e82, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e84);
+                        let _e83 = t_19;
+                        let _e85 = reads_13;
+                        return <Found>::new(FOUND_MISS, _e83, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e85);
                     }
                     near_5 = start_1;
-                    near_gap_4 = rt::Scalar(_e73.far_gap);
-                    let _e90 = cell_17;
-                    let _e95 = self.v_nearest_corner(((_e2.origin - _e90) + (_e2.step * start_1)));
-                    let _e96 = self.v_corner_height(_e25, _e95);
+                    near_gap_4 = rt::Scalar(_e74.far_gap);
+                    let _e91 = cell_17;
+                    let _e96 = self.v_nearest_corner(((_e2.origin - _e91) + (_e2.step * start_1)));
+                    let _e97 = self.v_corner_height(_e26, _e96);
                     next_6 = start_1;
-                    let _e98 = self.v_path_height(path_27, start_1);
-                    if rt::Scalar::into_branch_condition(_e98.elementwise_gt(_e96)) {
-                        let _e100 = cell_17;
-                        let texel_6 = (_e100 + _e95);
-                        let _e102 = self.v_cone_slope(path_27, texel_6);
-                        let _e103 = reads_13;
-                        reads_13 = (_e103 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e102.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e108 = self.v_stays_inside(path_27, _e2, texel_6, _e96, _e102, start_1);
-                            next_6 = (start_1 + _e108);
+                    let _e99 = self.v_path_height(path_27, start_1);
+                    if rt::Scalar::into_branch_condition(_e99.elementwise_gt(_e97)) {
+                        let _e101 = cell_17;
+                        let texel_6 = (_e101 + _e96);
+                        let _e103 = self.v_cone_slope(path_27, texel_6);
+                        let _e104 = reads_13;
+                        reads_13 = (_e104 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e103.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e109 = self.v_stays_inside(path_27, _e2, texel_6, _e97, _e103, start_1);
+                            next_6 = (start_1 + _e109);
                         }
                     }
-                    let _e110 = next_6;
-                    if rt::Scalar::into_branch_condition(_e110.elementwise_ge(rt::Scalar(path_27.exit))) {
-                        let _e114 = self.v_path_gap(path_27, rt::Scalar(path_27.exit));
-                        let _e115 = reads_13;
-                        reads_13 = (_e115 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e114.elementwise_le(rt::Scalar(0f32))) {
-                            let _e121 = near_gap_4;
-                            let _e122 = reads_13;
-                            let _e123 = self.v_entered_once(path_27, _e2, start_1, rt::Scalar(path_27.exit), _e121, _e114, _e122);
-                            return _e123;
+                    let _e111 = next_6;
+                    if rt::Scalar::into_branch_condition(_e111.elementwise_ge(rt::Scalar(path_27.exit))) {
+                        let _e115 = self.v_path_gap(path_27, rt::Scalar(path_27.exit));
+                        let _e116 = reads_13;
+                        reads_13 = (_e116 + rt::Scalar(1u32));
+                        if rt::Scalar::into_branch_condition(_e115.elementwise_le(rt::Scalar(0f32))) {
+                            let _e122 = near_gap_4;
+                            let _e123 = reads_13;
+                            let _e124 = self.v_entered_once(path_27, _e2, start_1, rt::Scalar(path_27.exit), _e122, _e115, _e123);
+                            return _e124;
                         }
-                        let _e126 = reads_13;
-                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
+                        let _e127 = reads_13;
+                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
                     }
-                    let _e130 = cell_17;
-                    let _e131 = next_6;
-                    let _e132 = self.v_cell_after(_e2, _e130, _e30, forward_7, _e131);
-                    cell_17 = _e132;
-                    let _e133 = next_6;
-                    t_18 = _e133;
+                    let _e131 = cell_17;
+                    let _e132 = next_6;
+                    let _e133 = self.v_cell_after(_e2, _e131, _e31, forward_7, _e132);
+                    cell_17 = _e133;
+                    let _e134 = next_6;
+                    t_19 = _e134;
                 }
             }
         }
-        let _e135 = t_18;
-        let _e137 = reads_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e135, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e137);
+        let _e136 = t_19;
+        let _e138 = reads_13;
+        return <Found>::new(FOUND_EXHAUSTED, _e136, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e138);
     }
     pub(crate) fn shadow_search_stage(&self, path_28: Path) -> Found {
         rt::into(self.v_shadow_search_stage(path_28))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_search_stage(&self, path_28: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[5usize].number);
+        let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[5usize].params;
+                let _e10 = self.surface_settings.choices[6usize].params;
                 let _e11 = self.v_search_none(path_28, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[5usize].params;
+                let _e16 = self.surface_settings.choices[6usize].params;
                 let _e17 = self.v_search_linear(path_28, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[5usize].params;
+                let _e22 = self.surface_settings.choices[6usize].params;
                 let _e23 = self.v_search_cells(path_28, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[5usize].params;
+                let _e28 = self.surface_settings.choices[6usize].params;
                 let _e29 = self.v_search_frustum(path_28, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[5usize].params;
+                let _e34 = self.surface_settings.choices[6usize].params;
                 let _e35 = self.v_search_cone(path_28, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[5usize].params;
+                let _e40 = self.surface_settings.choices[6usize].params;
                 let _e41 = self.v_search_pyramid(path_28, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[5usize].params;
+                let _e46 = self.surface_settings.choices[6usize].params;
                 let _e47 = self.v_search_pyramid_texels(path_28, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[5usize].params;
+                let _e52 = self.surface_settings.choices[6usize].params;
                 let _e53 = self.v_search_dilation_erosion(path_28, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[5usize].params;
+                let _e58 = self.surface_settings.choices[6usize].params;
                 let _e59 = self.v_search_sphere(path_28, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[5usize].params;
+                let _e64 = self.surface_settings.choices[6usize].params;
                 let _e65 = self.v_search_cone_moved(path_28, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[5usize].params;
+                let _e70 = self.surface_settings.choices[6usize].params;
                 let _e71 = self.v_search_relaxed_cone(path_28, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[5usize].params;
+                let _e76 = self.surface_settings.choices[6usize].params;
                 let _e77 = self.v_search_relaxed_cone_resting(path_28, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_4: Entered, hit_2: Hit, light_3: Toward) -> f32 {
-        rt::into(self.v_free_way(at_4, hit_2, light_3))
+    pub(crate) fn free_way(&self, at_12: Entered, hit_2: Hit, light_3: Toward) -> f32 {
+        rt::into(self.v_free_way(at_12, hit_2, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_4: Entered, hit_2: Hit, light_3: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_4, hit_2, light_3);
+    fn v_free_way(&self, at_12: Entered, hit_2: Hit, light_3: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_12, hit_2, light_3);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -3148,45 +3661,53 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
-        let mut local_25: rt::Scalar<bool>;
-        let mut local_26: rt::Scalar<bool>;
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-                local_26 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_29 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_26 = rt::Scalar(true);
+                local_29 = rt::Scalar(true);
             }
-            let _e16 = local_26;
+            let _e16 = local_29;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_27 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+                local_30 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_27 = rt::Scalar(true);
+                local_30 = rt::Scalar(true);
             }
-            let _e24 = local_27;
-            local_25 = _e24;
+            let _e24 = local_30;
+            local_28 = _e24;
         } else {
-            local_25 = rt::Scalar(false);
+            local_28 = rt::Scalar(false);
         }
-        let _e26 = local_25;
+        let _e26 = local_28;
         return _e26;
     }
-    pub(crate) fn height_and_slope(&self, uv_7: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_7)))
+    pub(crate) fn height_and_slope(
+        &self,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        level_13: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_height_and_slope(rt::into(uv_10), rt::into(level_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_and_slope(&self, uv_7: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e1 = self.v_height_size();
-        let point_4 = ((uv_7 * _e1) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e7 = self.v_cell_of(point_4);
-        let f_1 = (point_4 - _e7);
-        let _e10 = self.v_height_cell(_e7.cast_elem_as_i32());
-        let top_4 = (_e10.x() + ((_e10.y() - _e10.x()) * f_1.x()));
-        let bottom_2 = (_e10.z() + ((_e10.w() - _e10.z()) * f_1.x()));
-        let left_3 = (_e10.x() + ((_e10.z() - _e10.x()) * f_1.y()));
-        let right_1 = (_e10.y() + ((_e10.w() - _e10.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_4 + ((bottom_2 - top_4) * f_1.y())), ((right_1 - left_3) * _e1.x()), ((bottom_2 - top_4) * _e1.y()));
+    fn v_height_and_slope(
+        &self,
+        uv_10: rt::Vec2<f32>,
+        level_13: rt::Scalar<u32>,
+    ) -> rt::Vec3<f32> {
+        let _e2 = self.v_height_size(level_13);
+        let point_5 = ((uv_10 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_5);
+        let f_1 = (point_5 - _e8);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_13);
+        let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
+        let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
+        let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
+        let right_1 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_2 - top_5) * f_1.y())), ((right_1 - left_3) * _e2.x()), ((bottom_2 - top_5) * _e2.y()));
     }
     pub(crate) fn miss(&self, reads_14: impl rt::Into<rt::Scalar<u32>>) -> Hit {
         rt::into(self.v_miss(rt::into(reads_14)))
@@ -3198,167 +3719,158 @@ impl<'g> Resources<'g> {
     pub(crate) fn hit_on_path(
         &self,
         path_29: Path,
-        t_19: impl rt::Into<rt::Scalar<f32>>,
+        t_20: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         reads_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_29, rt::into(t_19), rt::into(exhausted), rt::into(reads_15)))
+        rt::into(self.v_hit_on_path(path_29, rt::into(t_20), rt::into(exhausted), rt::into(reads_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
         path_29: Path,
-        t_19: rt::Scalar<f32>,
+        t_20: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         reads_15: rt::Scalar<u32>,
     ) -> Hit {
-        let mut local_28: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_19.elementwise_gt(rt::Scalar(path_29.exit))) {
+        if rt::Scalar::into_branch_condition(t_20.elementwise_gt(rt::Scalar(path_29.exit))) {
             let _e9 = self.v_path_height(path_29, rt::Scalar(path_29.exit));
-            local_28 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_31 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_28 = rt::Scalar(false);
+            local_31 = rt::Scalar(false);
         }
-        let _e13 = local_28;
+        let _e13 = local_31;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(reads_15);
             return _e14;
         }
-        let inside = t_19.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
+        let inside = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
         let _e19 = self.v_path_uv(path_29, inside);
         let _e20 = self.v_path_height(path_29, inside);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_15);
     }
-    pub(crate) fn hit_position(&self, at_5: Entered, hit_3: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_hit_position(at_5, hit_3))
+    pub(crate) fn hit_position(&self, at_13: Entered, hit_3: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_hit_position(at_13, hit_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_position(&self, at_5: Entered, hit_3: Hit) -> rt::Vec3<f32> {
-        let aside_3 = (hit_3.uv - at_5.uv);
+    fn v_hit_position(&self, at_13: Entered, hit_3: Hit) -> rt::Vec3<f32> {
+        let aside_4 = (hit_3.uv - at_13.uv);
         let _e17 = rt::Scalar(self.surface_settings.bias_m);
         let _e20 = rt::Scalar(self.surface_settings.scale_m);
-        let _e22 = self.v_height_at(hit_3.uv);
-        return (((at_5.point + (at_5.tangent * aside_3.x())) + (at_5.bitangent * aside_3.y())) + (at_5.normal * (_e17 + (_e20 * _e22))));
+        let _e24 = self.v_height_at(hit_3.uv, rt::Scalar(at_13.path.level));
+        return (((at_13.point + (at_13.tangent * aside_4.x())) + (at_13.bitangent * aside_4.y())) + (at_13.normal * (_e17 + (_e20 * _e24))));
     }
-    pub(crate) fn normal_at(&self, uv_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_8)))
+    pub(crate) fn mean_normal(
+        &self,
+        at_14: Entered,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        level_14: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_mean_normal(at_14, rt::into(uv_11), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_at(&self, uv_8: rt::Vec2<f32>) -> rt::Vec3<f32> {
-        let _e3 = self.surface_settings.normal_size;
-        let _e4 = self.v_texels_around(uv_8, _e3);
-        let _e13 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e40 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-        let _e42 = self.v_bilinear(_e13, _e22, _e31, _e40, _e4.part);
-        return _e42.xyz();
-    }
-    pub(crate) fn normal_from_map(
+    fn v_mean_normal(
         &self,
-        at_6: Entered,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        at_14: Entered,
+        uv_11: rt::Vec2<f32>,
+        level_14: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_map(at_6, rt::into(uv_9)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_from_map(
-        &self,
-        at_6: Entered,
-        uv_9: rt::Vec2<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e2 = self.v_normal_at(uv_9);
-        let along_u = at_6.tangent.normalize();
-        let along_v = at_6.bitangent.normalize();
-        return (((along_u * _e2.x()) - (along_v * _e2.y())) + (at_6.normal * _e2.z())).normalize();
-    }
-    pub(crate) fn normal_from_height(
-        &self,
-        at_7: Entered,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_7, rt::into(uv_10)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_from_height(
-        &self,
-        at_7: Entered,
-        uv_10: rt::Vec2<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size();
-        let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e2.x()), rt::Scalar(0f32));
-        let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e2.y()));
-        let _e14 = self.v_height_at((uv_10 + du));
-        let _e16 = self.v_height_at((uv_10 - du));
-        let _e23 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_u = ((_e14 - _e16) * ((rt::Scalar(0.5f32) * _e2.x()) * _e23));
-        let _e27 = self.v_height_at((uv_10 + dv));
-        let _e29 = self.v_height_at((uv_10 - dv));
-        let _e36 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_v = ((_e27 - _e29) * ((rt::Scalar(0.5f32) * _e2.y()) * _e36));
-        let along_u_1 = (at_7.tangent + (at_7.normal * slope_u));
-        let along_v_1 = (at_7.bitangent + (at_7.normal * slope_v));
-        let across = along_v_1.cross(along_u_1).normalize();
-        return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_7.normal).elementwise_ge(rt::Scalar(0f32))));
+        if rt::Scalar::into_branch_condition(level_14.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_14, uv_11);
+            return _e5;
+        }
+        let _e8 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e8.elementwise_eq(rt::Scalar(1u32))) {
+            let _e11 = self.v_normal_at(uv_11, level_14);
+            let _e12 = self.v_from_tangent_space(at_14, _e11);
+            return _e12;
+        }
+        let _e15 = self.v_normal_at(uv_11, (level_14 - rt::Scalar(1u32)));
+        let tile = self.surface_settings.normal_tile_m;
+        let x_1 = (_e15.x() * ((tile.x() * at_14.tangent.normalize().dot(at_14.tangent)) / at_14.tangent.dot(at_14.tangent)));
+        let y = (_e15.y() * ((tile.y() * at_14.bitangent.normalize().dot(at_14.bitangent)) / at_14.bitangent.dot(at_14.bitangent)));
+        let _e48 = self.v_from_tangent_space(at_14, (<rt::Vec3<f32>>::from_scalars(x_1, y, _e15.z()).normalize() * _e15.length()));
+        return _e48;
     }
     pub(crate) fn mesostructure_normal(
         &self,
-        at_8: Entered,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_mesostructure_normal(at_8, rt::into(uv_11)))
+        at_15: Entered,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
+    ) -> MeanNormal {
+        rt::into(self.v_mesostructure_normal(at_15, rt::into(uv_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normal(
         &self,
-        at_8: Entered,
-        uv_11: rt::Vec2<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e4 = rt::Scalar(self.surface_settings.has_normal);
-        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e7 = self.v_normal_from_map(at_8, uv_11);
-            return _e7;
+        at_15: Entered,
+        uv_12: rt::Vec2<f32>,
+    ) -> MeanNormal {
+        let mut local_32: rt::Scalar<bool>;
+        let mut mean: rt::Vec3<f32>;
+
+        let _e5 = rt::Scalar(self.surface_settings.normal_texels);
+        let _e9 = rt::Scalar(self.surface_settings.normal_levels);
+        let _e10 = self.v_levels_of((rt::Scalar(at_15.footprint) * _e5), _e9);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e10.fine).elementwise_eq(rt::Scalar(0u32))) {
+            local_32 = (!rt::Scalar(_e10.part).elementwise_gt(rt::Scalar(0f32)));
+        } else {
+            local_32 = rt::Scalar(false);
         }
-        let _e8 = self.v_normal_from_height(at_8, uv_11);
-        return _e8;
+        let _e21 = local_32;
+        if rt::Scalar::into_branch_condition(_e21) {
+            let _e22 = self.v_finest_normal(at_15, uv_12);
+            return <MeanNormal>::new(_e22, rt::Scalar(1f32));
+        }
+        let _e26 = self.v_mean_normal(at_15, uv_12, rt::Scalar(_e10.fine));
+        mean = _e26;
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e10.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e31 = mean;
+            let _e35 = self.v_mean_normal(at_15, uv_12, (rt::Scalar(_e10.fine) + rt::Scalar(1u32)));
+            let _e36 = mean;
+            mean = (_e31 + ((_e35 - _e36) * rt::Scalar(_e10.part)));
+        }
+        let _e41 = mean;
+        let _e43 = mean;
+        return <MeanNormal>::new(_e41.normalize(), _e43.length().min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_9: Entered,
+        at_16: Entered,
         hit_4: Hit,
         light_4: Toward,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_9, hit_4, light_4, rt::into(params_12)))
+        rt::into(self.v_shadow_ray(at_16, hit_4, light_4, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_9: Entered,
+        at_16: Entered,
         hit_4: Hit,
         light_4: Toward,
-        params_12: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_9, hit_4, light_4);
+        let _e4 = self.v_free_way(at_16, hit_4, light_4);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_10: Entered,
+        at_17: Entered,
         hit_5: Hit,
         light_5: Toward,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_10, hit_5, light_5, rt::into(params_13)))
+        rt::into(self.v_shadow_none(at_17, hit_5, light_5, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_10: Entered,
+        at_17: Entered,
         hit_5: Hit,
         light_5: Toward,
-        params_13: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -3367,17 +3879,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_30: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_30.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_29 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_33 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_29 = rt::Scalar(true);
+            local_33 = rt::Scalar(true);
         }
-        let _e16 = local_29;
+        let _e16 = local_33;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -3387,16 +3899,16 @@ impl<'g> Resources<'g> {
         &self,
         path_31: Path,
         found_2: Found,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_31, found_2, rt::into(params_14)))
+        rt::into(self.v_refine_none(path_31, found_2, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
         path_31: Path,
         found_2: Found,
-        params_14: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_2.reads));
@@ -3411,18 +3923,18 @@ impl<'g> Resources<'g> {
         &self,
         path_32: Path,
         found_3: Found,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_32, found_3, rt::into(params_15)))
+        rt::into(self.v_refine_offset(path_32, found_3, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
         path_32: Path,
         found_3: Found,
-        params_15: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_20: rt::Scalar<f32>;
+        let mut t_21: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_3.reads));
@@ -3430,31 +3942,31 @@ impl<'g> Resources<'g> {
         }
         let _e8 = self.v_starting_point(path_32, found_3);
         let _e9 = self.v_path_uv(path_32, _e8);
-        let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_slope(path_32, _e8);
-        t_20 = _e8;
-        if rt::Scalar::into_branch_condition(_e11.elementwise_ne(rt::Scalar(0f32))) {
-            let _e15 = self.v_path_height(path_32, _e8);
-            t_20 = (_e8 + ((_e10 - _e15) / _e11));
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_32.level));
+        let _e12 = self.v_path_slope(path_32, _e8);
+        t_21 = _e8;
+        if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
+            let _e16 = self.v_path_height(path_32, _e8);
+            t_21 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e19 = t_20;
-        let _e29 = self.v_hit_on_path(path_32, _e19, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_3.reads) + rt::Scalar(1u32)));
-        return _e29;
+        let _e20 = t_21;
+        let _e30 = self.v_hit_on_path(path_32, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_3.reads) + rt::Scalar(1u32)));
+        return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
         path_33: Path,
         found_4: Found,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_33, found_4, rt::into(params_16)))
+        rt::into(self.v_refine_offset_limited(path_33, found_4, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
         path_33: Path,
         found_4: Found,
-        params_16: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_6: Hit;
 
@@ -3464,17 +3976,17 @@ impl<'g> Resources<'g> {
         }
         let _e8 = self.v_starting_point(path_33, found_4);
         let _e9 = self.v_path_uv(path_33, _e8);
-        let _e10 = self.v_height_at(_e9);
-        let _e11 = self.v_path_height(path_33, _e8);
-        let rise_m = ((_e10 - _e11) * path_33.metric.w());
-        let _e26 = self.v_hit_on_path(path_33, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
-        hit_6 = _e26;
-        let _e29 = rt::Scalar(hit_6.found);
-        if rt::Scalar::into_branch_condition(_e29.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_6.height) = _e10;
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_33.level));
+        let _e12 = self.v_path_height(path_33, _e8);
+        let rise_m = ((_e11 - _e12) * path_33.metric.w());
+        let _e27 = self.v_hit_on_path(path_33, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
+        hit_6 = _e27;
+        let _e30 = rt::Scalar(hit_6.found);
+        if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
+            rt::Scalar(hit_6.height) = _e11;
         }
-        let _e33 = hit_6;
-        return _e33;
+        let _e34 = hit_6;
+        return _e34;
     }
     pub(crate) fn normal_z(
         &self,
@@ -3490,26 +4002,26 @@ impl<'g> Resources<'g> {
         slope_3: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let m = path_34.metric;
-        let area_1 = ((m.x() * m.z()) - (m.y() * m.y()));
-        let squared_1 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_1);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_1)).sqrt());
+        let area_3 = ((m.x() * m.z()) - (m.y() * m.y()));
+        let squared_2 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_3);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
         path_35: Path,
         found_5: Found,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_35, found_5, rt::into(params_17)))
+        rt::into(self.v_refine_slope(path_35, found_5, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
         path_35: Path,
         found_5: Found,
-        params_17: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_21: rt::Scalar<f32>;
+        let mut t_22: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_5.reads));
@@ -3517,40 +4029,40 @@ impl<'g> Resources<'g> {
         }
         let _e8 = self.v_starting_point(path_35, found_5);
         let _e9 = self.v_path_uv(path_35, _e8);
-        let _e10 = self.v_height_and_slope(_e9);
-        let _e12 = self.v_path_height(path_35, _e8);
-        let rise_3 = (_e10.x() - _e12);
-        t_21 = _e8;
-        if rt::Scalar::into_branch_condition(params_17.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e18 = self.v_path_slope(path_35, _e8);
-            let closing_3 = (_e18 - ((_e10.y() * path_35.duv.x()) + (_e10.z() * path_35.duv.y())));
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_35.level));
+        let _e13 = self.v_path_height(path_35, _e8);
+        let rise_3 = (_e11.x() - _e13);
+        t_22 = _e8;
+        if rt::Scalar::into_branch_condition(params_20.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_35, _e8);
+            let closing_3 = (_e19 - ((_e11.y() * path_35.duv.x()) + (_e11.z() * path_35.duv.y())));
             if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
-                t_21 = (_e8 + (rise_3 / closing_3));
+                t_22 = (_e8 + (rise_3 / closing_3));
             }
         } else {
-            let _e39 = self.v_normal_z(path_35, <rt::Vec2<f32>>::from_scalars(_e10.y(), _e10.z()));
-            t_21 = (_e8 - ((rise_3 * path_35.metric.w()) * _e39));
+            let _e40 = self.v_normal_z(path_35, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_22 = (_e8 - ((rise_3 * path_35.metric.w()) * _e40));
         }
-        let _e42 = t_21;
-        let _e52 = self.v_hit_on_path(path_35, _e42, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
-        return _e52;
+        let _e43 = t_22;
+        let _e53 = self.v_hit_on_path(path_35, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
         path_36: Path,
         found_6: Found,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_36, found_6, rt::into(params_18)))
+        rt::into(self.v_refine_slope_iterative(path_36, found_6, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
         path_36: Path,
         found_6: Found,
-        params_18: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_22: rt::Scalar<f32>;
+        let mut t_23: rt::Scalar<f32>;
         let mut reads_16: rt::Scalar<u32>;
         let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -3559,74 +4071,74 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let _e8 = self.v_starting_point(path_36, found_6);
-        t_22 = _e8;
+        t_23 = _e8;
         reads_16 = rt::Scalar(found_6.reads);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_2;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_18.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_21.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = t_22;
+                    let _e17 = t_23;
                     let _e18 = self.v_path_uv(path_36, _e17);
-                    let _e19 = self.v_height_and_slope(_e18);
-                    let _e20 = reads_16;
-                    reads_16 = (_e20 + rt::Scalar(1u32));
-                    let _e24 = t_22;
-                    let _e25 = self.v_path_height(path_36, _e24);
-                    let rise_4 = (_e19.x() - _e25);
-                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e30 = t_22;
-                        let _e31 = self.v_path_slope(path_36, _e30);
-                        let closing_4 = (_e31 - ((_e19.y() * path_36.duv.x()) + (_e19.z() * path_36.duv.y())));
+                    let _e20 = self.v_height_and_slope(_e18, rt::Scalar(path_36.level));
+                    let _e21 = reads_16;
+                    reads_16 = (_e21 + rt::Scalar(1u32));
+                    let _e25 = t_23;
+                    let _e26 = self.v_path_height(path_36, _e25);
+                    let rise_4 = (_e20.x() - _e26);
+                    if rt::Scalar::into_branch_condition(params_21.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e31 = t_23;
+                        let _e32 = self.v_path_slope(path_36, _e31);
+                        let closing_4 = (_e32 - ((_e20.y() * path_36.duv.x()) + (_e20.z() * path_36.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e44 = t_22;
-                            t_22 = (_e44 + (rise_4 / closing_4));
+                            let _e45 = t_23;
+                            t_23 = (_e45 + (rise_4 / closing_4));
                         }
                     } else {
-                        let _e47 = t_22;
-                        let _e54 = self.v_normal_z(path_36, <rt::Vec2<f32>>::from_scalars(_e19.y(), _e19.z()));
-                        t_22 = (_e47 - ((rise_4 * path_36.metric.w()) * _e54));
+                        let _e48 = t_23;
+                        let _e55 = self.v_normal_z(path_36, <rt::Vec2<f32>>::from_scalars(_e20.y(), _e20.z()));
+                        t_23 = (_e48 - ((rise_4 * path_36.metric.w()) * _e55));
                     }
-                    let _e57 = t_22;
-                    t_22 = _e57.clamp(rt::Scalar(0f32), rt::Scalar(path_36.exit));
-                    let _e61 = k_2;
-                    k_2 = (_e61 + rt::Scalar(1f32));
+                    let _e58 = t_23;
+                    t_23 = _e58.clamp(rt::Scalar(0f32), rt::Scalar(path_36.exit));
+                    let _e62 = k_2;
+                    k_2 = (_e62 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e64 = t_22;
-        let _e71 = reads_16;
-        let _e72 = self.v_hit_on_path(path_36, _e64, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e71);
-        return _e72;
+        let _e65 = t_23;
+        let _e72 = reads_16;
+        let _e73 = self.v_hit_on_path(path_36, _e65, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e72);
+        return _e73;
     }
     pub(crate) fn refine_binary(
         &self,
         path_37: Path,
         found_7: Found,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_37, found_7, rt::into(params_19)))
+        rt::into(self.v_refine_binary(path_37, found_7, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
         path_37: Path,
         found_7: Found,
-        params_19: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut reads_17: rt::Scalar<u32>;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_37, found_7, params_19);
+            let _e5 = self.v_refine_none(path_37, found_7, params_22);
             return _e5;
         }
         near_6 = rt::Scalar(found_7.near);
@@ -3635,16 +4147,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_37, _e18);
-            local_30 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_34 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_30 = rt::Scalar(true);
+            local_34 = rt::Scalar(true);
         }
-        let _e23 = local_30;
+        let _e23 = local_34;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_3;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_19.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_22.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3682,28 +4194,28 @@ impl<'g> Resources<'g> {
         &self,
         path_38: Path,
         found_8: Found,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_20)))
+        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
         path_38: Path,
         found_8: Found,
-        params_20: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_7: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
         let mut near_gap_5: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut reads_18: rt::Scalar<u32>;
-        let mut t_23: rt::Scalar<f32>;
+        let mut t_24: rt::Scalar<f32>;
         let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_38, found_8, params_20);
+            let _e5 = self.v_refine_none(path_38, found_8, params_23);
             return _e5;
         }
         near_7 = rt::Scalar(found_8.near);
@@ -3728,11 +4240,11 @@ impl<'g> Resources<'g> {
             }
         }
         let _e31 = far_3;
-        t_23 = _e31;
+        t_24 = _e31;
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_4;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_20.x())) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_23.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3747,19 +4259,19 @@ impl<'g> Resources<'g> {
                     let _e45 = far_3;
                     let _e46 = near_7;
                     let _e48 = near_gap_5;
-                    t_23 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
+                    t_24 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
                     let _e52 = k_4;
-                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_20.x())) {
-                        let _e55 = t_23;
+                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_23.x())) {
+                        let _e55 = t_24;
                         let _e56 = self.v_path_gap(path_38, _e55);
                         let _e57 = reads_18;
                         reads_18 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
-                            let _e62 = t_23;
+                            let _e62 = t_24;
                             far_3 = _e62;
                             far_gap_1 = _e56;
                         } else {
-                            let _e63 = t_23;
+                            let _e63 = t_24;
                             near_7 = _e63;
                             near_gap_5 = _e56;
                         }
@@ -3769,7 +4281,7 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e67 = t_23;
+        let _e67 = t_24;
         let _e69 = reads_18;
         let _e70 = self.v_hit_on_path(path_38, _e67, rt::Scalar(0u32), _e69);
         return _e70;
@@ -3778,16 +4290,16 @@ impl<'g> Resources<'g> {
         &self,
         path_39: Path,
         found_9: Found,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_39, found_9, rt::into(params_21)))
+        rt::into(self.v_refine_true_secant(path_39, found_9, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
         path_39: Path,
         found_9: Found,
-        params_21: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
@@ -3798,7 +4310,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_39, found_9, params_21);
+            let _e5 = self.v_refine_none(path_39, found_9, params_24);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -3825,7 +4337,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e33 = k_5;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_21.x())) {
+                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_24.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3840,15 +4352,15 @@ impl<'g> Resources<'g> {
                     let _e42 = last;
                     let _e43 = before;
                     let _e45 = last_gap;
-                    let t_26 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let t_28 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
                     let _e52 = last;
                     before = _e52;
                     let _e53 = last_gap;
                     before_gap = _e53;
-                    last = t_26;
+                    last = t_28;
                     let _e54 = k_5;
-                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_21.x())) {
-                        let _e57 = self.v_path_gap(path_39, t_26);
+                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_24.x())) {
+                        let _e57 = self.v_path_gap(path_39, t_28);
                         last_gap = _e57;
                         let _e58 = reads_19;
                         reads_19 = (_e58 + rt::Scalar(1u32));
@@ -3867,21 +4379,21 @@ impl<'g> Resources<'g> {
         &self,
         path_40: Path,
         found_10: Found,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_40, found_10, rt::into(params_22)))
+        rt::into(self.v_refine_patch(path_40, found_10, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
         path_40: Path,
         found_10: Found,
-        params_22: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_24: rt::Scalar<f32>;
+        let mut t_25: rt::Scalar<f32>;
         let mut cell_18: rt::Vec2<f32>;
         let mut reads_20: rt::Scalar<u32>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_10.reads));
@@ -3896,13 +4408,13 @@ impl<'g> Resources<'g> {
             return _e21;
         }
         let _e22 = self.v_grid_of(path_40);
-        t_24 = rt::Scalar(found_10.near);
-        let _e27 = t_24;
+        t_25 = rt::Scalar(found_10.near);
+        let _e27 = t_25;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_18 = _e30;
         reads_20 = rt::Scalar(found_10.reads);
         let _e34 = reads_20;
-        let limit_9 = (_e34 + params_22.x().cast_elem_as_u32());
+        let limit_9 = (_e34 + params_25.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e38 = reads_20;
@@ -3914,33 +4426,33 @@ impl<'g> Resources<'g> {
                     let _e40 = cell_18;
                     let _e41 = self.v_cell_leave(_e22, _e40);
                     let end_11 = _e41.x().min(_e41.y()).min(rt::Scalar(found_10.far));
-                    let _e47 = t_24;
+                    let _e47 = t_25;
                     let span_12 = (end_11 - _e47).max(rt::Scalar(0f32));
                     let _e51 = cell_18;
-                    let _e52 = t_24;
+                    let _e52 = t_25;
                     let _e53 = self.v_cell_gap(path_40, _e22, _e51, _e52);
                     let _e54 = reads_20;
                     reads_20 = (_e54 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e60 = t_24;
+                        let _e60 = t_25;
                         let _e62 = reads_20;
                         let _e63 = self.v_hit_on_path(path_40, _e60, rt::Scalar(0u32), _e62);
                         return _e63;
                     }
                     let _e64 = self.v_first_root(_e53, span_12);
                     if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e67 = t_24;
+                        let _e67 = t_25;
                         let _e70 = reads_20;
                         let _e71 = self.v_hit_on_path(path_40, (_e67 + _e64), rt::Scalar(0u32), _e70);
                         return _e71;
                     }
                     if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_31 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_35 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_31 = rt::Scalar(true);
+                            local_35 = rt::Scalar(true);
                         }
-                        let _e84 = local_31;
+                        let _e84 = local_35;
                         if rt::Scalar::into_branch_condition(_e84) {
                             let _e87 = reads_20;
                             let _e88 = self.v_hit_on_path(path_40, rt::Scalar(found_10.far), rt::Scalar(0u32), _e87);
@@ -3953,12 +4465,12 @@ impl<'g> Resources<'g> {
                     let _e91 = cell_18;
                     let _e92 = self.v_cell_next(_e22, _e91, _e41);
                     cell_18 = _e92;
-                    let _e93 = t_24;
-                    t_24 = _e93.max(end_11);
+                    let _e93 = t_25;
+                    t_25 = _e93.max(end_11);
                 }
             }
         }
-        let _e95 = t_24;
+        let _e95 = t_25;
         let _e97 = reads_20;
         let _e98 = self.v_hit_on_path(path_40, _e95, rt::Scalar(1u32), _e97);
         return _e98;
@@ -3967,97 +4479,97 @@ impl<'g> Resources<'g> {
         &self,
         path_41: Path,
         found_11: Found,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_41, found_11, rt::into(params_23)))
+        rt::into(self.v_refine_half_texel(path_41, found_11, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
         path_41: Path,
         found_11: Found,
-        params_23: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_41, found_11, params_23);
+            let _e6 = self.v_refine_none(path_41, found_11, params_26);
             return _e6;
         }
-        let _e8 = self.v_height_size();
-        let speed_2 = (path_41.duv * _e8).length();
+        let _e9 = self.v_height_size(rt::Scalar(path_41.level));
+        let speed_2 = (path_41.duv * _e9).length();
         if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_41.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e16 = self.v_refine_none(path_41, found_11, params_23);
-            return _e16;
+            let _e17 = self.v_refine_none(path_41, found_11, params_26);
+            return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_2);
         let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
         let forward_8 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_41.exit));
-        let _e27 = self.v_path_gap(path_41, backward);
-        let before_1 = _e27.abs();
-        let _e29 = self.v_path_gap(path_41, forward_8);
-        let behind_1 = _e29.abs();
+        let _e28 = self.v_path_gap(path_41, backward);
+        let before_1 = _e28.abs();
+        let _e30 = self.v_path_gap(path_41, forward_8);
+        let behind_1 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
             part_1 = (before_1 / (before_1 + behind_1));
         }
-        let _e39 = part_1;
-        let _e46 = self.v_hit_on_path(path_41, (backward + ((forward_8 - backward) * _e39)), rt::Scalar(0u32), (rt::Scalar(found_11.reads) + rt::Scalar(2u32)));
-        return _e46;
+        let _e40 = part_1;
+        let _e47 = self.v_hit_on_path(path_41, (backward + ((forward_8 - backward) * _e40)), rt::Scalar(0u32), (rt::Scalar(found_11.reads) + rt::Scalar(2u32)));
+        return _e47;
     }
     pub(crate) fn refine_stage(&self, path_42: Path, found_12: Found) -> Hit {
         rt::into(self.v_refine_stage(path_42, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_stage(&self, path_42: Path, found_12: Found) -> Hit {
-        let _e6 = rt::Scalar(self.surface_settings.choices[2usize].number);
+        let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
-                let _e11 = self.surface_settings.choices[2usize].params;
+                let _e11 = self.surface_settings.choices[3usize].params;
                 let _e12 = self.v_refine_none(path_42, found_12, _e11);
                 return _e12;
             }
             1u32 => {
-                let _e17 = self.surface_settings.choices[2usize].params;
+                let _e17 = self.surface_settings.choices[3usize].params;
                 let _e18 = self.v_refine_offset(path_42, found_12, _e17);
                 return _e18;
             }
             2u32 => {
-                let _e23 = self.surface_settings.choices[2usize].params;
+                let _e23 = self.surface_settings.choices[3usize].params;
                 let _e24 = self.v_refine_offset_limited(path_42, found_12, _e23);
                 return _e24;
             }
             3u32 => {
-                let _e29 = self.surface_settings.choices[2usize].params;
+                let _e29 = self.surface_settings.choices[3usize].params;
                 let _e30 = self.v_refine_slope(path_42, found_12, _e29);
                 return _e30;
             }
             4u32 => {
-                let _e35 = self.surface_settings.choices[2usize].params;
+                let _e35 = self.surface_settings.choices[3usize].params;
                 let _e36 = self.v_refine_slope_iterative(path_42, found_12, _e35);
                 return _e36;
             }
             5u32 => {
-                let _e41 = self.surface_settings.choices[2usize].params;
+                let _e41 = self.surface_settings.choices[3usize].params;
                 let _e42 = self.v_refine_binary(path_42, found_12, _e41);
                 return _e42;
             }
             6u32 => {
-                let _e47 = self.surface_settings.choices[2usize].params;
+                let _e47 = self.surface_settings.choices[3usize].params;
                 let _e48 = self.v_refine_secant(path_42, found_12, _e47);
                 return _e48;
             }
             7u32 => {
-                let _e53 = self.surface_settings.choices[2usize].params;
+                let _e53 = self.surface_settings.choices[3usize].params;
                 let _e54 = self.v_refine_true_secant(path_42, found_12, _e53);
                 return _e54;
             }
             8u32 => {
-                let _e59 = self.surface_settings.choices[2usize].params;
+                let _e59 = self.surface_settings.choices[3usize].params;
                 let _e60 = self.v_refine_patch(path_42, found_12, _e59);
                 return _e60;
             }
             _ => {
-                let _e65 = self.surface_settings.choices[2usize].params;
+                let _e65 = self.surface_settings.choices[3usize].params;
                 let _e66 = self.v_refine_half_texel(path_42, found_12, _e65);
                 return _e66;
             }
@@ -4068,65 +4580,65 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_stage(&self, path_43: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[1usize].number);
+        let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[1usize].params;
+                let _e10 = self.surface_settings.choices[2usize].params;
                 let _e11 = self.v_search_none(path_43, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[1usize].params;
+                let _e16 = self.surface_settings.choices[2usize].params;
                 let _e17 = self.v_search_linear(path_43, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[1usize].params;
+                let _e22 = self.surface_settings.choices[2usize].params;
                 let _e23 = self.v_search_cells(path_43, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[1usize].params;
+                let _e28 = self.surface_settings.choices[2usize].params;
                 let _e29 = self.v_search_frustum(path_43, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[1usize].params;
+                let _e34 = self.surface_settings.choices[2usize].params;
                 let _e35 = self.v_search_cone(path_43, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[1usize].params;
+                let _e40 = self.surface_settings.choices[2usize].params;
                 let _e41 = self.v_search_pyramid(path_43, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[1usize].params;
+                let _e46 = self.surface_settings.choices[2usize].params;
                 let _e47 = self.v_search_pyramid_texels(path_43, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[1usize].params;
+                let _e52 = self.surface_settings.choices[2usize].params;
                 let _e53 = self.v_search_dilation_erosion(path_43, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[1usize].params;
+                let _e58 = self.surface_settings.choices[2usize].params;
                 let _e59 = self.v_search_sphere(path_43, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[1usize].params;
+                let _e64 = self.surface_settings.choices[2usize].params;
                 let _e65 = self.v_search_cone_moved(path_43, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[1usize].params;
+                let _e70 = self.surface_settings.choices[2usize].params;
                 let _e71 = self.v_search_relaxed_cone(path_43, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[1usize].params;
+                let _e76 = self.surface_settings.choices[2usize].params;
                 let _e77 = self.v_search_relaxed_cone_resting(path_43, _e76);
                 return _e77;
             }
@@ -4134,22 +4646,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_11: Entered,
+        at_18: Entered,
         hit_7: Hit,
         light_6: Toward,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_11, hit_7, light_6, rt::into(params_24)))
+        rt::into(self.v_shadow_entry(at_18, hit_7, light_6, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_11: Entered,
+        at_18: Entered,
         hit_7: Hit,
         light_6: Toward,
-        params_24: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_11, hit_7, light_6);
+        let _e4 = self.v_from_hit(at_18, hit_7, light_6);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -4166,9 +4678,9 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(_e39.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e48 = self.v_height_size();
-        let apart = ((_e39.uv - _e4.uv).abs() * _e48);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart.x().max(apart.y()).elementwise_le(params_24.x()));
+        let _e49 = self.v_height_size(rt::Scalar(_e4.level));
+        let apart_1 = ((_e39.uv - _e4.uv).abs() * _e49);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_27.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -4211,10 +4723,10 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quarter_sine(&self, turn: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_1 = (turn * rt::Scalar(6.2831855f32));
-        let s_2 = (x_1 * x_1);
+        let x_2 = (turn * rt::Scalar(6.2831855f32));
+        let s_2 = (x_2 * x_2);
         let last_4 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_1 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_4)))))));
+        return (x_2 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_4)))))));
     }
     pub(crate) fn sine_of(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_1)))
@@ -4239,9 +4751,9 @@ impl<'g> Resources<'g> {
         light_7: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
         k_6: impl rt::Into<rt::Scalar<u32>>,
-        count: impl rt::Into<rt::Scalar<u32>>,
+        count_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_7, rt::into(seed_1), rt::into(k_6), rt::into(count)))
+        rt::into(self.v_point_of_disc(light_7, rt::into(seed_1), rt::into(k_6), rt::into(count_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_disc(
@@ -4249,55 +4761,55 @@ impl<'g> Resources<'g> {
         light_7: Toward,
         seed_1: rt::Scalar<u32>,
         k_6: rt::Scalar<u32>,
-        count: rt::Scalar<u32>,
+        count_1: rt::Scalar<u32>,
     ) -> Toward {
         let _e8 = self.v_mixed(((seed_1 + k_6) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_6.cast_elem_as_f32() + _e9) / count.cast_elem_as_f32());
+        let ring = ((k_6.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
         let _e18 = self.v_turned(((k_6.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_7 = (_e18 * (ring.sqrt() * rt::Scalar(light_7.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_7.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_7.direction).normalize();
         let up = light_7.direction.cross(right_2);
-        let toward_2 = ((light_7.direction + (right_2 * place_7.x())) + (up * place_7.y()));
-        let along = toward_2.length();
-        return <Toward>::new((toward_2 / rt::Vec3::splat_from_scalar(along)), rt::Scalar(light_7.falloff), (rt::Scalar(light_7.distance) * along), rt::Scalar(0f32));
+        let toward_3 = ((light_7.direction + (right_2 * place_7.x())) + (up * place_7.y()));
+        let along_2 = toward_3.length();
+        return <Toward>::new((toward_3 / rt::Vec3::splat_from_scalar(along_2)), rt::Scalar(light_7.falloff), (rt::Scalar(light_7.distance) * along_2), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_12: Entered,
+        at_19: Entered,
         hit_9: Hit,
         light_8: Toward,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_12, hit_9, light_8, rt::into(params_25)))
+        rt::into(self.v_shadow_soft(at_19, hit_9, light_8, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_12: Entered,
+        at_19: Entered,
         hit_9: Hit,
         light_8: Toward,
-        params_25: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_1 = params_25.x().cast_elem_as_u32();
+        let count_2 = params_28.x().cast_elem_as_u32();
         let _e6 = self.v_seed_of(hit_9);
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_7;
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_1)) {
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
                     let _e14 = k_7;
-                    let _e15 = self.v_point_of_disc(light_8, _e6, _e14, count_1);
-                    let _e16 = self.v_free_way(at_12, hit_9, _e15);
+                    let _e15 = self.v_point_of_disc(light_8, _e6, _e14, count_2);
+                    let _e16 = self.v_free_way(at_19, hit_9, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_7;
                     k_7 = (_e18 + rt::Scalar(1u32));
@@ -4305,29 +4817,29 @@ impl<'g> Resources<'g> {
             }
         }
         let _e21 = free;
-        return (_e21 / count_1.cast_elem_as_f32());
+        return (_e21 / count_2.cast_elem_as_f32());
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_13: Entered,
+        at_20: Entered,
         hit_10: Hit,
         light_9: Toward,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_13, hit_10, light_9, rt::into(params_26)))
+        rt::into(self.v_shadow_heuristic(at_20, hit_10, light_9, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_13: Entered,
+        at_20: Entered,
         hit_10: Hit,
         light_9: Toward,
-        params_26: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_13, hit_10, light_9);
+        let _e4 = self.v_from_hit(at_20, hit_10, light_9);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -4335,13 +4847,13 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = k_8;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_26.x())) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_29.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = k_8;
-                    let part_3 = (_e19 / params_26.x());
+                    let part_3 = (_e19 / params_29.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_3 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_3)));
@@ -4351,7 +4863,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_26.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_29.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn turn_of(&self, v: impl rt::Into<rt::Vec2<f32>>) -> f32 {
         rt::into(self.v_turn_of(rt::into(v)))
@@ -4360,14 +4872,14 @@ impl<'g> Resources<'g> {
     fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let mut turn_3: rt::Scalar<f32>;
 
-        let x_2 = v.x().abs();
-        let y = v.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_2 + y).elementwise_gt(rt::Scalar(0f32)))) {
+        let x_3 = v.x().abs();
+        let y_1 = v.y().abs();
+        if rt::Scalar::into_branch_condition((!(x_3 + y_1).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e13 = self.v_eighth_turn((x_2.min(y) / x_2.max(y)));
+        let _e13 = self.v_eighth_turn((x_3.min(y_1) / x_3.max(y_1)));
         turn_3 = _e13;
-        if rt::Scalar::into_branch_condition(y.elementwise_gt(x_2)) {
+        if rt::Scalar::into_branch_condition(y_1.elementwise_gt(x_3)) {
             let _e16 = turn_3;
             turn_3 = (rt::Scalar(0.25f32) - _e16);
         }
@@ -4387,43 +4899,46 @@ impl<'g> Resources<'g> {
         &self,
         place_1: impl rt::Into<rt::Vec2<i32>>,
         layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_5: impl rt::Into<rt::Scalar<i32>>,
+        level_15: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_1), rt::into(layer_2), rt::into(level_5)))
+        rt::into(self.v_shadow_texel(rt::into(place_1), rt::into(layer_2), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel(
         &self,
         place_1: rt::Vec2<i32>,
         layer_2: rt::Scalar<i32>,
-        level_5: rt::Scalar<i32>,
+        level_15: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_1, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_5));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_1, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_15));
         let _e8 = self.surface_settings.maps[2usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
+        level_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_12), rt::into(layer_3)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_13), rt::into(layer_3), rt::into(level_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel_between(
         &self,
-        uv_12: rt::Vec2<f32>,
+        uv_13: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
+        level_16: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = self.surface_settings.height_size;
-        let _e5 = self.v_texels_around(uv_12, _e4);
-        let _e12 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_3, rt::Scalar(0i32));
-        let _e19 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_3, rt::Scalar(0i32));
-        let _e26 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_3, rt::Scalar(0i32));
-        let _e33 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_3, rt::Scalar(0i32));
-        let _e35 = self.v_bilinear(_e12, _e19, _e26, _e33, _e5.part);
-        return _e35;
+        let _e3 = self.v_height_texels(level_16);
+        let _e4 = self.v_texels_around(uv_13, _e3);
+        let k_14 = level_16.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_14);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_14);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_14);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_14);
+        let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
+        return _e31;
     }
     pub(crate) fn own_slope(&self, way_1: Path) -> f32 {
         rt::into(self.v_own_slope(way_1))
@@ -4434,58 +4949,58 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_12 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        let level_7 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
-        let _e23 = self.v_height_cell(_e3.cast_elem_as_i32());
-        let _e25 = self.v_gap_to(level_7, _e1, _e3, _e23, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e25.y().min((_e25.y() + (_e25.z() * end_12))));
+        let level_18 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
+        let _e24 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
+        let _e26 = self.v_gap_to(level_18, _e1, _e3, _e24, rt::Scalar(0f32));
+        return (rt::Scalar(0f32) - _e26.y().min((_e26.y() + (_e26.z() * end_12))));
     }
     pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_part_above(rt::into(height_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_part_above(&self, height_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_3 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_3 * x_3);
-        return (rt::Scalar(0.5f32) + (x_3 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+        let x_4 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_4 * x_4);
+        return (rt::Scalar(0.5f32) + (x_4 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_14: Entered,
+        at_21: Entered,
         hit_11: Hit,
         light_10: Toward,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_14, hit_11, light_10, rt::into(params_27)))
+        rt::into(self.v_shadow_horizon(at_21, hit_11, light_10, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_14: Entered,
+        at_21: Entered,
         hit_11: Hit,
         light_10: Toward,
-        params_27: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_14, light_10.direction);
+        let _e5 = self.v_climb(at_21, light_10.direction);
         let map_1 = self.surface_settings.maps[2usize];
-        let along_1 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_1);
-        let azimuth_1 = (_e13 * params_27.x());
+        let along_3 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_3);
+        let azimuth_1 = (_e13 * params_30.x());
         let first_6 = azimuth_1.floor();
-        let count_2 = params_27.x().cast_elem_as_i32();
-        let before_2 = (first_6.cast_elem_as_i32() % count_2);
+        let count_3 = params_30.x().cast_elem_as_i32();
+        let before_2 = (first_6.cast_elem_as_i32() % count_3);
         let part_4 = (azimuth_1 - first_6);
-        let _e23 = self.v_shadow_texel_between(hit_11.uv, before_2);
-        let low_3 = _e23.x();
-        let _e29 = self.v_shadow_texel_between(hit_11.uv, ((before_2 + rt::Scalar(1i32)) % count_2));
-        let sine = (low_3 + ((_e29.x() - low_3) * part_4));
-        let squared_2 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_2 * along_1.dot(along_1)).sqrt();
-        let _e46 = self.v_from_hit(at_14, hit_11, light_10);
-        let _e47 = self.v_own_slope(_e46);
-        let _e50 = rt::Scalar(self.surface_settings.scale_m);
-        let near_8 = (_e47 * _e50);
+        let _e25 = self.v_shadow_texel_between(hit_11.uv, before_2, rt::Scalar(at_21.path.level));
+        let low_3 = _e25.x();
+        let _e33 = self.v_shadow_texel_between(hit_11.uv, ((before_2 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_21.path.level));
+        let sine = (low_3 + ((_e33.x() - low_3) * part_4));
+        let squared_3 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
+        let far_9 = (squared_3 * along_3.dot(along_3)).sqrt();
+        let _e50 = self.v_from_hit(at_21, hit_11, light_10);
+        let _e51 = self.v_own_slope(_e50);
+        let _e54 = rt::Scalar(self.surface_settings.scale_m);
+        let near_8 = (_e51 * _e54);
         let horizon = far_9.max(near_8);
-        let up_1 = at_14.normal.dot(light_10.direction);
+        let up_1 = at_21.normal.dot(light_10.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_10.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
         }
@@ -4494,164 +5009,166 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!beside.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
         }
-        let _e84 = self.v_part_above(((flat.sqrt() * (up_1 - horizon)) / (beside * rt::Scalar(light_10.radius))));
-        return _e84;
+        let _e88 = self.v_part_above(((flat.sqrt() * (up_1 - horizon)) / (beside * rt::Scalar(light_10.radius))));
+        return _e88;
     }
     pub(crate) fn open_part(
         &self,
+        at_22: Entered,
         hit_12: Hit,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(hit_12, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
+        rt::into(self.v_open_part(at_22, hit_12, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
+        at_22: Entered,
         hit_12: Hit,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e7 = self.v_shadow_texel_between(hit_12.uv, ((azimuth * elevations) + elevation));
-        return (rt::Scalar(1f32) - _e7.z());
+        let _e10 = self.v_shadow_texel_between(hit_12.uv, ((azimuth * elevations) + elevation), rt::Scalar(at_22.path.level));
+        return (rt::Scalar(1f32) - _e10.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_15: Entered,
+        at_23: Entered,
         hit_13: Hit,
         light_11: Toward,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_15, hit_13, light_11, rt::into(params_28)))
+        rt::into(self.v_shadow_visibility(at_23, hit_13, light_11, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_15: Entered,
+        at_23: Entered,
         hit_13: Hit,
         light_11: Toward,
-        params_28: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_15, light_11.direction);
+        let _e5 = self.v_climb(at_23, light_11.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[2usize];
-        let along_2 = (_e5.xy() * map_2.tile_m);
+        let along_4 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_3 = (_e5.z() * _e21);
-        let squared_3 = ((height_3 * height_3) / (along_2.dot(along_2) + (height_3 * height_3)));
-        let azimuths = params_28.x().cast_elem_as_i32();
-        let elevations_1 = params_28.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_2);
-        let azimuth_2 = (_e32 * params_28.x());
-        let elevation_1 = ((squared_3 * params_28.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_28.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_28.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_4 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(hit_13, a_4, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+        let squared_4 = ((height_3 * height_3) / (along_4.dot(along_4) + (height_3 * height_3)));
+        let azimuths = params_31.x().cast_elem_as_i32();
+        let elevations_1 = params_31.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_4);
+        let azimuth_2 = (_e32 * params_31.x());
+        let elevation_1 = ((squared_4 * params_31.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_31.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_31.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_6 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_23, hit_13, a_6, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_ = (azimuth_2.floor().cast_elem_as_i32() % azimuths);
         let a1_ = ((a0_ + rt::Scalar(1i32)) % azimuths);
         let e0_ = elevation_1.floor().cast_elem_as_i32();
-        let e1_ = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
+        let e1_1 = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_2 - azimuth_2.floor());
         let along_elevation = (elevation_1 - elevation_1.floor());
-        let _e74 = self.v_open_part(hit_13, a1_, e0_, elevations_1);
-        let _e75 = self.v_open_part(hit_13, a0_, e1_, elevations_1);
+        let _e74 = self.v_open_part(at_23, hit_13, a1_, e0_, elevations_1);
+        let _e75 = self.v_open_part(at_23, hit_13, a0_, e1_1, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(hit_13, a0_, e0_, elevations_1);
+            let _e79 = self.v_open_part(at_23, hit_13, a0_, e0_, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(hit_13, a1_, e1_, elevations_1);
+        let _e86 = self.v_open_part(at_23, hit_13, a1_, e1_1, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_16: Entered, hit_14: Hit, light_12: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_16, hit_14, light_12))
+    pub(crate) fn shadow_stage(&self, at_24: Entered, hit_14: Hit, light_12: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_24, hit_14, light_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_16: Entered, hit_14: Hit, light_12: Toward) -> rt::Scalar<f32> {
-        let _e7 = rt::Scalar(self.surface_settings.choices[4usize].number);
+    fn v_shadow_stage(&self, at_24: Entered, hit_14: Hit, light_12: Toward) -> rt::Scalar<f32> {
+        let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
-                let _e12 = self.surface_settings.choices[4usize].params;
-                let _e13 = self.v_shadow_ray(at_16, hit_14, light_12, _e12);
+                let _e12 = self.surface_settings.choices[5usize].params;
+                let _e13 = self.v_shadow_ray(at_24, hit_14, light_12, _e12);
                 return _e13;
             }
             1u32 => {
-                let _e18 = self.surface_settings.choices[4usize].params;
-                let _e19 = self.v_shadow_none(at_16, hit_14, light_12, _e18);
+                let _e18 = self.surface_settings.choices[5usize].params;
+                let _e19 = self.v_shadow_none(at_24, hit_14, light_12, _e18);
                 return _e19;
             }
             2u32 => {
-                let _e24 = self.surface_settings.choices[4usize].params;
-                let _e25 = self.v_shadow_entry(at_16, hit_14, light_12, _e24);
+                let _e24 = self.surface_settings.choices[5usize].params;
+                let _e25 = self.v_shadow_entry(at_24, hit_14, light_12, _e24);
                 return _e25;
             }
             3u32 => {
-                let _e30 = self.surface_settings.choices[4usize].params;
-                let _e31 = self.v_shadow_soft(at_16, hit_14, light_12, _e30);
+                let _e30 = self.surface_settings.choices[5usize].params;
+                let _e31 = self.v_shadow_soft(at_24, hit_14, light_12, _e30);
                 return _e31;
             }
             4u32 => {
-                let _e36 = self.surface_settings.choices[4usize].params;
-                let _e37 = self.v_shadow_heuristic(at_16, hit_14, light_12, _e36);
+                let _e36 = self.surface_settings.choices[5usize].params;
+                let _e37 = self.v_shadow_heuristic(at_24, hit_14, light_12, _e36);
                 return _e37;
             }
             5u32 => {
-                let _e42 = self.surface_settings.choices[4usize].params;
-                let _e43 = self.v_shadow_horizon(at_16, hit_14, light_12, _e42);
+                let _e42 = self.surface_settings.choices[5usize].params;
+                let _e43 = self.v_shadow_horizon(at_24, hit_14, light_12, _e42);
                 return _e43;
             }
             _ => {
-                let _e48 = self.surface_settings.choices[4usize].params;
-                let _e49 = self.v_shadow_visibility(at_16, hit_14, light_12, _e48);
+                let _e48 = self.surface_settings.choices[5usize].params;
+                let _e49 = self.v_shadow_visibility(at_24, hit_14, light_12, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel: PixelIn, at_17: Entered, hit_15: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel, at_17, hit_15))
+    pub(crate) fn mirrored_light(&self, pixel_7: PixelIn, at_25: Entered, hit_15: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_7, at_25, hit_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel: PixelIn, at_17: Entered, hit_15: Hit) -> rt::Scalar<f32> {
-        let mut local_32: rt::Scalar<bool>;
+    fn v_mirrored_light(&self, pixel_7: PixelIn, at_25: Entered, hit_15: Hit) -> rt::Scalar<f32> {
+        let mut local_36: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_17.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_32 = rt::Scalar(hit_15.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_25.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_36 = rt::Scalar(hit_15.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_32 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e13 = local_32;
+        let _e13 = local_36;
         if rt::Scalar::into_branch_condition(_e13) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel.direction.normalize();
-        let up_2 = (down_2 - (at_17.normal * (rt::Scalar(2f32) * down_2.dot(at_17.normal))));
-        let _e31 = self.v_shadow_stage(at_17, hit_15, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        let down_2 = pixel_7.direction.normalize();
+        let up_2 = (down_2 - (at_25.normal * (rt::Scalar(2f32) * down_2.dot(at_25.normal))));
+        let _e31 = self.v_shadow_stage(at_25, hit_15, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
         return _e31;
     }
-    pub(crate) fn pixel_direction(&self, pixel_1: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_1)))
+    pub(crate) fn pixel_direction(&self, pixel_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_direction(&self, pixel_1: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_8: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_1.x())) + (_e14.xyz() * pixel_1.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_8.x())) + (_e14.xyz() * pixel_8.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_2: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_2)))
+    pub(crate) fn pixel_eye(&self, pixel_9: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_eye(&self, pixel_2: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_9: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_2.x())) + (_e14.xyz() * pixel_2.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_9.x())) + (_e14.xyz() * pixel_9.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -4690,33 +5207,33 @@ impl<'g> Resources<'g> {
         position: rt::Vec3<f32>,
     ) -> Toward {
         if rt::Scalar::into_branch_condition(light_13.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_3 = (light_13.place.xyz() - position);
-            let squared_4 = toward_3.dot(toward_3);
-            let distance = squared_4.sqrt();
-            let falloff = (rt::Scalar(1f32) / squared_4.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_3.normalize(), falloff, distance, (light_13.color.w() / distance));
+            let toward_4 = (light_13.place.xyz() - position);
+            let squared_5 = toward_4.dot(toward_4);
+            let distance_1 = squared_5.sqrt();
+            let falloff = (rt::Scalar(1f32) / squared_5.max(rt::Scalar(0.000001f32)));
+            return <Toward>::new(toward_4.normalize(), falloff, distance_1, (light_13.color.w() / distance_1));
         }
         return <Toward>::new(light_13.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_13.color.w());
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_18: Entered,
+        at_26: Entered,
         hit_16: Hit,
         number: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_18, hit_16, rt::into(number)))
+        rt::into(self.v_ray_to_light(at_26, hit_16, rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_18: Entered,
+        at_26: Entered,
         hit_16: Hit,
         number: rt::Scalar<u32>,
     ) -> LightRay {
         let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e7 = self.v_hit_position(at_18, hit_16);
+        let _e7 = self.v_hit_position(at_26, hit_16);
         let _e8 = self.v_toward_light(_e6, _e7);
-        let _e9 = self.v_light_ray(at_18, hit_16, _e8);
+        let _e9 = self.v_light_ray(at_26, hit_16, _e8);
         return _e9;
     }
     pub(crate) fn whole_power(
@@ -4765,75 +5282,92 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal: impl rt::Into<rt::Vec3<f32>>,
+        normal_1: impl rt::Into<rt::Vec3<f32>>,
+        mean_1: impl rt::Into<rt::Scalar<f32>>,
         view: impl rt::Into<rt::Vec3<f32>>,
         toward: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_29)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_1), rt::into(mean_1), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal: rt::Vec3<f32>,
+        normal_1: rt::Vec3<f32>,
+        mean_1: rt::Scalar<f32>,
         view: rt::Vec3<f32>,
         toward: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
-        params_29: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let cosine_1 = normal.dot(toward);
+        let mut exponent_1: rt::Scalar<u32>;
+        let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let cosine_1 = normal_1.dot(toward);
         if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
-            let lobe = normal.dot((toward + view).normalize()).max(rt::Scalar(0f32));
-            let _e15 = self.surface_settings.specular;
-            let _e19 = rt::Scalar(self.surface_settings.shininess);
-            let _e20 = self.v_whole_power(lobe, _e19);
-            let specular = (_e15.xyz() * _e20);
-            return ((color_1 * cosine_1) + specular);
+            let _e11 = rt::Scalar(self.surface_settings.shininess);
+            exponent_1 = _e11;
+            if rt::Scalar::into_branch_condition(mean_1.elementwise_lt(rt::Scalar(1f32))) {
+                let _e19 = rt::Scalar(self.surface_settings.shininess);
+                let sharp = _e19.cast_elem_as_f32();
+                let wide_2 = ((sharp * mean_1) / (mean_1 + (sharp * (rt::Scalar(1f32) - mean_1)))).floor().max(rt::Scalar(1f32));
+                exponent_1 = wide_2.cast_elem_as_u32();
+                dimmed = ((wide_2 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
+            }
+            let lobe = normal_1.dot((toward + view).normalize()).max(rt::Scalar(0f32));
+            let _e43 = self.surface_settings.specular;
+            let _e45 = exponent_1;
+            let _e46 = self.v_whole_power(lobe, _e45);
+            let _e47 = dimmed;
+            let specular = (_e43.xyz() * (_e46 * _e47));
+            return ((color_1 * (cosine_1 * mean_1)) + specular);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_1: impl rt::Into<rt::Vec3<f32>>,
+        normal_2: impl rt::Into<rt::Vec3<f32>>,
+        mean_2: impl rt::Into<rt::Scalar<f32>>,
         view_1: impl rt::Into<rt::Vec3<f32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_1), rt::into(view_1), rt::into(toward_1), rt::into(color_2)))
+        rt::into(self.v_shade_stage(rt::into(normal_2), rt::into(mean_2), rt::into(view_1), rt::into(toward_1), rt::into(color_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
         &self,
-        normal_1: rt::Vec3<f32>,
+        normal_2: rt::Vec3<f32>,
+        mean_2: rt::Scalar<f32>,
         view_1: rt::Vec3<f32>,
         toward_1: rt::Vec3<f32>,
         color_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e8 = rt::Scalar(self.surface_settings.choices[3usize].number);
-        match rt::Scalar::into_inner(_e8) {
+        let _e9 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e9) {
             _ => {
-                let _e13 = self.surface_settings.choices[3usize].params;
-                let _e14 = self.v_shade_blinn_phong(normal_1, view_1, toward_1, color_2, _e13);
-                return _e14;
+                let _e14 = self.surface_settings.choices[4usize].params;
+                let _e15 = self.v_shade_blinn_phong(normal_2, mean_2, view_1, toward_1, color_2, _e14);
+                return _e15;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
         position_1: impl rt::Into<rt::Vec3<f32>>,
-        normal_2: impl rt::Into<rt::Vec3<f32>>,
+        mean_3: MeanNormal,
         view_2: impl rt::Into<rt::Vec3<f32>>,
         color_3: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), rt::into(normal_2), rt::into(view_2), rt::into(color_3), visible))
+        rt::into(self.v_reflected_light(rt::into(position_1), mean_3, rt::into(view_2), rt::into(color_3), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
         position_1: rt::Vec3<f32>,
-        normal_2: rt::Vec3<f32>,
+        mean_3: MeanNormal,
         view_2: rt::Vec3<f32>,
         color_3: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
@@ -4857,157 +5391,47 @@ impl<'g> Resources<'g> {
                     let _e25 = k_9;
                     let _e27 = self.frame.lights[rt::Scalar::into_array_index(_e25)];
                     let _e28 = self.v_toward_light(_e27, position_1);
-                    let _e30 = self.v_shade_stage(normal_2, view_2, _e28.direction, diffuse);
-                    let _e31 = light_14;
-                    let _e34 = k_9;
-                    let _e37 = self.frame.lights[rt::Scalar::into_array_index(_e34)].color;
-                    let _e41 = k_9;
-                    light_14 = (_e31 + ((_e30 * _e37.xyz()) * (rt::Scalar(_e28.falloff) * visible[rt::Scalar::into_array_index(_e41)].x())));
-                    let _e47 = k_9;
-                    k_9 = (_e47 + rt::Scalar(1u32));
+                    let _e32 = self.v_shade_stage(mean_3.normal, rt::Scalar(mean_3.length), view_2, _e28.direction, diffuse);
+                    let _e33 = light_14;
+                    let _e36 = k_9;
+                    let _e39 = self.frame.lights[rt::Scalar::into_array_index(_e36)].color;
+                    let _e43 = k_9;
+                    light_14 = (_e33 + ((_e32 * _e39.xyz()) * (rt::Scalar(_e28.falloff) * visible[rt::Scalar::into_array_index(_e43)].x())));
+                    let _e49 = k_9;
+                    k_9 = (_e49 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e50 = light_14;
-        return _e50;
+        let _e52 = light_14;
+        return _e52;
     }
-    pub(crate) fn shade_hit(&self, pixel_3: PixelIn, at_19: Entered, hit_17: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_3, at_19, hit_17, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_10: PixelIn, at_27: Entered, hit_17: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_10, at_27, hit_17, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_3: PixelIn, at_19: Entered, hit_17: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        let mut local_33: rt::Scalar<bool>;
+    fn v_shade_hit(&self, pixel_10: PixelIn, at_27: Entered, hit_17: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        let mut local_37: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_19.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_33 = rt::Scalar(hit_17.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_27.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_37 = rt::Scalar(hit_17.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_33 = rt::Scalar(true);
+            local_37 = rt::Scalar(true);
         }
-        let _e14 = local_33;
+        let _e14 = local_37;
         if rt::Scalar::into_branch_condition(_e14) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_17.reads), rt::Scalar(0f32));
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_17.reads), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e43 = self.v_height_at(hit_17.uv);
-        let _e44 = self.v_hit_position(at_19, hit_17);
-        let _e46 = self.v_mesostructure_normal(at_19, hit_17.uv);
-        let view_3 = (pixel_3.origin - _e44).normalize();
-        let _e51 = self.v_color_or_white(hit_17.uv);
-        let _e52 = self.v_reflected_light(_e44, _e46, view_3, _e51, visible_1);
-        let _e57 = self.frame.forward;
-        let depth = (_e44 - pixel_3.origin).dot(_e57.xyz());
-        let _e61 = self.v_height_size();
-        let _e67 = self.v_cell_of(((hit_17.uv * _e61) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_17.exhausted), hit_17.uv, _e43, _e44, _e46, depth, rt::Scalar(hit_17.t), _e67.cast_elem_as_i32(), rt::Scalar(hit_17.reads), visible_1[0usize].x());
-    }
-    pub(crate) fn surface_plane(
-        &self,
-        pixel_4: PixelIn,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_4, rt::into(params_30)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_plane(
-        &self,
-        pixel_4: PixelIn,
-        params_30: rt::Vec4<f32>,
-    ) -> Entered {
-        let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_34: rt::Scalar<bool>;
-        let mut enter: rt::Scalar<f32>;
-        let mut leave_4: rt::Scalar<f32>;
-        let mut interval_2: rt::Vec2<f32>;
-
-        let a_5 = pixel_4.a.position;
-        let e1_1 = (pixel_4.b.position - a_5);
-        let e2_ = (pixel_4.c.position - a_5);
-        let n_10 = e1_1.cross(e2_);
-        let nn = n_10.dot(n_10);
-        let toward_4 = n_10.dot(pixel_4.direction);
-        let distance_1 = (n_10.dot((a_5 - pixel_4.origin)) / toward_4);
-        let point_5 = (pixel_4.origin + (pixel_4.direction * distance_1));
-        let from_a = (point_5 - a_5);
-        let wb = (from_a.cross(e2_).dot(n_10) / nn);
-        let wc = (e1_1.cross(from_a).dot(n_10) / nn);
-        let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_13 = (((pixel_4.a.uv * wa) + (pixel_4.b.uv * wb)) + (pixel_4.c.uv * wc));
-        let tangent_1 = (((pixel_4.a.tangent * wa) + (pixel_4.b.tangent * wb)) + (pixel_4.c.tangent * wc));
-        let bitangent = (((pixel_4.a.bitangent * wa) + (pixel_4.b.bitangent * wb)) + (pixel_4.c.bitangent * wc));
-        let normal_3 = ((((pixel_4.a.normal * wa) + (pixel_4.b.normal * wb)) + (pixel_4.c.normal * wc)).normalize() * rt::Scalar(pixel_4.side));
-        let along_3 = pixel_4.direction.length();
-        let direction_1 = (pixel_4.direction / rt::Vec3::splat_from_scalar(along_3));
-        let tt = tangent_1.dot(tangent_1);
-        let tb = tangent_1.dot(bitangent);
-        let bb = bitangent.dot(bitangent);
-        let td_1 = tangent_1.dot(direction_1);
-        let bd_1 = bitangent.dot(direction_1);
-        let area_2 = ((tt * bb) - (tb * tb));
-        let descent = (rt::Scalar(0f32) - normal_3.dot(direction_1));
-        if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_34 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
-        } else {
-            local_34 = rt::Scalar(true);
-        }
-        let _e107 = local_34;
-        if rt::Scalar::into_branch_condition(_e107) {
-            valid = rt::Scalar(0u32);
-        }
-        let duv_1 = (<rt::Vec2<f32>>::from_scalars(((td_1 * bb) - (bd_1 * tb)), ((bd_1 * tt) - (td_1 * tb))) / rt::Vec2::splat_from_scalar(area_2));
-        let _e118 = self.v_traced_scale_m();
-        let _e119 = self.v_base_height();
-        let slope_4 = ((rt::Scalar(0f32) - descent) / _e118);
-        let eye = ((rt::Scalar(0f32) - distance_1) * along_3);
-        let top_5 = (((_e119 - rt::Scalar(1f32)) * _e118) / descent);
-        enter = top_5.max(eye);
-        leave_4 = ((_e119 * _e118) / descent);
-        let _e135 = leave_4;
-        let _e136 = leave_4;
-        leave_4 = (_e135 + ((_e136 - top_5) * rt::Scalar(0.000001f32)));
-        let _e143 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e143.elementwise_eq(WRAP_CLAMP)) {
-            let _e148 = enter;
-            let _e149 = leave_4;
-            let _e151 = self.v_inside_unit(uv_13.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e148, _e149));
-            interval_2 = _e151;
-            let _e155 = interval_2;
-            let _e156 = self.v_inside_unit(uv_13.y(), duv_1.y(), _e155);
-            interval_2 = _e156;
-            let _e158 = interval_2.x();
-            enter = _e158;
-            let _e160 = interval_2.y();
-            leave_4 = _e160;
-        }
-        let _e161 = leave_4;
-        let _e162 = enter;
-        if rt::Scalar::into_branch_condition((!_e161.elementwise_gt(_e162))) {
-            valid = rt::Scalar(0u32);
-        }
-        let _e166 = enter;
-        let _e169 = enter;
-        let entry_height = (_e119 + (slope_4 * _e166)).select(rt::Scalar(1f32), _e169.elementwise_eq(top_5));
-        let _e173 = enter;
-        let base_1 = (rt::Scalar(0f32) - _e173).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e179 = enter;
-        let _e184 = leave_4;
-        let _e185 = enter;
-        let _e189 = rt::Scalar(self.surface_settings.scale_m);
-        let path_46 = <Path>::new((uv_13 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
-        let _e194 = valid;
-        return <Entered>::new(_e194, path_46, point_5, uv_13, tangent_1, bitangent, normal_3);
-    }
-    pub(crate) fn surface_stage(&self, pixel_5: PixelIn) -> Entered {
-        rt::into(self.v_surface_stage(pixel_5))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_stage(&self, pixel_5: PixelIn) -> Entered {
-        let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
-        match rt::Scalar::into_inner(_e5) {
-            _ => {
-                let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane(pixel_5, _e10);
-                return _e11;
-            }
-        }
+        let _e46 = self.v_height_at(hit_17.uv, rt::Scalar(at_27.path.level));
+        let _e47 = self.v_hit_position(at_27, hit_17);
+        let _e49 = self.v_mesostructure_normal(at_27, hit_17.uv);
+        let view_3 = (pixel_10.origin - _e47).normalize();
+        let _e55 = self.v_color_or_white(hit_17.uv, rt::Scalar(at_27.footprint));
+        let _e56 = self.v_reflected_light(_e47, _e49, view_3, _e55, visible_1);
+        let _e61 = self.frame.forward;
+        let depth = (_e47 - pixel_10.origin).dot(_e61.xyz());
+        let _e66 = self.v_height_size(rt::Scalar(0u32));
+        let _e72 = self.v_cell_of(((hit_17.uv * _e66) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e56, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_17.exhausted), hit_17.uv, _e46, _e47, _e49.normal, depth, rt::Scalar(hit_17.t), _e72.cast_elem_as_i32(), rt::Scalar(hit_17.reads), visible_1[0usize].x(), rt::Scalar(at_27.path.level));
     }
     pub(crate) fn trace(&self, path_44: Path) -> Hit {
         rt::into(self.v_trace(path_44))
@@ -5018,26 +5442,26 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_44, _e1);
         return _e2;
     }
-    pub(crate) fn visible_lights(&self, at_20: Entered, hit_18: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_20, hit_18))
+    pub(crate) fn visible_lights(&self, at_28: Entered, hit_18: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_28, hit_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_20: Entered, hit_18: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_28: Entered, hit_18: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
         let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_20.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_35 = rt::Scalar(hit_18.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_28.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_38 = rt::Scalar(hit_18.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_35 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e14 = local_35;
+        let _e14 = local_38;
         if rt::Scalar::into_branch_condition(_e14) {
             let _e15 = visible_2;
             return _e15;
         }
-        let _e16 = self.v_hit_position(at_20, hit_18);
+        let _e16 = self.v_hit_position(at_28, hit_18);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_10;
@@ -5050,7 +5474,7 @@ impl<'g> Resources<'g> {
                     let _e26 = k_10;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, _e16);
-                    let _e30 = self.v_shadow_stage(at_20, hit_18, _e29);
+                    let _e30 = self.v_shadow_stage(at_28, hit_18, _e29);
                     let _e31 = k_10;
                     visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e37 = k_10;
@@ -5061,14 +5485,14 @@ impl<'g> Resources<'g> {
         let _e40 = visible_2;
         return _e40;
     }
-    pub(crate) fn shade_pixel(&self, pixel_6: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_6))
+    pub(crate) fn shade_pixel(&self, pixel_11: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_6: PixelIn) -> PixelOut {
+    fn v_shade_pixel(&self, pixel_11: PixelIn) -> PixelOut {
         let mut hit_19: Hit;
 
-        let _e1 = self.v_surface_stage(pixel_6);
+        let _e1 = self.v_enter_relief(pixel_11);
         let _e3 = self.v_miss(rt::Scalar(0u32));
         hit_19 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
@@ -5078,7 +5502,7 @@ impl<'g> Resources<'g> {
         let _e10 = hit_19;
         let _e11 = hit_19;
         let _e12 = self.v_visible_lights(_e1, _e11);
-        let _e13 = self.v_shade_hit(pixel_6, _e1, _e10, _e12);
+        let _e13 = self.v_shade_hit(pixel_11, _e1, _e10, _e12);
         return _e13;
     }
 }

@@ -33,6 +33,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/interval", head: r#"// The interval that the bracketing refinements begin with.
 "# },
+    Module { path: "shared/levels", head: r#"// Levels of detail of a map.
+"# },
     Module { path: "shared/light", head: r#"// Lights, as a point of the surface sees them.
 "# },
     Module { path: "shared/light_ray", head: r#"// Rays from a hit toward a light, through the relief of the same surface.
@@ -70,6 +72,14 @@ pub const MODULES: &[Module] = &[
 // Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over the
 // triangle, so that relief runs smoothly from one triangle to the next; the segment lies in the frame of the
 // base point.
+"# },
+    Module { path: "detail/footprint", head: r#"// The level of detail whose texels are about as wide as a pixel's footprint on the base surface.
+//
+// Oh, Ki and Lee 2006, section 3.4. The footprint is an ellipse, and its shorter axis decides, as in
+// anisotropic filtering; `params.x` is how many times as long the longer one may be. It is made from the rays
+// of the pixels beside, not from what neighbouring invocations compute, so that any ray has one.
+"# },
+    Module { path: "detail/none", head: r#"// No level of detail: the finest level of all maps.
 "# },
     Module { path: "search/cells", head: r#"// Cell walk: every dual cell along the path, in order, until the path dips below the surface in one.
 //
@@ -217,7 +227,8 @@ pub const MODULES: &[Module] = &[
     Module { path: "shade/blinn_phong", head: r#"// Blinn-Phong: diffuse, and a specular lobe around the half vector.
 //
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so
-// that the power is a product of squares and has the same bits everywhere.
+// that the power is a product of squares and has the same bits everywhere. Where the normal is a mean of
+// several, the lobe is as much wider as it is shorter, and as much dimmer (Toksvig 2005).
 "# },
     Module { path: "shadow/entry", head: r#"// A ray from where the light enters the relief down to the hit: a view ray.
 //
@@ -594,7 +605,7 @@ pub const DECLARATIONS: &[Declaration] = &[
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 6u;"#,
+        text: r#"const STAGES = 7u;"#,
     },
     Declaration {
         module: "constants",
@@ -711,7 +722,7 @@ struct Grid {
         sampling: None,
         uses: &["Grid", "Path", "height_size"],
         text: r#"fn grid_of(path: Path) -> Grid {
-    let size = height_size();
+    let size = height_size(path.level);
     return Grid(path.uv * size - vec2f(0.5, 0.5), path.duv * size);
 }"#,
     },
@@ -777,7 +788,7 @@ fn cell_after(grid: Grid, cell: vec2f, leave: vec2f, forward: vec2<bool>, t: f32
         uses: &["Grid", "Path", "gap_to", "height_cell"],
         text: r#"// The coefficients of the gap in a cell, from parameter t on. One read.
 fn cell_gap(path: Path, grid: Grid, cell: vec2f, t: f32) -> vec3f {
-    return gap_to(path, grid, cell, height_cell(vec2i(cell)), t);
+    return gap_to(path, grid, cell, height_cell(vec2i(cell), path.level), t);
 }"#,
     },
     Declaration {
@@ -905,10 +916,10 @@ fn slope_of(value: f32) -> f32 {
         module: "shared/cone",
         name: "cone_slope",
         sampling: None,
-        uses: &["Path", "search_texel", "slope_of", "surface_settings", "wrap_index"],
+        uses: &["Path", "height_texels", "search_texel", "slope_of", "wrap_index"],
         text: r#"// Slope of the cone on a texel. One read.
 fn cone_slope(path: Path, texel: vec2f) -> f32 {
-    let n = vec2i(surface_settings.height_size);
+    let n = height_texels(path.level);
     let place = vec2i(texel);
     let wrapped = vec2i(wrap_index(place.x, n.x), wrap_index(place.y, n.y));
     return slope_of(search_texel(path, wrapped, 0, i32(path.level)).x);
@@ -954,11 +965,11 @@ fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t:
         most = min(most, height / (0.0 - rise));
     }
     let end = t + most;
-    let far = (abs(grid.origin) + abs(grid.step) * end + vec2f(1.0, 1.0)) / height_size();
+    let far = (abs(grid.origin) + abs(grid.step) * end + vec2f(1.0, 1.0)) / height_size(path.level);
     let of_heights = ROUNDING * (abs(path.h.x) + end * (abs(path.h.y) + end * abs(path.h.z)));
     let lost = of_heights + ROUNDING * slope * (far.x + far.y);
     let gap = height - 2.0 * lost;
-    let aside = ((grid.origin - offset) + grid.step * t) / height_size();
+    let aside = ((grid.origin - offset) + grid.step * t) / height_size(path.level);
     let c = (slope * length(aside) - gap) * (slope * length(aside) + gap);
     if (gap <= 0.0 || c >= 0.0) {
         return 0.0;
@@ -1184,12 +1195,33 @@ fn wrap_index(i: i32, n: i32) -> i32 {
     },
     Declaration {
         module: "shared/height",
+        name: "level_texels",
+        sampling: None,
+        uses: &[],
+        text: r#"// Columns and rows of a level of a map with so many: in each level half of those before, rounded down, and at
+// least 1.
+fn level_texels(finest: vec2u, level: u32) -> vec2i {
+    return vec2i(max(i32(finest.x >> level), 1), max(i32(finest.y >> level), 1));
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
+        name: "height_texels",
+        sampling: None,
+        uses: &["level_texels", "surface_settings"],
+        text: r#"// Columns and rows of a level of the height map.
+fn height_texels(level: u32) -> vec2i {
+    return level_texels(surface_settings.height_size, level);
+}"#,
+    },
+    Declaration {
+        module: "shared/height",
         name: "height_size",
         sampling: None,
-        uses: &["surface_settings"],
-        text: r#"// Size of the height map in texels.
-fn height_size() -> vec2f {
-    return vec2f(surface_settings.height_size);
+        uses: &["height_texels"],
+        text: r#"// The same as numbers.
+fn height_size(level: u32) -> vec2f {
+    return vec2f(height_texels(level));
 }"#,
     },
     Declaration {
@@ -1207,19 +1239,20 @@ fn cell_of(point: vec2f) -> vec2f {
         module: "shared/height",
         name: "height_cell",
         sampling: None,
-        uses: &["height_map", "surface_settings", "wrap_index"],
-        text: r#"// The corners h00, h10, h01, h11 of a dual cell. One read.
-fn height_cell(cell: vec2i) -> vec4f {
-    let n = vec2i(surface_settings.height_size);
+        uses: &["height_map", "height_texels", "wrap_index"],
+        text: r#"// The corners h00, h10, h01, h11 of a dual cell of a level. One read.
+fn height_cell(cell: vec2i, level: u32) -> vec4f {
+    let n = height_texels(level);
+    let k = i32(level);
     let i0 = wrap_index(cell.x, n.x);
     let i1 = wrap_index(cell.x + 1, n.x);
     let j0 = wrap_index(cell.y, n.y);
     let j1 = wrap_index(cell.y + 1, n.y);
     return vec4f(
-        textureLoad(height_map, vec2i(i0, j0), 0).x,
-        textureLoad(height_map, vec2i(i1, j0), 0).x,
-        textureLoad(height_map, vec2i(i0, j1), 0).x,
-        textureLoad(height_map, vec2i(i1, j1), 0).x,
+        textureLoad(height_map, vec2i(i0, j0), k).x,
+        textureLoad(height_map, vec2i(i1, j0), k).x,
+        textureLoad(height_map, vec2i(i0, j1), k).x,
+        textureLoad(height_map, vec2i(i1, j1), k).x,
     );
 }"#,
     },
@@ -1228,12 +1261,12 @@ fn height_cell(cell: vec2i) -> vec4f {
         name: "height_at",
         sampling: Some(Sampling::Exact),
         uses: &["cell_of", "height_cell", "height_size"],
-        text: r#"// The bilinear surface at texture coordinates. One read.
-fn height_at(uv: vec2f) -> f32 {
-    let point = uv * height_size() - vec2f(0.5, 0.5);
+        text: r#"// The bilinear surface of a level at texture coordinates. One read.
+fn height_at(uv: vec2f, level: u32) -> f32 {
+    let point = uv * height_size(level) - vec2f(0.5, 0.5);
     let cell = cell_of(point);
     let f = point - cell;
-    let h = height_cell(vec2i(cell));
+    let h = height_cell(vec2i(cell), level);
     let top = h.x + (h.y - h.x) * f.x;
     let bottom = h.z + (h.w - h.z) * f.x;
     return top + (bottom - top) * f.y;
@@ -1244,8 +1277,8 @@ fn height_at(uv: vec2f) -> f32 {
         name: "height_at",
         sampling: Some(Sampling::Fast),
         uses: &["height_map", "map_sampler"],
-        text: r#"fn height_at(uv: vec2f) -> f32 {
-    return textureSampleLevel(height_map, map_sampler, uv, 0.0).x;
+        text: r#"fn height_at(uv: vec2f, level: u32) -> f32 {
+    return textureSampleLevel(height_map, map_sampler, uv, f32(level)).x;
 }"#,
     },
     Declaration {
@@ -1253,7 +1286,8 @@ fn height_at(uv: vec2f) -> f32 {
         name: "Around",
         sampling: None,
         uses: &[],
-        text: r#"// The four texels around a point of a map other than the height map, and where the point lies between them.
+        text: r#"// The four texels around a point of a level of a map other than the height map, and where the point lies
+// between them.
 struct Around {
     columns: vec2i,
     rows: vec2i,
@@ -1265,9 +1299,8 @@ struct Around {
         name: "texels_around",
         sampling: None,
         uses: &["Around", "cell_of", "wrap_index"],
-        text: r#"fn texels_around(uv: vec2f, size: vec2u) -> Around {
-    let n = vec2i(size);
-    let point = uv * vec2f(size) - vec2f(0.5, 0.5);
+        text: r#"fn texels_around(uv: vec2f, n: vec2i) -> Around {
+    let point = uv * vec2f(n) - vec2f(0.5, 0.5);
     let cell = cell_of(point);
     let i = vec2i(cell);
     return Around(
@@ -1292,15 +1325,16 @@ struct Around {
         module: "shared/height",
         name: "color_at",
         sampling: Some(Sampling::Exact),
-        uses: &["bilinear", "color_map", "surface_settings", "texels_around"],
-        text: r#"// The colour map at texture coordinates, linear RGBA.
-fn color_at(uv: vec2f) -> vec4f {
-    let at = texels_around(uv, surface_settings.color_size);
+        uses: &["bilinear", "color_map", "level_texels", "surface_settings", "texels_around"],
+        text: r#"// A level of the colour map at texture coordinates, linear RGBA.
+fn color_at(uv: vec2f, level: u32) -> vec4f {
+    let at = texels_around(uv, level_texels(surface_settings.color_size, level));
+    let k = i32(level);
     return bilinear(
-        textureLoad(color_map, vec2i(at.columns.x, at.rows.x), 0),
-        textureLoad(color_map, vec2i(at.columns.y, at.rows.x), 0),
-        textureLoad(color_map, vec2i(at.columns.x, at.rows.y), 0),
-        textureLoad(color_map, vec2i(at.columns.y, at.rows.y), 0),
+        textureLoad(color_map, vec2i(at.columns.x, at.rows.x), k),
+        textureLoad(color_map, vec2i(at.columns.y, at.rows.x), k),
+        textureLoad(color_map, vec2i(at.columns.x, at.rows.y), k),
+        textureLoad(color_map, vec2i(at.columns.y, at.rows.y), k),
         at.part,
     );
 }"#,
@@ -1310,23 +1344,24 @@ fn color_at(uv: vec2f) -> vec4f {
         name: "color_at",
         sampling: Some(Sampling::Fast),
         uses: &["color_map", "map_sampler"],
-        text: r#"fn color_at(uv: vec2f) -> vec4f {
-    return textureSampleLevel(color_map, map_sampler, uv, 0.0);
+        text: r#"fn color_at(uv: vec2f, level: u32) -> vec4f {
+    return textureSampleLevel(color_map, map_sampler, uv, f32(level));
 }"#,
     },
     Declaration {
         module: "shared/height",
         name: "normal_at",
         sampling: Some(Sampling::Exact),
-        uses: &["bilinear", "normal_map", "surface_settings", "texels_around"],
-        text: r#"// The normal map at texture coordinates: a vector in tangent space, +Y along -B, not normalised.
-fn normal_at(uv: vec2f) -> vec3f {
-    let at = texels_around(uv, surface_settings.normal_size);
+        uses: &["bilinear", "level_texels", "normal_map", "surface_settings", "texels_around"],
+        text: r#"// A level of the normal map at texture coordinates: a vector in tangent space, +Y along -B, not normalised.
+fn normal_at(uv: vec2f, level: u32) -> vec3f {
+    let at = texels_around(uv, level_texels(surface_settings.normal_size, level));
+    let k = i32(level);
     return bilinear(
-        textureLoad(normal_map, vec2i(at.columns.x, at.rows.x), 0, 0),
-        textureLoad(normal_map, vec2i(at.columns.y, at.rows.x), 0, 0),
-        textureLoad(normal_map, vec2i(at.columns.x, at.rows.y), 0, 0),
-        textureLoad(normal_map, vec2i(at.columns.y, at.rows.y), 0, 0),
+        textureLoad(normal_map, vec2i(at.columns.x, at.rows.x), 0, k),
+        textureLoad(normal_map, vec2i(at.columns.y, at.rows.x), 0, k),
+        textureLoad(normal_map, vec2i(at.columns.x, at.rows.y), 0, k),
+        textureLoad(normal_map, vec2i(at.columns.y, at.rows.y), 0, k),
         at.part,
     ).xyz;
 }"#,
@@ -1336,8 +1371,8 @@ fn normal_at(uv: vec2f) -> vec3f {
         name: "normal_at",
         sampling: Some(Sampling::Fast),
         uses: &["map_sampler", "normal_map"],
-        text: r#"fn normal_at(uv: vec2f) -> vec3f {
-    return textureSampleLevel(normal_map, map_sampler, uv, 0, 0.0).xyz;
+        text: r#"fn normal_at(uv: vec2f, level: u32) -> vec3f {
+    return textureSampleLevel(normal_map, map_sampler, uv, 0, f32(level)).xyz;
 }"#,
     },
     Declaration {
@@ -1420,6 +1455,39 @@ fn has_interval(found: Found) -> bool {
 }"#,
     },
     Declaration {
+        module: "shared/levels",
+        name: "Levels",
+        sampling: None,
+        uses: &[],
+        text: r#"// Two levels of a map between which a footprint lies.
+struct Levels {
+    // The finer one.
+    fine: u32,
+    // The part of the next one in what is seen, below 1.
+    part: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/levels",
+        name: "levels_of",
+        sampling: None,
+        uses: &["Levels"],
+        text: r#"// The levels for a footprint of so many texels of the finest, of a map with so many levels. A level's texels
+// are at most as wide as the footprint: there is no logarithm, since it has not the same bits everywhere.
+fn levels_of(footprint: f32, count: u32) -> Levels {
+    var texels = footprint;
+    var level = 0u;
+    while (texels >= 2.0 && level + 1u < count) {
+        texels = texels * 0.5;
+        level = level + 1u;
+    }
+    if (texels > 1.0 && level + 1u < count) {
+        return Levels(level, texels - 1.0);
+    }
+    return Levels(level, 0.0);
+}"#,
+    },
+    Declaration {
         module: "shared/light",
         name: "NEAREST_LIGHT",
         sampling: None,
@@ -1484,7 +1552,7 @@ fn climb(at: Entered, direction: vec3f) -> vec3f {
 fn from_hit(at: Entered, hit: Hit, light: Toward) -> Path {
     let change = climb(at, light.direction);
     let uv = near_uv(hit.uv);
-    let h = vec3f(height_at(uv), change.z, 0.0);
+    let h = vec3f(height_at(uv, at.path.level), change.z, 0.0);
     return Path(uv, change.xy, h, 0.0, 0.0, at.path.metric, RAY_SHADOW, at.path.level);
 }"#,
     },
@@ -1526,7 +1594,7 @@ fn light_ray(at: Entered, hit: Hit, light: Toward) -> LightRay {
     let cell = cell_of(grid.origin);
     let leave = cell_leave(grid, cell);
     let end = max(min(min(leave.x, leave.y), exit), 0.0);
-    let c = gap_to(way, grid, cell, height_cell(vec2i(cell)), 0.0);
+    let c = gap_to(way, grid, cell, height_cell(vec2i(cell), way.level), 0.0);
     if (c.y < 0.0 || c.y + c.z * end < 0.0) {
         return LightRay(LIGHT_RAY_DARK, way);
     }
@@ -1535,7 +1603,7 @@ fn light_ray(at: Entered, hit: Hit, light: Toward) -> LightRay {
     }
     let start = path_uv(way, end);
     let gap = end * (c.y + c.z * end);
-    let h = vec3f(height_at(start) + gap + ROUNDING, way.h.y, 0.0);
+    let h = vec3f(height_at(start, way.level) + gap + ROUNDING, way.h.y, 0.0);
     let path = Path(start, way.duv, h, exit - end, 0.0, way.metric, way.ray, way.level);
     return LightRay(LIGHT_RAY_OPEN, path);
 }"#,
@@ -1571,10 +1639,10 @@ fn search_texel(path: Path, place: vec2i, layer: i32, level: i32) -> vec4f {
         module: "shared/maps",
         name: "search_texel_between",
         sampling: None,
-        uses: &["Path", "bilinear", "search_texel", "surface_settings", "texels_around"],
+        uses: &["Path", "bilinear", "height_texels", "search_texel", "texels_around"],
         text: r#"// The map that the search of a path's rays reads, between the four texels around a place. One read.
 fn search_texel_between(path: Path, uv: vec2f, layer: i32) -> vec4f {
-    let at = texels_around(uv, surface_settings.height_size);
+    let at = texels_around(uv, height_texels(path.level));
     let level = i32(path.level);
     return bilinear(
         search_texel(path, vec2i(at.columns.x, at.rows.x), layer, level),
@@ -1599,15 +1667,16 @@ fn shadow_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
         module: "shared/maps",
         name: "shadow_texel_between",
         sampling: None,
-        uses: &["bilinear", "shadow_texel", "surface_settings", "texels_around"],
-        text: r#"// The map that shadows are looked up in, between the four texels around a place. One read.
-fn shadow_texel_between(uv: vec2f, layer: i32) -> vec4f {
-    let at = texels_around(uv, surface_settings.height_size);
+        uses: &["bilinear", "height_texels", "shadow_texel", "texels_around"],
+        text: r#"// A level of the map that shadows are looked up in, between the four texels around a place. One read.
+fn shadow_texel_between(uv: vec2f, layer: i32, level: u32) -> vec4f {
+    let at = texels_around(uv, height_texels(level));
+    let k = i32(level);
     return bilinear(
-        shadow_texel(vec2i(at.columns.x, at.rows.x), layer, 0),
-        shadow_texel(vec2i(at.columns.y, at.rows.x), layer, 0),
-        shadow_texel(vec2i(at.columns.x, at.rows.y), layer, 0),
-        shadow_texel(vec2i(at.columns.y, at.rows.y), layer, 0),
+        shadow_texel(vec2i(at.columns.x, at.rows.x), layer, k),
+        shadow_texel(vec2i(at.columns.y, at.rows.x), layer, k),
+        shadow_texel(vec2i(at.columns.x, at.rows.y), layer, k),
+        shadow_texel(vec2i(at.columns.y, at.rows.y), layer, k),
         at.part,
     );
 }"#,
@@ -1634,15 +1703,28 @@ fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
     },
     Declaration {
         module: "shared/normal",
+        name: "MeanNormal",
+        sampling: None,
+        uses: &[],
+        text: r#"// The mean of the normals within a footprint.
+struct MeanNormal {
+    // Its direction.
+    normal: vec3f,
+    // Its length: 1 where all normals are the same.
+    length: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
         name: "normal_from_height",
         sampling: None,
         uses: &["Entered", "height_at", "height_size", "surface_settings"],
         text: r#"fn normal_from_height(at: Entered, uv: vec2f) -> vec3f {
-    let size = height_size();
+    let size = height_size(0u);
     let du = vec2f(1.0 / size.x, 0.0);
     let dv = vec2f(0.0, 1.0 / size.y);
-    let slope_u = (height_at(uv + du) - height_at(uv - du)) * (0.5 * size.x * surface_settings.scale_m);
-    let slope_v = (height_at(uv + dv) - height_at(uv - dv)) * (0.5 * size.y * surface_settings.scale_m);
+    let slope_u = (height_at(uv + du, 0u) - height_at(uv - du, 0u)) * (0.5 * size.x * surface_settings.scale_m);
+    let slope_v = (height_at(uv + dv, 0u) - height_at(uv - dv, 0u)) * (0.5 * size.y * surface_settings.scale_m);
     let along_u = at.tangent + at.normal * slope_u;
     let along_v = at.bitangent + at.normal * slope_v;
     let across = normalize(cross(along_v, along_u));
@@ -1651,26 +1733,65 @@ fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
     },
     Declaration {
         module: "shared/normal",
-        name: "normal_from_map",
+        name: "from_tangent_space",
         sampling: None,
-        uses: &["Entered", "normal_at"],
-        text: r#"fn normal_from_map(at: Entered, uv: vec2f) -> vec3f {
-    let n = normal_at(uv);
+        uses: &["Entered"],
+        text: r#"// A vector of tangent space, in the world.
+fn from_tangent_space(at: Entered, n: vec3f) -> vec3f {
     let along_u = normalize(at.tangent);
     let along_v = normalize(at.bitangent);
-    return normalize(along_u * n.x - along_v * n.y + at.normal * n.z);
+    return along_u * n.x - along_v * n.y + at.normal * n.z;
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "finest_normal",
+        sampling: None,
+        uses: &["Entered", "from_tangent_space", "normal_at", "normal_from_height", "surface_settings"],
+        text: r#"// The normal in the finest level.
+fn finest_normal(at: Entered, uv: vec2f) -> vec3f {
+    if (surface_settings.has_normal == 1u) {
+        return normalize(from_tangent_space(at, normal_at(uv, 0u)));
+    }
+    return normal_from_height(at, uv);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "mean_normal",
+        sampling: None,
+        uses: &["Entered", "finest_normal", "from_tangent_space", "normal_at", "surface_settings"],
+        text: r#"// The mean of the normals in the texels of a level, not normalised.
+fn mean_normal(at: Entered, uv: vec2f, level: u32) -> vec3f {
+    if (level == 0u) {
+        return finest_normal(at, uv);
+    }
+    if (surface_settings.has_normal == 1u) {
+        return from_tangent_space(at, normal_at(uv, level));
+    }
+    // Derived normals hold for tiles of other lengths: where a tile is longer, slopes are as much flatter.
+    let mean = normal_at(uv, level - 1u);
+    let tile = surface_settings.normal_tile_m;
+    let x = mean.x * (tile.x * dot(normalize(at.tangent), at.tangent) / dot(at.tangent, at.tangent));
+    let y = mean.y * (tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent));
+    return from_tangent_space(at, normalize(vec3f(x, y, mean.z)) * length(mean));
 }"#,
     },
     Declaration {
         module: "shared/normal",
         name: "mesostructure_normal",
         sampling: None,
-        uses: &["Entered", "normal_from_height", "normal_from_map", "surface_settings"],
-        text: r#"fn mesostructure_normal(at: Entered, uv: vec2f) -> vec3f {
-    if (surface_settings.has_normal == 1u) {
-        return normal_from_map(at, uv);
+        uses: &["Entered", "MeanNormal", "finest_normal", "levels_of", "mean_normal", "surface_settings"],
+        text: r#"fn mesostructure_normal(at: Entered, uv: vec2f) -> MeanNormal {
+    let levels = levels_of(at.footprint * surface_settings.normal_texels, surface_settings.normal_levels);
+    if (levels.fine == 0u && !(levels.part > 0.0)) {
+        return MeanNormal(finest_normal(at, uv), 1.0);
     }
-    return normal_from_height(at, uv);
+    var mean = mean_normal(at, uv, levels.fine);
+    if (levels.part > 0.0) {
+        mean = mean + (mean_normal(at, uv, levels.fine + 1u) - mean) * levels.part;
+    }
+    return MeanNormal(normalize(mean), min(length(mean), 1.0));
 }"#,
     },
     Declaration {
@@ -1750,7 +1871,7 @@ fn path_slope(path: Path, t: f32) -> f32 {
         uses: &["Path", "height_at", "path_height", "path_uv"],
         text: r#"// Height of the path above the surface: positive above. One read.
 fn path_gap(path: Path, t: f32) -> f32 {
-    return path_height(path, t) - height_at(path_uv(path, t));
+    return path_height(path, t) - height_at(path_uv(path, t), path.level);
 }"#,
     },
     Declaration {
@@ -1826,6 +1947,20 @@ fn pixel_of(a: Corner, b: Corner, c: Corner, side: f32, point: vec2f) -> PixelIn
     },
     Declaration {
         module: "shared/pixel",
+        name: "enter_relief",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "detail_stage", "surface_stage"],
+        text: r#"// The ray at the base surface, in the detail that it is seen in.
+fn enter_relief(pixel: PixelIn) -> Entered {
+    var at = surface_stage(pixel);
+    let detail = detail_stage(pixel, at);
+    at.path.level = detail.level;
+    at.footprint = detail.footprint;
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
         name: "trace",
         sampling: None,
         uses: &["Hit", "Path", "refine_stage", "search_stage"],
@@ -1838,24 +1973,29 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "color_or_white",
         sampling: None,
-        uses: &["color_at", "surface_settings"],
-        text: r#"fn color_or_white(uv: vec2f) -> vec3f {
-    if (surface_settings.has_color == 1u) {
-        return color_at(uv).xyz;
+        uses: &["color_at", "levels_of", "surface_settings"],
+        text: r#"fn color_or_white(uv: vec2f, footprint: f32) -> vec3f {
+    if (surface_settings.has_color != 1u) {
+        return vec3f(1.0, 1.0, 1.0);
     }
-    return vec3f(1.0, 1.0, 1.0);
+    let levels = levels_of(footprint * surface_settings.color_texels, surface_settings.color_levels);
+    let fine = color_at(uv, levels.fine).xyz;
+    if (levels.part > 0.0) {
+        return fine + (color_at(uv, levels.fine + 1u).xyz - fine) * levels.part;
+    }
+    return fine;
 }"#,
     },
     Declaration {
         module: "shared/pixel",
         name: "reflected_light",
         sampling: None,
-        uses: &["MAX_LIGHTS", "frame", "shade_stage", "surface_settings", "toward_light"],
+        uses: &["MAX_LIGHTS", "MeanNormal", "frame", "shade_stage", "surface_settings", "toward_light"],
         text: r#"// The light that a point reflects along `view`, toward the eye, in linear RGB: the ambient part, and light by
 // light what the shading makes of it, as far as it arrives.
 fn reflected_light(
     position: vec3f,
-    normal: vec3f,
+    mean: MeanNormal,
     view: vec3f,
     color: vec3f,
     visible: array<vec4f, MAX_LIGHTS>,
@@ -1865,7 +2005,7 @@ fn reflected_light(
     var k = 0u;
     while (k < frame.light_count) {
         let toward = toward_light(frame.lights[k], position);
-        let reflected = shade_stage(normal, view, toward.direction, diffuse);
+        let reflected = shade_stage(mean.normal, mean.length, view, toward.direction, diffuse);
         light = light + reflected * frame.lights[k].color.xyz * (toward.falloff * visible[k].x);
         k = k + 1u;
     }
@@ -1881,7 +2021,7 @@ fn reflected_light(
 fn hit_position(at: Entered, hit: Hit) -> vec3f {
     let aside = hit.uv - at.uv;
     return at.point + at.tangent * aside.x + at.bitangent * aside.y
-        + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv));
+        + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.path.level));
 }"#,
     },
     Declaration {
@@ -1952,15 +2092,16 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
             vec2i(0, 0),
             hit.reads,
             0.0,
+            0u,
         );
     }
-    let height = height_at(hit.uv);
+    let height = height_at(hit.uv, at.path.level);
     let position = hit_position(at, hit);
-    let normal = mesostructure_normal(at, hit.uv);
+    let mean = mesostructure_normal(at, hit.uv);
     let view = normalize(pixel.origin - position);
-    let color = reflected_light(position, normal, view, color_or_white(hit.uv), visible);
+    let color = reflected_light(position, mean, view, color_or_white(hit.uv, at.footprint), visible);
     let depth = dot(position - pixel.origin, frame.forward.xyz);
-    let cell = cell_of(hit.uv * height_size() - vec2f(0.5, 0.5));
+    let cell = cell_of(hit.uv * height_size(0u) - vec2f(0.5, 0.5));
     return PixelOut(
         vec4f(color, 1.0),
         1u,
@@ -1968,12 +2109,13 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         hit.uv,
         height,
         position,
-        normal,
+        mean.normal,
         depth,
         hit.t,
         vec2i(cell),
         hit.reads,
         visible[0].x,
+        at.path.level,
     );
 }"#,
     },
@@ -1981,9 +2123,9 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         module: "shared/pixel",
         name: "shade_pixel",
         sampling: None,
-        uses: &["PixelIn", "PixelOut", "miss", "shade_hit", "surface_stage", "trace", "visible_lights"],
+        uses: &["PixelIn", "PixelOut", "enter_relief", "miss", "shade_hit", "trace", "visible_lights"],
         text: r#"fn shade_pixel(pixel: PixelIn) -> PixelOut {
-    let at = surface_stage(pixel);
+    let at = enter_relief(pixel);
     var hit = miss(0u);
     if (at.valid == 1u) {
         hit = trace(at.path);
@@ -2028,7 +2170,8 @@ struct Record {
     height: f32,
     uv: vec2f,
     t: f32,
-    // 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps.
+    // 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps; and four times
+    // the level of detail that was traced.
     hit: u32,
     cell: vec2i,
     reads: u32,
@@ -2096,6 +2239,8 @@ struct Frame {
     right: vec4f,
     down: vec4f,
     ambient: vec4f,
+    // The part of a pixel's width that a sample stands for.
+    sample_width: f32,
     // Linear RGB of pixels that show no surface.
     background: vec4f,
     lights: array<Light, MAX_LIGHTS>,
@@ -2149,6 +2294,16 @@ struct SurfaceSettings {
     height_size: vec2u,
     color_size: vec2u,
     normal_size: vec2u,
+    // Levels of detail of each, at least 1. Normals that are derived from heights are in the map from level 1
+    // on, which is the map's finest.
+    height_levels: u32,
+    color_levels: u32,
+    normal_levels: u32,
+    // Texels of the colour map and of the normal map beside one of the height map.
+    color_texels: f32,
+    normal_texels: f32,
+    // Metres of a tile along u and v for which normals were derived.
+    normal_tile_m: vec2f,
     wrap: u32,
     shininess: u32,
     has_color: u32,
@@ -2203,13 +2358,13 @@ fn free_way(at: Entered, hit: Hit, light: Toward) -> f32 {
         name: "height_and_slope",
         sampling: None,
         uses: &["cell_of", "height_cell", "height_size"],
-        text: r#"// Height and its derivatives by u and v at texture coordinates, from the dual cell there. One read.
-fn height_and_slope(uv: vec2f) -> vec3f {
-    let size = height_size();
+        text: r#"// Height and its derivatives by u and v at texture coordinates, from the dual cell of a level there. One read.
+fn height_and_slope(uv: vec2f, level: u32) -> vec3f {
+    let size = height_size(level);
     let point = uv * size - vec2f(0.5, 0.5);
     let cell = cell_of(point);
     let f = point - cell;
-    let h = height_cell(vec2i(cell));
+    let h = height_cell(vec2i(cell), level);
     let top = h.x + (h.y - h.x) * f.x;
     let bottom = h.z + (h.w - h.z) * f.x;
     let left = h.x + (h.z - h.x) * f.y;
@@ -2328,6 +2483,22 @@ struct Entered {
     tangent: vec3f,
     bitangent: vec3f,
     normal: vec3f,
+    // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
+    // the finest level.
+    footprint: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
+        name: "Detail",
+        sampling: None,
+        uses: &[],
+        text: r#"// In how much detail a pixel is seen.
+struct Detail {
+    // The level of the maps that are traced.
+    level: u32,
+    // As in `Entered`.
+    footprint: f32,
 }"#,
     },
     Declaration {
@@ -2389,6 +2560,8 @@ struct PixelOut {
     // The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without
     // lights.
     lit: f32,
+    // The level of detail that was traced.
+    level: u32,
 }"#,
     },
     Declaration {
@@ -2474,7 +2647,53 @@ const BELOW_FLOOR = 1.000001;"#,
         RAY_VIEW,
         0u,
     );
-    return Entered(valid, path, point, uv, tangent, bitangent, normal);
+    return Entered(valid, path, point, uv, tangent, bitangent, normal, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "detail/footprint",
+        name: "footprint_axis",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "climb", "surface_settings"],
+        text: r#"// How far the base point moves, in texels, when the ray's origin and direction change by these. `normal` is
+// the triangle's, of any length; `t` is where its plane is on the ray.
+fn footprint_axis(pixel: PixelIn, at: Entered, normal: vec3f, t: f32, origin: vec3f, direction: vec3f) -> vec2f {
+    let aside = origin + direction * t;
+    let along = dot(normal, aside) / dot(normal, pixel.direction);
+    return climb(at, aside - pixel.direction * along).xy * vec2f(surface_settings.height_size);
+}"#,
+    },
+    Declaration {
+        module: "detail/footprint",
+        name: "detail_footprint",
+        sampling: None,
+        uses: &["Detail", "Entered", "PixelIn", "footprint_axis", "frame", "levels_of", "surface_settings"],
+        text: r#"fn detail_footprint(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
+    let a = pixel.a.position;
+    let normal = cross(pixel.b.position - a, pixel.c.position - a);
+    let t = dot(normal, a - pixel.origin) / dot(normal, pixel.direction);
+    let right = footprint_axis(pixel, at, normal, t, frame.eye_right.xyz, frame.right.xyz);
+    let down = footprint_axis(pixel, at, normal, t, frame.eye_down.xyz, frame.down.xyz);
+    // The squared axes of the ellipse are the larger and the smaller root: their sum and product are known.
+    // One product of four: of a sum of two sums compilers make another one, which ends in other bits.
+    let both = vec4f(right, down);
+    let sum = dot(both, both);
+    let area = right.x * down.y - right.y * down.x;
+    let apart = sqrt(max((sum - 2.0 * area) * (sum + 2.0 * area), 0.0));
+    let longer = 0.5 * (sum + apart);
+    let shorter = area * area / longer;
+    let squared = max(shorter, longer / (params.x * params.x));
+    let footprint = sqrt(squared) * frame.sample_width;
+    return Detail(levels_of(footprint, surface_settings.height_levels).fine, footprint);
+}"#,
+    },
+    Declaration {
+        module: "detail/none",
+        name: "detail_none",
+        sampling: None,
+        uses: &["Detail", "Entered", "PixelIn"],
+        text: r#"fn detail_none(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
+    return Detail(0u, 0.0);
 }"#,
     },
     Declaration {
@@ -2521,7 +2740,7 @@ const BELOW_FLOOR = 1.000001;"#,
     let limit = u32(params.x);
     while (reads < limit) {
         let first = reads == 0u;
-        let heights = height_cell(vec2i(cell));
+        let heights = height_cell(vec2i(cell), path.level);
         reads = reads + 1u;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
@@ -2634,10 +2853,10 @@ fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
         module: "search/dilation_erosion",
         name: "search_dilation_erosion",
         sampling: None,
-        uses: &["BESIDE", "FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "bracket_between", "cell_after", "cell_leave", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "image_of", "least_at", "leaves_window", "path_height", "path_slope", "quadratic", "search_texel", "surface_settings"],
+        uses: &["BESIDE", "FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "bracket_between", "cell_after", "cell_leave", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_window", "path_height", "path_slope", "quadratic", "search_texel"],
         text: r#"fn search_dilation_erosion(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
-    let n = vec2i(surface_settings.height_size);
+    let n = height_texels(path.level);
     let forward = grid.step >= vec2f(0.0, 0.0);
     var cell = cell_of(grid.origin);
     var t = 0.0;
@@ -2680,7 +2899,7 @@ fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
         if (next < end || !(end > t)) {
             if (looks) {
                 reads = reads + 1u;
-                let heights = height_cell(vec2i(cell));
+                let heights = height_cell(vec2i(cell), path.level);
                 let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, t == 0.0, reads);
                 if (found.status != FOUND_ABOVE) {
                     return found;
@@ -2701,12 +2920,13 @@ fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
         module: "search/frustum",
         name: "frustum_slope",
         sampling: None,
-        uses: &["BESIDE", "Path", "UPRIGHT", "image_of", "search_texel", "surface_settings"],
+        uses: &["BESIDE", "Path", "UPRIGHT", "height_texels", "image_of", "search_texel"],
         text: r#"// The slope of the frustum that stands on a cell, toward larger u and v where `forward` says so. One read;
 // none, and a negative slope, where the map has no frustum.
 fn frustum_slope(path: Path, cell: vec2i, forward: vec2<bool>) -> f32 {
-    let u = image_of(cell.x, i32(surface_settings.height_size.x));
-    let v = image_of(cell.y, i32(surface_settings.height_size.y));
+    let n = height_texels(path.level);
+    let u = image_of(cell.x, n.x);
+    let v = image_of(cell.y, n.y);
     if (u.y == BESIDE || v.y == BESIDE) {
         return -1.0;
     }
@@ -2755,7 +2975,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
     let limit = u32(params.x);
     while (reads < limit) {
         let first = reads == 0u;
-        let heights = height_cell(vec2i(cell));
+        let heights = height_cell(vec2i(cell), path.level);
         reads = reads + 1u;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
@@ -2875,10 +3095,10 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         module: "search/pyramid",
         name: "search_pyramid",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "image_of", "least_at", "leaves_extent", "node_extent", "path_height", "path_slope", "quadratic", "search_texel", "surface_settings"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_extent", "node_extent", "path_height", "path_slope", "quadratic", "search_texel"],
         text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
-    let n = vec2i(surface_settings.height_size);
+    let n = height_texels(path.level);
     // Nodes that are wider than the path is long tell nothing that narrower ones do not.
     let long = max(abs(grid.step.x), abs(grid.step.y)) * path.exit;
     var top = 0u;
@@ -2914,7 +3134,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         let last = vec2i(columns.y - 1, rows.y - 1);
         reads = reads + 1u;
         if (level == 0u) {
-            let c = gap_to(path, grid, vec2f(cell), height_cell(cell), t);
+            let c = gap_to(path, grid, vec2f(cell), height_cell(cell, path.level), t);
             let found = found_in_cell(c, t, span, t == 0.0, reads);
             if (found.status != FOUND_ABOVE) {
                 return found;
@@ -2984,11 +3204,11 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         module: "search/pyramid_texels",
         name: "search_pyramid_texels",
         sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "NEVER", "Path", "cell_of", "first_root", "height_map", "height_size", "leaves_extent", "path_height", "path_slope", "search_texel", "surface_settings", "texel_extent", "wrap_index"],
+        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "NEVER", "Path", "cell_of", "first_root", "height_map", "height_size", "height_texels", "leaves_extent", "path_height", "path_slope", "search_texel", "texel_extent", "wrap_index"],
         text: r#"fn search_pyramid_texels(path: Path, params: vec4f) -> Found {
-    let n = vec2i(surface_settings.height_size);
-    let origin = path.uv * height_size();
-    let step = path.duv * height_size();
+    let n = height_texels(path.level);
+    let origin = path.uv * height_size(path.level);
+    let step = path.duv * height_size(path.level);
     var level = 0u;
     while ((1 << level) < max(n.x, n.y)) {
         level = level + 1u;
@@ -3056,7 +3276,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     let aside = length(path.duv);
     let rise = path_slope(path, 0.0);
     let terms = abs(path.h.x) + path.exit * abs(path.h.y);
-    let far = (abs(grid.origin) + abs(grid.step) * path.exit + vec2f(1.0, 1.0)) / height_size();
+    let far = (abs(grid.origin) + abs(grid.step) * path.exit + vec2f(1.0, 1.0)) / height_size(path.level);
     var cell = cell_of(grid.origin);
     var t = 0.0;
     // Where the path was last seen above the surface, and how far.
@@ -3068,7 +3288,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
-        let c = gap_to(path, grid, cell, height_cell(vec2i(cell)), t);
+        let c = gap_to(path, grid, cell, height_cell(vec2i(cell), path.level), t);
         reads = reads + 1u;
         if (c.x <= 0.0) {
             if (near < t && near_gap > 0.0) {
@@ -3137,7 +3357,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     var reads = 0u;
     let limit = u32(params.x);
     while (reads < limit) {
-        let heights = height_cell(vec2i(cell));
+        let heights = height_cell(vec2i(cell), path.level);
         reads = reads + 1u;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
@@ -3235,7 +3455,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
             }
         } else if (next < end || !(end > t)) {
             reads = reads + 1u;
-            let c = gap_to(path, grid, cell, height_cell(vec2i(cell)), t);
+            let c = gap_to(path, grid, cell, height_cell(vec2i(cell), path.level), t);
             let found = found_in_cell(c, t, span, t == 0.0, reads);
             if (found.status != FOUND_ABOVE) {
                 return found;
@@ -3291,7 +3511,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     if (found.status != FOUND_BELOW) {
         return refine_none(path, found, params);
     }
-    let speed = length(path.duv * height_size());
+    let speed = length(path.duv * height_size(path.level));
     // A path along the normal stays over one place.
     if (!(speed * path.exit > 0.5)) {
         return refine_none(path, found, params);
@@ -3331,7 +3551,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         return miss(found.reads);
     }
     let start = starting_point(path, found);
-    let level = height_at(path_uv(path, start));
+    let level = height_at(path_uv(path, start), path.level);
     let slope = path_slope(path, start);
     var t = start;
     if (slope != 0.0) {
@@ -3350,7 +3570,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         return miss(found.reads);
     }
     let start = starting_point(path, found);
-    let level = height_at(path_uv(path, start));
+    let level = height_at(path_uv(path, start), path.level);
     // Metres above the starting point, moved as many metres along the view ray.
     let rise_m = (level - path_height(path, start)) * path.metric.w;
     var hit = hit_on_path(path, start - rise_m, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.reads + 1u);
@@ -3462,7 +3682,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         return miss(found.reads);
     }
     let start = starting_point(path, found);
-    let plane = height_and_slope(path_uv(path, start));
+    let plane = height_and_slope(path_uv(path, start), path.level);
     let rise = plane.x - path_height(path, start);
     var t = start;
     if (params.x > 0.5) {
@@ -3489,7 +3709,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     var reads = found.reads;
     var k = 0.0;
     while (k < params.x) {
-        let plane = height_and_slope(path_uv(path, t));
+        let plane = height_and_slope(path_uv(path, t), path.level);
         reads = reads + 1u;
         let rise = plane.x - path_height(path, t);
         if (params.y > 0.5) {
@@ -3549,6 +3769,14 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     },
     Declaration {
         module: "shade/blinn_phong",
+        name: "LOBE",
+        sampling: None,
+        uses: &[],
+        text: r#"// What is added to an exponent so that lobes in proportion to the sum reflect the same light.
+const LOBE = 8.0;"#,
+    },
+    Declaration {
+        module: "shade/blinn_phong",
         name: "whole_power",
         sampling: None,
         uses: &[],
@@ -3570,13 +3798,28 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "shade/blinn_phong",
         name: "shade_blinn_phong",
         sampling: None,
-        uses: &["surface_settings", "whole_power"],
-        text: r#"fn shade_blinn_phong(normal: vec3f, view: vec3f, toward: vec3f, color: vec3f, params: vec4f) -> vec3f {
+        uses: &["LOBE", "surface_settings", "whole_power"],
+        text: r#"fn shade_blinn_phong(
+    normal: vec3f,
+    mean: f32,
+    view: vec3f,
+    toward: vec3f,
+    color: vec3f,
+    params: vec4f,
+) -> vec3f {
     let cosine = dot(normal, toward);
     if (cosine > 0.0) {
+        var exponent = surface_settings.shininess;
+        var dimmed = 1.0;
+        if (mean < 1.0) {
+            let sharp = f32(surface_settings.shininess);
+            let wide = max(floor(sharp * mean / (mean + sharp * (1.0 - mean))), 1.0);
+            exponent = u32(wide);
+            dimmed = (wide + LOBE) / (sharp + LOBE);
+        }
         let lobe = max(dot(normal, normalize(toward + view)), 0.0);
-        let specular = surface_settings.specular.xyz * whole_power(lobe, surface_settings.shininess);
-        return color * cosine + specular;
+        let specular = surface_settings.specular.xyz * (whole_power(lobe, exponent) * dimmed);
+        return color * (cosine * mean) + specular;
     }
     return vec3f(0.0, 0.0, 0.0);
 }"#,
@@ -3610,7 +3853,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     if (end.found == 0u) {
         return 1.0;
     }
-    let apart = abs(end.uv - up.uv) * height_size();
+    let apart = abs(end.uv - up.uv) * height_size(up.level);
     return select(0.0, 1.0, max(apart.x, apart.y) <= params.x);
 }"#,
     },
@@ -3657,7 +3900,7 @@ fn own_slope(way: Path) -> f32 {
     let leave = cell_leave(grid, cell);
     let end = max(min(leave.x, leave.y), 0.0);
     let level = Path(way.uv, way.duv, vec3f(way.h.x, 0.0, 0.0), end, 0.0, way.metric, way.ray, way.level);
-    let c = gap_to(level, grid, cell, height_cell(vec2i(cell)), 0.0);
+    let c = gap_to(level, grid, cell, height_cell(vec2i(cell), way.level), 0.0);
     return 0.0 - min(c.y, c.y + c.z * end);
 }"#,
     },
@@ -3677,8 +3920,8 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
     let count = i32(params.x);
     let before = i32(first) % count;
     let part = azimuth - first;
-    let low = shadow_texel_between(hit.uv, before).x;
-    let sine = low + (shadow_texel_between(hit.uv, (before + 1) % count).x - low) * part;
+    let low = shadow_texel_between(hit.uv, before, at.path.level).x;
+    let sine = low + (shadow_texel_between(hit.uv, (before + 1) % count, at.path.level).x - low) * part;
     // In metres, both for a metre of the light's ray: how far the horizon rises, and how far the ray.
     let squared = sine * sine / max((1.0 - sine) * (1.0 + sine), LEAST_SQUARED_COSINE);
     let far = sqrt(squared * dot(along, along));
@@ -3736,10 +3979,10 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
         module: "shadow/visibility",
         name: "open_part",
         sampling: None,
-        uses: &["Hit", "shadow_texel_between"],
+        uses: &["Entered", "Hit", "shadow_texel_between"],
         text: r#"// The part of the texels around a hit that see nothing in a direction.
-fn open_part(hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
-    return 1.0 - shadow_texel_between(hit.uv, azimuth * elevations + elevation).z;
+fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
+    return 1.0 - shadow_texel_between(hit.uv, azimuth * elevations + elevation, at.path.level).z;
 }"#,
     },
     Declaration {
@@ -3762,7 +4005,7 @@ fn open_part(hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
     let elevation = clamp(squared * params.y - 0.5, 0.0, params.y - 1.0);
     if (params.z < 2.0) {
         let a = i32(floor(azimuth + 0.5)) % azimuths;
-        return open_part(hit, a, i32(floor(elevation + 0.5)), elevations);
+        return open_part(at, hit, a, i32(floor(elevation + 0.5)), elevations);
     }
     let a0 = i32(floor(azimuth)) % azimuths;
     let a1 = (a0 + 1) % azimuths;
@@ -3770,13 +4013,13 @@ fn open_part(hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
     let e1 = min(e0 + 1, elevations - 1);
     let along_azimuth = azimuth - floor(azimuth);
     let along_elevation = elevation - floor(elevation);
-    let right = open_part(hit, a1, e0, elevations);
-    let above = open_part(hit, a0, e1, elevations);
+    let right = open_part(at, hit, a1, e0, elevations);
+    let above = open_part(at, hit, a0, e1, elevations);
     if (along_azimuth + along_elevation <= 1.0) {
-        let corner = open_part(hit, a0, e0, elevations);
+        let corner = open_part(at, hit, a0, e0, elevations);
         return corner + (right - corner) * along_azimuth + (above - corner) * along_elevation;
     }
-    let corner = open_part(hit, a1, e1, elevations);
+    let corner = open_part(at, hit, a1, e1, elevations);
     return corner + (above - corner) * (1.0 - along_azimuth) + (right - corner) * (1.0 - along_elevation);
 }"#,
     },
@@ -3784,14 +4027,14 @@ fn open_part(hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
         module: "roots/probe",
         name: "probe_main",
         sampling: None,
-        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "mirrored_light", "pixels", "probes", "refine_stage", "search_stage", "surface_stage"],
+        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "enter_relief", "mirrored_light", "pixels", "probes", "refine_stage", "search_stage"],
         text: r#"@compute @workgroup_size(PROBE_GROUP)
 fn probe_main(@builtin(global_invocation_id) id: vec3u) {
     let index = id.y * PROBE_ROW + id.x;
     if (index >= arrayLength(&pixels)) {
         return;
     }
-    let at = surface_stage(pixels[index]);
+    let at = enter_relief(pixels[index]);
     if (at.valid == 0u) {
         return;
     }
@@ -3841,7 +4084,7 @@ fn resolve_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/shade",
         name: "shade_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "numbered_pixel", "pass_settings", "records", "shade_hit", "surface_stage", "traced_hit", "traced_what", "visible_lights"],
+        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "enter_relief", "numbered_pixel", "pass_settings", "records", "shade_hit", "traced_hit", "traced_what", "visible_lights"],
         text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
 fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(traced_what);
@@ -3860,7 +4103,7 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let row = pass_settings.first_row + id.y;
     let point = vec2f(vec2u(id.x, row)) + vec2f(0.5, 0.5) + pass_settings.offset;
     let pixel = numbered_pixel(u32(abs(what.x)) - 1u, side, point);
-    let at = surface_stage(pixel);
+    let at = enter_relief(pixel);
     let out = shade_hit(pixel, at, hit, visible_lights(at, hit));
     let place = id.y * size.x + id.x;
     if (records[place].hit != 0u && records[place].depth <= out.depth) {
@@ -3874,7 +4117,7 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
         out.height,
         out.uv,
         out.t,
-        out.hit + 2u * out.exhausted,
+        out.hit + 2u * out.exhausted + 4u * out.level,
         out.cell,
         out.reads,
         out.lit,
@@ -3937,12 +4180,12 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
         module: "roots/trace",
         name: "fragment_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "Traced", "Varying", "miss", "numbered_pixel", "pass_settings", "surface_stage", "trace"],
+        uses: &["EXHAUSTED_BIT", "Traced", "Varying", "enter_relief", "miss", "numbered_pixel", "pass_settings", "trace"],
         text: r#"@fragment
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let side = select(-1.0, 1.0, front);
     let point = in.position.xy + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
-    let at = surface_stage(numbered_pixel(in.triangle, side, point));
+    let at = enter_relief(numbered_pixel(in.triangle, side, point));
     // A discarded invocation may run on as a helper of its neighbours, and with a path that leads nowhere it
     // would run to the end of its step limit: nothing is traced without a path.
     var hit = miss(0u);

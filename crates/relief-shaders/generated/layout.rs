@@ -21,7 +21,7 @@ impl Shared for Light {
 }
 
 impl Shared for Frame {
-    const SIZE: usize = 480;
+    const SIZE: usize = 496;
 
     fn write(&self, bytes: &mut [u8]) {
         self.view_projection.write(&mut bytes[0..]);
@@ -33,9 +33,10 @@ impl Shared for Frame {
         self.right.write(&mut bytes[144..]);
         self.down.write(&mut bytes[160..]);
         self.ambient.write(&mut bytes[176..]);
-        self.background.write(&mut bytes[192..]);
-        self.lights.write(&mut bytes[208..]);
-        self.light_count.write(&mut bytes[464..]);
+        self.sample_width.write(&mut bytes[192..]);
+        self.background.write(&mut bytes[208..]);
+        self.lights.write(&mut bytes[224..]);
+        self.light_count.write(&mut bytes[480..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -49,9 +50,10 @@ impl Shared for Frame {
             right: Shared::read(&bytes[144..]),
             down: Shared::read(&bytes[160..]),
             ambient: Shared::read(&bytes[176..]),
-            background: Shared::read(&bytes[192..]),
-            lights: Shared::read(&bytes[208..]),
-            light_count: Shared::read(&bytes[464..]),
+            sample_width: Shared::read(&bytes[192..]),
+            background: Shared::read(&bytes[208..]),
+            lights: Shared::read(&bytes[224..]),
+            light_count: Shared::read(&bytes[480..]),
         }
     }
 }
@@ -140,39 +142,51 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 592;
+    const SIZE: usize = 656;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
-        self.maps.write(&mut bytes[192..]);
-        self.diffuse.write(&mut bytes[512..]);
-        self.specular.write(&mut bytes[528..]);
-        self.height_size.write(&mut bytes[544..]);
-        self.color_size.write(&mut bytes[552..]);
-        self.normal_size.write(&mut bytes[560..]);
-        self.wrap.write(&mut bytes[568..]);
-        self.shininess.write(&mut bytes[572..]);
-        self.has_color.write(&mut bytes[576..]);
-        self.has_normal.write(&mut bytes[580..]);
-        self.scale_m.write(&mut bytes[584..]);
-        self.bias_m.write(&mut bytes[588..]);
+        self.maps.write(&mut bytes[224..]);
+        self.diffuse.write(&mut bytes[544..]);
+        self.specular.write(&mut bytes[560..]);
+        self.height_size.write(&mut bytes[576..]);
+        self.color_size.write(&mut bytes[584..]);
+        self.normal_size.write(&mut bytes[592..]);
+        self.height_levels.write(&mut bytes[600..]);
+        self.color_levels.write(&mut bytes[604..]);
+        self.normal_levels.write(&mut bytes[608..]);
+        self.color_texels.write(&mut bytes[612..]);
+        self.normal_texels.write(&mut bytes[616..]);
+        self.normal_tile_m.write(&mut bytes[624..]);
+        self.wrap.write(&mut bytes[632..]);
+        self.shininess.write(&mut bytes[636..]);
+        self.has_color.write(&mut bytes[640..]);
+        self.has_normal.write(&mut bytes[644..]);
+        self.scale_m.write(&mut bytes[648..]);
+        self.bias_m.write(&mut bytes[652..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
-            maps: Shared::read(&bytes[192..]),
-            diffuse: Shared::read(&bytes[512..]),
-            specular: Shared::read(&bytes[528..]),
-            height_size: Shared::read(&bytes[544..]),
-            color_size: Shared::read(&bytes[552..]),
-            normal_size: Shared::read(&bytes[560..]),
-            wrap: Shared::read(&bytes[568..]),
-            shininess: Shared::read(&bytes[572..]),
-            has_color: Shared::read(&bytes[576..]),
-            has_normal: Shared::read(&bytes[580..]),
-            scale_m: Shared::read(&bytes[584..]),
-            bias_m: Shared::read(&bytes[588..]),
+            maps: Shared::read(&bytes[224..]),
+            diffuse: Shared::read(&bytes[544..]),
+            specular: Shared::read(&bytes[560..]),
+            height_size: Shared::read(&bytes[576..]),
+            color_size: Shared::read(&bytes[584..]),
+            normal_size: Shared::read(&bytes[592..]),
+            height_levels: Shared::read(&bytes[600..]),
+            color_levels: Shared::read(&bytes[604..]),
+            normal_levels: Shared::read(&bytes[608..]),
+            color_texels: Shared::read(&bytes[612..]),
+            normal_texels: Shared::read(&bytes[616..]),
+            normal_tile_m: Shared::read(&bytes[624..]),
+            wrap: Shared::read(&bytes[632..]),
+            shininess: Shared::read(&bytes[636..]),
+            has_color: Shared::read(&bytes[640..]),
+            has_normal: Shared::read(&bytes[644..]),
+            scale_m: Shared::read(&bytes[648..]),
+            bias_m: Shared::read(&bytes[652..]),
         }
     }
 }
@@ -235,7 +249,8 @@ pub struct Record {
     pub height: f32,
     pub uv: rt::Vec2<f32>,
     pub t: f32,
-    /// 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps.
+    /// 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps; and four times
+    /// the level of detail that was traced.
     pub hit: u32,
     pub cell: rt::Vec2<i32>,
     pub reads: u32,

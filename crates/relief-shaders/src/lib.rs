@@ -1,8 +1,8 @@
 //! Per-pixel displacement mapping as shaders: stages, each variant written once in WESL, linked to plain WGSL
 //! for GPUs and translated to Rust for CPUs.
 //!
-//! * [`STAGES`] is the table of the stages; [`surface`], [`search`], [`refine`], [`shade`] and [`shadow`]
-//!   list their variants, one file each beside its shader.
+//! * [`STAGES`] is the table of the stages; [`surface`], [`detail`], [`search`], [`refine`], [`shade`] and
+//!   [`shadow`] list their variants, one file each beside its shader.
 //! * [`METHODS`] names pairs of search and refinement.
 //! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.
@@ -10,6 +10,7 @@
 pub mod bindings;
 #[cfg(feature = "cpu")]
 pub mod cpu;
+pub mod detail;
 #[path = "../generated/declarations.rs"]
 #[rustfmt::skip]
 #[allow(clippy::all)]
@@ -32,7 +33,7 @@ pub use maps::{MapError, MapNeed, MapProblem, SlotMaps};
 pub use methods::{METHODS, Method, method};
 pub use selection::{Choice, Selection, SelectionError};
 pub use slots::MapSlot;
-pub use stages::{REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, stage};
+pub use stages::{DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, stage};
 
 /// The most lights of a picture: the length of the shaders' array of lights.
 pub const MAX_LIGHTS: usize = 8;

@@ -96,7 +96,7 @@ impl MapNeed {
     /// The level of the kind's texture that is the map's finest.
     pub fn first_level(&self) -> u32 {
         match self.input.levels {
-            MapLevels::One => 0,
+            MapLevels::One | MapLevels::EachDetail => 0,
             MapLevels::ChainFrom(first) => first,
         }
     }
@@ -134,6 +134,7 @@ impl MapNeed {
         let levels = map.layout().levels;
         let right = match self.input.levels {
             MapLevels::One => levels == 1 && about.first_level == 0,
+            MapLevels::EachDetail => levels == heights.levels() && about.first_level == 0,
             MapLevels::ChainFrom(first) => about.first_level == first,
         };
         let wanted = self.input.levels;
@@ -177,13 +178,21 @@ impl Selection {
                 needs.extend(choice.entry.maps.iter().map(|input| MapNeed {
                     slot,
                     reader,
-                    input: *input,
+                    input: self.in_levels(*input),
                     settings:
                         input.settings.iter().map(|(name, value)| (*name, choice.value(value))).collect(),
                 }));
             }
         }
         needs
+    }
+
+    /// The same map in all levels of detail where these are seen.
+    fn in_levels(&self, input: MapInput) -> MapInput {
+        match input.levels {
+            MapLevels::One if self.has_levels() => MapInput { levels: MapLevels::EachDetail, ..input },
+            _ => input,
+        }
     }
 
     /// Of the maps given, those that the chosen variants read over that height map on a surface of that

@@ -1,10 +1,12 @@
 //! A variant chosen for every stage, with its settings.
 
-use relief_core::FoundState;
-use relief_core::registry::{self, Entry, Guarantee, Guarantees, MAX_PARAMS, Param, RayClass, UnknownName};
+use relief_core::registry::{
+    self, Entry, Guarantee, Guarantees, MAX_PARAMS, MapLevels, Param, RayClass, UnknownName,
+};
+use relief_core::{FoundState, HeightMap};
 
 use crate::Method;
-use crate::stages::{REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, entry_place, stage};
+use crate::stages::{DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, entry_place, stage};
 
 /// A stage's variant, and its parameters.
 #[derive(Clone, Copy, Debug)]
@@ -73,6 +75,21 @@ pub enum SelectionError {
         entry: &'static str,
         /// The rays.
         rays: &'static str,
+    },
+    /// A variant's baked map knows the finest level of detail alone.
+    #[error(
+        "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not levels of \
+         detail; choose another, or the detail '{none}'", none = crate::detail::NONE
+    )]
+    OneLevel {
+        /// The title of the stage that reads the map.
+        stage: &'static str,
+        /// The key of that stage.
+        key: &'static str,
+        /// What is chosen for it.
+        entry: &'static str,
+        /// The chosen detail.
+        detail: &'static str,
     },
     /// A variant makes nothing of what the search before it gives.
     #[error(
@@ -243,7 +260,40 @@ impl Selection {
             }
         }
         self.check_pair()?;
+        self.check_levels()?;
         if self.uses(SHADOW_SEARCH) { self.check_taken(SHADOW_SEARCH, SHADOW) } else { Ok(()) }
+    }
+
+    /// Whether pixels are seen in several levels of detail.
+    pub fn has_levels(&self) -> bool {
+        self.choices[DETAIL].entry.name != crate::detail::NONE
+    }
+
+    /// How many levels of a height map are read.
+    pub fn levels_of(&self, map: &HeightMap) -> u32 {
+        if self.has_levels() { map.levels() } else { 1 }
+    }
+
+    /// Whether all baked maps that are read can have the levels of detail that are seen.
+    ///
+    /// # Errors
+    ///
+    /// When one cannot.
+    pub fn check_levels(&self) -> Result<(), SelectionError> {
+        let used = STAGES.iter().zip(&self.choices).enumerate().filter(|(place, _)| self.uses(*place));
+        for (_, (stage, choice)) in used {
+            let of_chain = |map: &registry::MapInput| matches!(map.levels, MapLevels::ChainFrom(_));
+            if self.has_levels() && choice.entry.maps.iter().any(of_chain) {
+                let (stage, key, entry) = (stage.title, stage.key, choice.entry.name);
+                return Err(SelectionError::OneLevel {
+                    stage,
+                    key,
+                    entry,
+                    detail: self.choices[DETAIL].entry.name,
+                });
+            }
+        }
+        Ok(())
     }
 
     /// Whether the refinement makes something of what the search gives.

@@ -4,7 +4,7 @@
 use relief_core::registry::{Entry, RayClass};
 
 use crate::slots::MapSlot;
-use crate::{refine, search, shade, shadow, surface};
+use crate::{detail, refine, search, shade, shadow, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
@@ -35,7 +35,7 @@ pub struct Stage {
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub const STAGES: [Stage; 6] = [
+pub const STAGES: [Stage; 7] = [
     Stage {
         key: "surface",
         folder: "surface",
@@ -46,6 +46,17 @@ pub const STAGES: [Stage; 6] = [
         returns: "Entered",
         slot: None,
         rays: &[RayClass::View],
+    },
+    Stage {
+        key: "detail",
+        folder: "detail",
+        title: "detail",
+        plural: "levels of detail",
+        entries: detail::ENTRIES,
+        inputs: &[("pixel", "PixelIn"), ("at", "Entered")],
+        returns: "Detail",
+        slot: None,
+        rays: &[],
     },
     Stage {
         key: "search",
@@ -75,7 +86,13 @@ pub const STAGES: [Stage; 6] = [
         title: "shading",
         plural: "shadings",
         entries: shade::ENTRIES,
-        inputs: &[("normal", "vec3f"), ("view", "vec3f"), ("toward", "vec3f"), ("color", "vec3f")],
+        inputs: &[
+            ("normal", "vec3f"),
+            ("mean", "f32"),
+            ("view", "vec3f"),
+            ("toward", "vec3f"),
+            ("color", "vec3f"),
+        ],
         returns: "vec3f",
         slot: None,
         rays: &[],
@@ -103,6 +120,9 @@ pub const STAGES: [Stage; 6] = [
         rays: &[RayClass::Shadow],
     },
 ];
+
+/// Place of the stage `detail` in [`STAGES`].
+pub const DETAIL: usize = place("detail");
 
 /// Place of the stage `search` in [`STAGES`].
 pub const SEARCH: usize = place("search");

@@ -1,5 +1,5 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `frame`, `probe`, `shadow`, `sheet` and
-//! `trace`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `detail`, `frame`, `probe`, `shadow`,
+//! `sheet` and `trace`.
 //! Results are kept in `docs/`.
 
 use std::process::ExitCode;
@@ -8,6 +8,7 @@ use clap::{Parser, Subcommand};
 
 mod accuracy;
 mod bake;
+mod detail;
 mod frame;
 mod probe;
 mod samples;
@@ -32,6 +33,8 @@ enum Command {
     Accuracy(accuracy::Arguments),
     /// Time and memory of every kind of map
     Bake(bake::Arguments),
+    /// How near levels of detail come to many samples
+    Detail(detail::Arguments),
     /// Time of a second frame beside a whole rendering, and what it uploads and compiles
     Frame(frame::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
@@ -48,6 +51,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Accuracy(arguments) => accuracy::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Detail(arguments) => detail::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -5,6 +5,7 @@ pub mod accuracy;
 pub mod baked;
 pub mod brute;
 pub mod claims;
+pub mod detail;
 pub mod judge;
 pub mod maps;
 pub mod pairs;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use clap::error::ErrorKind;
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
-use relief_shaders::{REFINE, SEARCH, SHADOW_SEARCH, STAGES, Stage};
+use relief_shaders::{DETAIL, REFINE, SEARCH, SHADOW_SEARCH, STAGES, Stage};
 
 /// The variants that are asked for, by their stages' keys.
 #[derive(Clone, Debug, Default)]
@@ -33,7 +33,11 @@ fn help(place: usize, stage: &Stage) -> String {
         Some(other) => format!("{title}, together with --{other} in place of a method"),
         None => {
             let names: Vec<&str> = stage.entries.iter().map(|entry| entry.name).collect();
-            format!("{title}: {} [default: {}]", names.join(", "), names[0])
+            let default = match place {
+                DETAIL => "footprint with several samples where the search can, else none",
+                _ => names[0],
+            };
+            format!("{title}: {} [default: {default}]", names.join(", "))
         }
     }
 }

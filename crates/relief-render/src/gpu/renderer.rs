@@ -392,7 +392,7 @@ fn pixel_of(record: Record) -> PixelOut {
     PixelOut {
         color: record.color,
         hit: record.hit & 1,
-        exhausted: record.hit >> 1,
+        exhausted: (record.hit >> 1) & 1,
         uv: record.uv,
         height: record.height,
         position: record.position,
@@ -402,5 +402,6 @@ fn pixel_of(record: Record) -> PixelOut {
         cell: record.cell,
         reads: record.reads,
         lit: record.lit,
+        level: record.hit >> 2,
     }
 }

@@ -4,7 +4,6 @@
 use std::sync::Arc;
 
 use relief_core::{BakedMap, HeightMap, Wrap};
-use relief_io::Picture;
 use relief_shaders::MapSlot;
 use relief_shaders::cpu::{Shared, SurfaceSettings, Triangle, write_all};
 use relief_shaders::wgsl::Sampling;
@@ -14,6 +13,7 @@ use super::layouts::group;
 use super::textures::{self, Precision};
 use super::{Gpu, GpuError};
 use crate::job::JobSurface;
+use crate::mipmaps::Mipmaps;
 
 /// A uniform buffer and what was written last.
 #[derive(Debug)]
@@ -78,8 +78,10 @@ pub struct Resident {
     settings: Uniform,
     precision: Option<Precision>,
     heights: Option<Held<HeightMap>>,
-    color: Option<Held<Picture>>,
-    normals: Option<Held<Picture>>,
+    /// How many levels of the height map are there.
+    height_levels: u32,
+    color: Option<Held<Mipmaps>>,
+    normals: Option<Held<Mipmaps>>,
     slots: [Option<Held<BakedMap>>; MapSlot::ALL.len()],
     sampler: Option<(Wrap, Sampler)>,
     mesh: Option<(Arc<[Triangle]>, BindGroup)>,
@@ -101,6 +103,7 @@ impl Resident {
             settings: Uniform::new::<SurfaceSettings>(gpu, "surface settings"),
             precision: None,
             heights: None,
+            height_levels: 0,
             color: None,
             normals: None,
             slots: [const { None }; MapSlot::ALL.len()],
@@ -160,12 +163,19 @@ impl Resident {
             (self.heights, self.color, self.normals) = (None, None, None);
             self.precision = Some(precision);
         }
+        let levels = surface.settings.height_levels;
+        if self.height_levels < levels {
+            self.heights = None;
+        }
         let mut changed = hold(
             &mut self.heights,
             Some(&surface.height_map),
             |a, b| a.shares_texels(b),
-            || textures::heights(gpu, &surface.height_map, precision),
+            || textures::heights(gpu, &surface.height_map, levels, precision),
         )?;
+        if changed {
+            self.height_levels = levels;
+        }
         changed |= hold(&mut self.color, surface.color.as_ref(), Arc::ptr_eq, || {
             textures::picture(gpu, "colour map", surface.color.as_deref(), precision, false)
         })?;

@@ -16,6 +16,7 @@ use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
 use crate::camera::Camera;
 use crate::job::{Job, JobSurface, Rendering};
 use crate::mesh::{Mesh, Placement, square, torus};
+use crate::mipmaps::Mipmaps;
 use crate::scene::{BackendChoice, Scene, Surface};
 use crate::{Renderer, cpu::CpuRenderer};
 
@@ -112,7 +113,8 @@ fn what_does_not_fit_is_refused_by_name() {
     assert_eq!(render(&wide), Err(GpuError::TooLarge { what, width: limit + 1, height: 8, limit }));
 
     let picture = |width: u32, height: u32, texels: usize| {
-        Some(Arc::new(Picture { width, height, texels: vec![[0.0; 4]; texels] }))
+        let picture = Picture { width, height, texels: vec![[0.0; 4]; texels] };
+        Some(Arc::new(Mipmaps::finest_only(Arc::new(picture))))
     };
     let what = "colour map";
     let long = picture(1, limit + 1, limit as usize + 1);

@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
+use relief_core::area_mean::coarser_size;
 use relief_core::encoding::half;
 use relief_core::{BakedMap, HeightMap, MapTexels, Rounding, Wrap};
-use relief_io::Picture;
 use relief_shaders::MapSlot;
 use wgpu::{
     AddressMode, Extent3d, FilterMode, Sampler, SamplerDescriptor, TexelCopyBufferLayout,
@@ -13,6 +13,7 @@ use wgpu::{
 };
 
 use super::{Gpu, GpuError};
+use crate::mipmaps::Mipmaps;
 
 /// Bytes that are handed to the driver at once; as many wait in its staging memory. Smaller uploads wait more
 /// often.
@@ -27,41 +28,59 @@ pub enum Precision {
     F16,
 }
 
-/// The height map.
-pub fn heights(gpu: &Gpu, map: &HeightMap, precision: Precision) -> Result<TextureView, GpuError> {
+/// The height map with so many of its levels.
+pub fn heights(
+    gpu: &Gpu,
+    map: &HeightMap,
+    levels: u32,
+    precision: Precision,
+) -> Result<TextureView, GpuError> {
     let size = [map.width(), map.height()];
     gpu.check_texture("height map", size)?;
     let format = match precision {
         Precision::F32 => TextureFormat::R32Float,
         Precision::F16 => TextureFormat::R16Float,
     };
-    let texels = stored(map.texels(), precision);
-    Ok(view(&flat(gpu, "height map", size, format, &texels)?, false))
+    let texture = texture(gpu, "height map", size, [1, levels], format);
+    upload_level(gpu, &texture, 0, size, &stored(map.texels(), precision))?;
+    for (level, map) in (1..levels).zip(if levels > 1 { map.coarser() } else { &[] }) {
+        upload_level(gpu, &texture, level, [map.width(), map.height()], &stored(map.texels(), precision))?;
+    }
+    Ok(view(&texture, false))
 }
 
-/// A colour or a normal map; a single texel where there is none.
+/// A colour or a normal map with its levels; a single texel where there is none.
 pub fn picture(
     gpu: &Gpu,
     what: &'static str,
-    picture: Option<&Picture>,
+    picture: Option<&Mipmaps>,
     precision: Precision,
     layers: bool,
 ) -> Result<TextureView, GpuError> {
     const BLANK: &[[f32; 4]] = &[[0.0; 4]];
-    let ([width, height], texels) = match picture {
-        Some(Picture { width, height, texels }) => ([*width, *height], texels.as_slice()),
-        None => ([1, 1], BLANK),
+    let (size, levels, texels) = match picture {
+        Some(levels) => (levels.size(), levels.levels(), levels.finest().texels.as_slice()),
+        None => ([1, 1], 1, BLANK),
     };
+    let [width, height] = size;
     if texels.is_empty() || texels.len() as u64 != u64::from(width) * u64::from(height) {
         return Err(GpuError::WrongLength { what, width, height, given: texels.len() });
     }
-    gpu.check_texture(what, [width, height])?;
+    gpu.check_texture(what, size)?;
     let format = match precision {
         Precision::F32 => TextureFormat::Rgba32Float,
         Precision::F16 => TextureFormat::Rgba16Float,
     };
-    let texels = stored(texels.as_flattened(), precision);
-    Ok(view(&flat(gpu, what, [width, height], format, &texels)?, layers))
+    let texture = texture(gpu, what, size, [1, levels], format);
+    upload_level(gpu, &texture, 0, size, &stored(texels.as_flattened(), precision))?;
+    let (mut size, mut rest) = (size, picture.map_or(&[][..], Mipmaps::coarser));
+    for level in 1..levels {
+        size = coarser_size(size);
+        let (texels, after) = rest.split_at(size[0] as usize * size[1] as usize);
+        upload_level(gpu, &texture, level, size, &stored(texels.as_flattened(), precision))?;
+        rest = after;
+    }
+    Ok(view(&texture, layers))
 }
 
 /// The baked map of a slot; a single texel where none is read.

@@ -252,7 +252,7 @@ pub(super) fn of_selection(error: SelectionError) -> ValueError {
         SelectionError::Unknown(unknown) => {
             STAGES.iter().find(|stage| stage.title == unknown.kind).map_or("method", |stage| stage.key)
         }
-        SelectionError::Impossible { key, .. } => key,
+        SelectionError::Impossible { key, .. } | SelectionError::OneLevel { key, .. } => key,
         SelectionError::Pair { taker: (key, _), .. } => key,
         _ => "set",
     };

@@ -63,7 +63,9 @@ impl SceneSpec {
         let several = !self.surfaces.is_empty();
         let numbered = self.each_surface().into_iter().enumerate().map(|(number, surface)| {
             let number = several.then_some(number);
-            let parts = surface.parts().map_err(|error| error.of_surface(number))?;
+            let parts = surface
+                .parts(self.samples.unwrap_or(DEFAULT_SAMPLES))
+                .map_err(|error| error.of_surface(number))?;
             Ok((number, surface, parts))
         });
         numbered.collect()

@@ -9,23 +9,30 @@ use crate::mesh::{Builtin, Mesh, Placement};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
 use relief_io::{Convention, Fill, HeightOptions, Picture};
-use relief_shaders::{REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
+use relief_shaders::{DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+/// The detail of pictures with several samples a pixel, where the search's maps can have levels of detail.
+const FOOTPRINT: &str = "footprint";
 
 /// Memory that a texel of a height map takes while it is rendered: itself, and the exact tracer's hierarchy
 /// or what a GPU holds of it.
 const BYTES_PER_HEIGHT: u64 = 4 + 7;
 
+/// Memory that a texel of a height map takes more where levels of detail are seen: a third more of itself and
+/// of what is built on it, and the normals that are derived, with what is at hand then.
+const BYTES_OF_LEVELS: u64 = 13;
+
 /// Memory that a texel of a height map takes more while a map is baked, besides that map.
 const BYTES_AT_HAND: u64 = 5 * 4 + 6;
 
-/// Memory that a texel of a normal map takes: as read, and as the shaders take it, of which reading sees the
-/// first part.
-const NORMAL_BYTES: [u64; 2] = [12, 16];
+/// Memory that a texel of a normal map takes: as read, and as the shaders take it with its coarser levels, of
+/// which reading sees the first part.
+const NORMAL_BYTES: [u64; 2] = [12, 16 + 6];
 
-/// Memory that a texel of a colour map takes.
-const COLOR_BYTES: u64 = 16;
+/// Memory that a texel of a colour map takes, with its coarser levels.
+const COLOR_BYTES: u64 = 16 + 6;
 
 /// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything,
 /// in metres.
@@ -103,8 +110,9 @@ impl Maps {
         let (width, height) = (map.width(), map.height());
         let baked = relief_maps::Maps::in_memory().bytes(selection, [width, height])?;
         let at_hand = if baked > 0 { BYTES_AT_HAND } else { 0 };
+        let of_levels = if selection.has_levels() { BYTES_OF_LEVELS } else { 0 };
         let texels = u64::from(width) * u64::from(height);
-        let needed = ((BYTES_PER_HEIGHT + at_hand) * texels).saturating_add(baked);
+        let needed = ((BYTES_PER_HEIGHT + at_hand + of_levels) * texels).saturating_add(baked);
         let (left, limit) = (self.left, self.limit);
         self.left = left.checked_sub(needed).ok_or_else(|| {
             let path = path.to_owned();
@@ -115,8 +123,8 @@ impl Maps {
 }
 
 impl SurfaceSpec {
-    /// What needs no file, completed and checked.
-    pub(super) fn parts(&self) -> Result<Parts, ValueError> {
+    /// What needs no file, completed and checked, for a picture of so many samples a pixel.
+    pub(super) fn parts(&self, samples: u32) -> Result<Parts, ValueError> {
         self.scale.map_or(Ok(()), check_scale)?;
         check_metres("bias", self.bias.as_slice())?;
         if let Some(&value) = self.tile_size.iter().flatten().find(|length| !LENGTHS_M.contains(length)) {
@@ -132,7 +140,7 @@ impl SurfaceSpec {
         Ok(Parts {
             mesh: self.placed_mesh([1.0, 1.0])?,
             material: self.material()?,
-            selection: self.selection()?,
+            selection: self.selection(samples)?,
             scale_m: self.scale,
             bias_m: self.bias,
             two_sided: self.two_sided.unwrap_or_default(),
@@ -249,7 +257,20 @@ impl SurfaceSpec {
         .map_err(|error| ValueProblem::from(error).of("material"))
     }
 
-    fn selection(&self) -> Result<Selection, ValueError> {
+    /// What is run. Several samples ask for a picture without jagged edges, which it then has where maps are
+    /// seen small, too.
+    fn selection(&self, samples: u32) -> Result<Selection, ValueError> {
+        if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
+            let selection = self.selection_in(Some(FOOTPRINT))?;
+            if selection.check_levels().is_ok() {
+                return Ok(selection);
+            }
+        }
+        self.selection_in(None)
+    }
+
+    /// The same with another detail than that of the method.
+    fn selection_in(&self, detail: Option<&str>) -> Result<Selection, ValueError> {
         let named = |stage: usize| self.stages.get(STAGES[stage].key).map(String::as_str);
         let selection = match (&self.method, named(SEARCH), named(REFINE)) {
             (method, None, None) => Selection::method(method.as_deref().unwrap_or(DEFAULT_METHOD)),
@@ -259,6 +280,9 @@ impl SurfaceSpec {
             (Some(_), _, _) => return Err(ValueProblem::Excludes("search and refine").of("method")),
         };
         let mut selection = selection.map_err(of_selection)?;
+        if let Some(detail) = detail {
+            selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
+        }
         // A shadow takes over the search of the view, with its settings, unless it is told otherwise.
         for is_of_shadow in [false, true] {
             let of_part = |key: &&String| key.starts_with(STAGES[SHADOW].key) == is_of_shadow;

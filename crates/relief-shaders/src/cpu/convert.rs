@@ -102,6 +102,12 @@ impl SurfaceSettings {
             height_size: [map.width(), map.height()].into(),
             color_size: [1, 1].into(),
             normal_size: [1, 1].into(),
+            height_levels: selection.levels_of(map),
+            color_levels: 1,
+            normal_levels: 1,
+            color_texels: 1.0,
+            normal_texels: 1.0,
+            normal_tile_m: [1.0, 1.0].into(),
             wrap: map.wrap() as u32,
             shininess: 1,
             has_color: 0,
@@ -113,7 +119,11 @@ impl SurfaceSettings {
 }
 
 impl Frame {
-    /// No camera and no light.
+    /// How the directions of rays of neighbouring pixels differ where there is no camera.
+    pub const BESIDE: f32 = 0.0625;
+
+    /// No camera and no light; of rays that are said to be of pixels, those beside one differ by
+    /// [`BESIDE`](Self::BESIDE) in direction.
     pub fn none() -> Self {
         let nowhere = || Vec4::splat(0.0);
         Self {
@@ -123,9 +133,10 @@ impl Frame {
             eye_down: nowhere(),
             forward: nowhere(),
             corner: nowhere(),
-            right: nowhere(),
-            down: nowhere(),
+            right: [Self::BESIDE, 0.0, 0.0, 0.0].into(),
+            down: [0.0, 0.0, Self::BESIDE, 0.0].into(),
             ambient: nowhere(),
+            sample_width: 1.0,
             background: nowhere(),
             lights: [Light { place: nowhere(), color: nowhere() }; MAX_LIGHTS],
             light_count: 0,

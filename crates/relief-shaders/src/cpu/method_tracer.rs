@@ -24,7 +24,7 @@ use crate::{MapError, Selection, SlotMaps};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct MethodTracer<'a>(Program<'a>);
+pub struct MethodTracer<'a>(Program<'a>, u32);
 
 impl<'a> MethodTracer<'a> {
     /// The method over that height map, on a surface of that metric, with the baked maps that it reads. Maps
@@ -45,19 +45,29 @@ impl<'a> MethodTracer<'a> {
     /// The same over maps that are known to be the right ones: nothing is checked, and wrong maps give wrong
     /// answers.
     pub fn over(heights: &'a HeightMap, selection: &Selection, maps: SlotMaps<'a>) -> Self {
-        Self(Program::new(&Bound {
+        let levels = selection.levels_of(heights);
+        let program = Program::new(&Bound {
             frame: Frame::none(),
             surface_settings: SurfaceSettings::tracing(heights, selection, &maps),
-            height_map: HeightTexture::new(heights.width(), heights.texels()),
+            height_map: HeightTexture::new(heights, levels),
             color_map: ColorTexture::BLANK,
             normal_map: ColorTexture::BLANK,
             maps,
-        }))
+        });
+        Self(program, levels)
     }
 
     /// Where a path ends by this method.
     #[inline]
     pub fn first_hit(&self, path: &Path) -> Hit {
         Hit::from(&self.0.trace(super::Path::from(path)))
+    }
+
+    /// Where a path ends in a [level](HeightMap::level) of the height map. A method whose detail is `none` has
+    /// the finest one alone: there, and beyond the coarsest, the nearest one is traced.
+    #[inline]
+    pub fn first_hit_in(&self, level: u32, path: &Path) -> Hit {
+        let level = level.min(self.1 - 1);
+        Hit::from(&self.0.trace(super::Path { level, ..path.into() }))
     }
 }

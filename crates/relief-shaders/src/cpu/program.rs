@@ -40,10 +40,11 @@ impl<'a> Program<'a> {
         self.0.pixel_of(a, b, c, side, point)
     }
 
-    /// The surface stage: where the ray meets the surface, and its path through the relief.
+    /// The stages surface and detail: where the ray meets the surface, its path through the relief, and the
+    /// level of detail.
     #[inline]
-    pub fn surface(&self, pixel: PixelIn) -> Entered {
-        self.0.surface_stage(pixel)
+    pub fn enter(&self, pixel: PixelIn) -> Entered {
+        self.0.enter_relief(pixel)
     }
 
     /// The search stage.

@@ -3,8 +3,9 @@
 
 pub use naga_rust_rt::*;
 
+use relief_core::area_mean::coarser_size;
 use relief_core::encoding::half;
-use relief_core::{BakedMap, LevelPlace, MapTexels};
+use relief_core::{BakedMap, HeightMap, LevelPlace, MapTexels};
 use texture::Read;
 
 /// A height map as a texture: one number a texel, row by row from the top.
@@ -12,14 +13,16 @@ use texture::Read;
 pub struct HeightTexture<'a> {
     width: i32,
     texels: &'a [f32],
+    coarser: &'a [HeightMap],
 }
 
-/// A colour or normal map as a texture: four numbers a texel, row by row from the top, in one layer and
-/// level.
+/// A colour or normal map as a texture: four numbers a texel, row by row from the top, in one layer.
 #[derive(Clone, Copy, Debug)]
 pub struct ColorTexture<'a> {
-    width: i32,
+    size: [u32; 2],
     texels: &'a [[f32; 4]],
+    /// The levels that follow, one after the other.
+    coarser: &'a [[f32; 4]],
 }
 
 /// A baked map as a texture.
@@ -93,19 +96,32 @@ fn channels<T: Copy>(values: &[T], channels: usize, at: usize, value: impl Fn(T)
 }
 
 impl<'a> HeightTexture<'a> {
-    /// A texture of rows of `width` texels.
-    pub fn new(width: u32, texels: &'a [f32]) -> Self {
-        Self { width: width as i32, texels }
+    /// The texture of a map, with its coarser levels where it is read in more than one.
+    pub fn new(map: &'a HeightMap, levels: u32) -> Self {
+        let coarser = if levels > 1 { map.coarser() } else { &[] };
+        Self { width: map.width() as i32, texels: map.texels(), coarser }
     }
 }
 
 impl<'a> ColorTexture<'a> {
     /// A single black texel, for a map that the settings say is not there.
-    pub const BLANK: Self = Self { width: 1, texels: &[[0.0; 4]] };
+    pub const BLANK: Self = Self { size: [1, 1], texels: &[[0.0; 4]], coarser: &[] };
 
-    /// A texture of rows of `width` texels.
-    pub fn new(width: u32, texels: &'a [[f32; 4]]) -> Self {
-        Self { width: width as i32, texels }
+    /// A texture of so many columns and rows. What `coarser` holds are the levels that follow, one after the
+    /// other, each with half the sides of the one before, rounded down but at least 1.
+    pub fn new(size: [u32; 2], texels: &'a [[f32; 4]], coarser: &'a [[f32; 4]]) -> Self {
+        Self { size, texels, coarser }
+    }
+
+    /// A texel of a level after the finest.
+    fn coarser_texel(&self, at: Vec2<i32>, level: i32) -> [f32; 4] {
+        let (mut size, mut start) = (coarser_size(self.size), 0);
+        for _ in 1..level {
+            start += size[0] as usize * size[1] as usize;
+            size = coarser_size(size);
+        }
+        let place = start as isize + at.y as isize * size[0] as isize + at.x as isize;
+        self.coarser.get(place as usize).copied().unwrap_or([0.0; 4])
     }
 }
 
@@ -115,9 +131,16 @@ impl Read for HeightTexture<'_> {
     type Component = f32;
 
     #[inline(always)]
-    fn read_texel(&self, at: Vec2<i32>, _layer: i32, _sample: i32, _level: i32) -> Vec4<f32> {
-        let index = at.y as isize * self.width as isize + at.x as isize;
-        let texel = self.texels.get(index as usize).copied().unwrap_or(0.0);
+    fn read_texel(&self, at: Vec2<i32>, _layer: i32, _sample: i32, level: i32) -> Vec4<f32> {
+        let (width, texels) = match level {
+            0 => (self.width, self.texels),
+            _ => match self.coarser.get((level as usize).wrapping_sub(1)) {
+                Some(map) => (map.width() as i32, map.texels()),
+                None => (0, &[][..]),
+            },
+        };
+        let index = at.y as isize * width as isize + at.x as isize;
+        let texel = texels.get(index as usize).copied().unwrap_or(0.0);
         Vec4 { x: texel, y: 0.0, z: 0.0, w: 1.0 }
     }
 }
@@ -127,9 +150,12 @@ impl Read for ColorTexture<'_> {
     type Component = f32;
 
     #[inline(always)]
-    fn read_texel(&self, at: Vec2<i32>, _layer: i32, _sample: i32, _level: i32) -> Vec4<f32> {
-        let index = at.y as isize * self.width as isize + at.x as isize;
-        let [x, y, z, w] = self.texels.get(index as usize).copied().unwrap_or([0.0; 4]);
+    fn read_texel(&self, at: Vec2<i32>, _layer: i32, _sample: i32, level: i32) -> Vec4<f32> {
+        let index = at.y as isize * self.size[0] as isize + at.x as isize;
+        let [x, y, z, w] = match level {
+            0 => self.texels.get(index as usize).copied().unwrap_or([0.0; 4]),
+            _ => self.coarser_texel(at, level),
+        };
         Vec4 { x, y, z, w }
     }
 }

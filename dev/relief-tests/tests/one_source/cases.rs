@@ -6,7 +6,7 @@ use relief_core::registry::Entry;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
 use relief_shaders::cpu::{Frame, PixelIn, Probe, Program, Shared, SurfaceSettings};
-use relief_shaders::{SHADOW, SHADOW_SEARCH, STAGES, Selection};
+use relief_shaders::{DETAIL, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use relief_tests::baked::{in_slots, maps_in, slots};
 use relief_tests::maps::NamedMap;
 use relief_tests::rng::Rng;
@@ -47,6 +47,13 @@ impl Draw {
         let mut selection = Selection::pair(search.name, refine.name).expect("listed names");
         for (stage, entry) in [SHADOW, SHADOW_SEARCH].into_iter().zip(shadow) {
             selection.choose(STAGES[stage].key, entry.name).expect("a listed name");
+        }
+        if rng.below(3) == 0 {
+            let finest = selection;
+            selection.choose(STAGES[DETAIL].key, "footprint").expect("a listed name");
+            if selection.check_levels().is_err() {
+                selection = finest;
+            }
         }
         for choice in &mut selection.choices {
             choice.params = params(choice.entry, rng);
@@ -115,7 +122,7 @@ fn surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> Jo
 /// The stages over a ray whose path lies `higher` heights above the ray's own, as the probe shader writes
 /// them down.
 pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
-    let at = program.surface(*ray);
+    let at = program.enter(*ray);
     if at.valid == 0 {
         return Probe::read(&[0; Probe::SIZE]);
     }

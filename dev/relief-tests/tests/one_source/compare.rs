@@ -114,7 +114,7 @@ fn is_explained(case: &Case, program: &Program, ray: &PixelIn, gpu: &Probe) -> b
     if gpu.found == 0 {
         return alike.iter().flatten().any(|near| same_miss(near, gpu));
     }
-    let path = Path::from(&program.surface(*ray).path);
+    let path = Path::from(&program.enter(*ray).path);
     // Where the path runs along the surface, paths that barely differ end far apart, with all of the surface
     // between.
     let between = alike.windows(2).any(|pair| match pair {

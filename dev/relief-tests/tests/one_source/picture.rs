@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use relief_core::Wrap;
+use relief_core::{Metric, Wrap};
 use relief_render::camera::Camera;
 use relief_render::job::{Job, JobSurface, Rendering, uncovered};
+use relief_render::mipmaps::Mipmaps;
 use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, SurfaceSettings, Triangle};
 use relief_tests::baked::{in_slots, maps_for, slots};
@@ -60,32 +61,46 @@ impl Picture {
             right: four(across, 0.0).into(),
             down: four(down, 0.0).into(),
             ambient: [0.1, 0.1, 0.2, 0.0].into(),
+            // Wide enough for several levels of detail.
+            sample_width: 4.0,
             background: [0.0; 4].into(),
             lights,
             light_count: 2,
         };
+        let picture = |[width, height]: [u32; 2], texel: fn(f32) -> [f32; 4]| {
+            let texels = (0..width * height).map(|at| texel(at as f32 / 7.0)).collect();
+            Arc::new(Mipmaps::of(Arc::new(relief_io::Picture { width, height, texels })))
+        };
+        let color = picture(COLORS, |x| [x.fract(), 1.0 - x.fract(), 0.5, 1.0]);
+        let normals = if variation.normal_map {
+            Some(picture(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0]))
+        } else {
+            Mipmaps::of_normals(&map, Metric::UNIT).map(Arc::new).filter(|_| selection.has_levels())
+        };
+        // Derived normals begin with the second level.
+        let normal_levels =
+            normals.as_ref().map_or(1, |normals| normals.levels() + u32::from(!variation.normal_map));
         let settings = SurfaceSettings {
             diffuse: [0.8, 0.7, 0.6, 0.0].into(),
             specular: [0.3, 0.3, 0.3, 0.0].into(),
             color_size: COLORS.into(),
-            normal_size: if variation.normal_map { NORMALS } else { [1, 1] }.into(),
+            normal_size: normals.as_ref().map_or([1, 1], |normals| normals.size()).into(),
+            color_levels: color.levels(),
+            normal_levels,
+            color_texels: 0.25,
+            normal_texels: if variation.normal_map { 0.125 } else { 1.0 },
             shininess: 20,
             has_color: 1,
             has_normal: u32::from(variation.normal_map),
             ..SurfaceSettings::tracing(&map, selection, &slots(&map, selection, &baked))
         };
-        let picture = |[width, height]: [u32; 2], texel: fn(f32) -> [f32; 4]| {
-            let texels = (0..width * height).map(|at| texel(at as f32 / 7.0)).collect();
-            Arc::new(relief_io::Picture { width, height, texels })
-        };
-        let normals = || picture(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0]);
         let surface = JobSurface {
             settings,
             selection: *selection,
             triangles: triangles().into(),
             height_map: Arc::new(map),
-            color: Some(picture(COLORS, |x| [x.fract(), 1.0 - x.fract(), 0.5, 1.0])),
-            normal_map: variation.normal_map.then(normals),
+            color: Some(color),
+            normal_map: normals,
             maps: in_slots(selection, baked),
             two_sided: variation.two_sided,
         };

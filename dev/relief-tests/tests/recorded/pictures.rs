@@ -8,7 +8,7 @@ use relief_maps::Maps;
 use relief_render::picture::aov;
 use relief_render::render;
 use relief_render::scene::{BackendChoice, SceneSpec, SurfaceSpec, read_scene};
-use relief_shaders::METHODS;
+use relief_shaders::{DETAIL, METHODS, STAGES};
 
 use crate::hash::Bits;
 
@@ -16,18 +16,31 @@ const SCENES: [&str; 5] = ["bricks", "cobbles", "jacksboro", "logo", "spikes"];
 
 const SIZE: [u32; 2] = [200, 150];
 
+/// Of pictures with levels of detail: so small that several texels lie in a pixel.
+const SMALL: [u32; 2] = [50, 38];
+
+/// The methods with which these are rendered.
+const IN_LEVELS: [&str; 4] = ["exact", "cone", "frustum", "relief"];
+
 /// The hash of every channel, by scene and method: the colours' first.
 pub fn all() -> BTreeMap<String, String> {
     let scenes = SCENES.iter().flat_map(|scene| METHODS.iter().map(move |method| (*scene, method.name)));
-    scenes.map(|(scene, method)| (format!("{scene} {method}"), hashes(scene, method))).collect()
+    let finest =
+        scenes.map(|(scene, method)| (format!("{scene} {method}"), hashes(scene, method, "none", SIZE)));
+    let scenes = SCENES.iter().flat_map(|scene| IN_LEVELS.iter().map(move |method| (*scene, *method)));
+    let levels = scenes.map(|(scene, method)| {
+        (format!("{scene} {method} small"), hashes(scene, method, "footprint", SMALL))
+    });
+    finest.chain(levels).collect()
 }
 
-fn hashes(scene: &str, method: &str) -> String {
+fn hashes(scene: &str, method: &str, detail: &str, size: [u32; 2]) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(format!("{scene}.toml"));
-    let surface = SurfaceSpec { method: Some(method.to_owned()), ..SurfaceSpec::default() };
+    let stages = [(STAGES[DETAIL].key.to_owned(), detail.to_owned())].into();
+    let surface = SurfaceSpec { method: Some(method.to_owned()), stages, ..SurfaceSpec::default() };
     let over = SceneSpec {
         backend: Some(BackendChoice::Cpu),
-        size: Some(SIZE),
+        size: Some(size),
         samples: Some(1),
         ..SceneSpec::of_surface(surface)
     };

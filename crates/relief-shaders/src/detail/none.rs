@@ -1,0 +1,16 @@
+//! Registry entry of the detail `none`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+
+/// The finest level of all maps.
+pub const ENTRY: Entry = Entry {
+    name: "none",
+    summary: "the finest level of all maps, however small it is seen",
+    publication: Publication { paper: "Relief", section: "" },
+    maps: &[],
+    params: &[],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Exact),
+    weakened: &[],
+    argument: "What is traced is the surface of the height map itself.",
+};

@@ -1,0 +1,81 @@
+//! Levels of detail: each is traced as the map that it is, and pictures come near to those of many samples.
+
+use rayon::prelude::*;
+use relief_core::{MapFormat, Wrap};
+use relief_shaders::cpu::MethodTracer;
+use relief_tests::accuracy;
+use relief_tests::baked::{maps_in, slots};
+use relief_tests::detail::Seen;
+use relief_tests::maps;
+use relief_tests::pairs;
+use relief_tests::rays::Rays;
+
+/// Rays over each map in each level, for each pair.
+const RAYS: usize = 25;
+
+#[test]
+fn a_level_is_traced_as_the_map_that_it_is() {
+    let pairs: Vec<_> = pairs::all().collect();
+    let compared: usize = pairs
+        .par_iter()
+        .enumerate()
+        .map(|(number, finest)| {
+            let mut levels = *finest;
+            levels.choose("detail", "footprint").expect("a listed name");
+            if levels.check().is_err() {
+                return 0;
+            }
+            let mut compared = 0;
+            for (m, map) in maps::ALL.iter().enumerate().filter(|(m, _)| (m + number) % 8 == 0) {
+                let heights = map.build(Wrap::ALL[(number + m / 8) % Wrap::ALL.len()]);
+                let maps = maps_in(MapFormat::F32, &heights, &levels);
+                let tracer = MethodTracer::over(&heights, &levels, slots(&heights, &levels, &maps));
+                for k in 0..heights.levels() {
+                    let level = heights.level(k);
+                    let maps = maps_in(MapFormat::F32, &level, finest);
+                    let own = MethodTracer::over(&level, finest, slots(&level, finest, &maps));
+                    for (_, path) in Rays::new(&level, 7 + u64::from(k)).take(RAYS) {
+                        let (a, b) = (tracer.first_hit_in(k, &path), own.first_hit(&path));
+                        // As text, since a path that never ends may end at no number.
+                        let name = pairs::name(finest);
+                        assert_eq!(format!("{a:?}"), format!("{b:?}"), "{name} {} level {k}", map.name);
+                        compared += 1;
+                    }
+                }
+            }
+            compared
+        })
+        .sum();
+    assert!(compared > 50 * RAYS, "{compared}");
+}
+
+#[test]
+fn pictures_come_near_to_those_of_many_samples() {
+    let maps = accuracy::maps();
+    let named = |name: &str| &maps.iter().find(|named| named.name == name).expect("a sample map").map;
+    for (map, shadow, tilt_deg) in [
+        ("ground", "ray", 0.0),
+        ("ground", "ray", 45.0),
+        ("cobbles", "none", 0.0),
+        ("cobbles", "none", 45.0),
+        ("cobbles", "ray", 45.0),
+    ] {
+        for texels in [2.0, 4.0, 8.0] {
+            let seen = Seen { map: named(map), method: "cone", shadow, texels, tilt_deg, side: 32 };
+            let [none, levels] = seen.shown(["none", "footprint"]);
+            let case = format!("{map} {shadow} {tilt_deg} {texels}: {none:.4?}\n{levels:.4?}");
+            println!("{case}");
+            assert!(levels.error < none.error, "{case}");
+            assert!(levels.reads <= none.reads, "{case}");
+            if tilt_deg > 0.0 && texels > 2.0 {
+                assert!(levels.reads < 0.95 * none.reads, "{case}");
+            }
+            if texels == 4.0 && (tilt_deg == 0.0 || map == "ground") {
+                assert!(levels.flicker < 0.5 * none.flicker, "{case}");
+            }
+            if texels == 8.0 && shadow == "ray" {
+                assert!((levels.brightness - 1.0).abs() < 0.02, "{case}");
+            }
+        }
+    }
+}
