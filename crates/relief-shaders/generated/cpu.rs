@@ -1244,9 +1244,9 @@ impl<'g> Resources<'g> {
         let squared_1 = shorter.max((longer / (params.x() * params.x())));
         let _e68 = rt::Scalar(self.frame.sample_width);
         let footprint_2 = (squared_1.sqrt() * _e68);
-        let _e72 = rt::Scalar(self.surface_settings.height_levels);
-        let _e73 = self.v_levels_of(footprint_2, _e72);
-        return <Detail>::new(rt::Scalar(_e73.fine), footprint_2);
+        let _e74 = rt::Scalar(self.surface_settings.height_levels);
+        let _e75 = self.v_levels_of((footprint_2 / params.y()), _e74);
+        return <Detail>::new(rt::Scalar(_e75.fine), footprint_2);
     }
     pub(crate) fn detail_none(
         &self,

@@ -73,11 +73,13 @@ pub const MODULES: &[Module] = &[
 // triangle, so that relief runs smoothly from one triangle to the next; the segment lies in the frame of the
 // base point.
 "# },
-    Module { path: "detail/footprint", head: r#"// The level of detail whose texels are about as wide as a pixel's footprint on the base surface.
+    Module { path: "detail/footprint", head: r#"// The level of detail of which about two texels lie beside each other in a pixel's footprint on the base
+// surface.
 //
 // Oh, Ki and Lee 2006, section 3.4. The footprint is an ellipse, and its shorter axis decides, as in
-// anisotropic filtering; `params.x` is how many times as long the longer one may be. It is made from the rays
-// of the pixels beside, not from what neighbouring invocations compute, so that any ray has one.
+// anisotropic filtering; `params.x` is how many times as long the longer one may be. `params.y` is how many
+// texels are traced in it: with one, shadows and what hides what are lost that are still seen. The footprint
+// is made from the rays of the pixels beside, not from what neighbouring invocations compute, so that any ray has one.
 "# },
     Module { path: "detail/none", head: r#"// No level of detail: the finest level of all maps.
 "# },
@@ -2684,7 +2686,7 @@ fn footprint_axis(pixel: PixelIn, at: Entered, normal: vec3f, t: f32, origin: ve
     let shorter = area * area / longer;
     let squared = max(shorter, longer / (params.x * params.x));
     let footprint = sqrt(squared) * frame.sample_width;
-    return Detail(levels_of(footprint, surface_settings.height_levels).fine, footprint);
+    return Detail(levels_of(footprint / params.y, surface_settings.height_levels).fine, footprint);
 }"#,
     },
     Declaration {
