@@ -14,6 +14,7 @@ pub mod material;
 pub mod mesh;
 pub mod mipmaps;
 pub mod picture;
+mod pictures;
 mod prepare;
 pub mod raycast;
 mod renderer;

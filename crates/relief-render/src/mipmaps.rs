@@ -22,9 +22,14 @@ impl Mipmaps {
         Self { finest: picture, coarser: Vec::new() }
     }
 
-    /// The picture with all coarser levels.
+    /// The picture with all coarser levels. One that has not as many texels as its sides say stays as it is:
+    /// what is to be done with it the backends say.
     pub fn of(picture: Arc<Picture>) -> Self {
         let mut size = [picture.width, picture.height];
+        let texels = size.map(u64::from).iter().product::<u64>();
+        if texels == 0 || texels != picture.texels.len() as u64 {
+            return Self::finest_only(picture);
+        }
         let mut levels: Vec<[f32; 4]> = Vec::new();
         let mut before = None;
         while size != [1, 1] {
@@ -88,6 +93,10 @@ mod tests {
         // Rows of 0 to 4 and 5 to 9, of which each half has two and a half texels.
         assert_eq!(levels.coarser(), [[3.3, 0.0, 1.0, 0.5], [5.7, 0.0, 1.0, 0.5], [4.5, 0.0, 1.0, 0.5]]);
         assert_eq!(Mipmaps::finest_only(Arc::new(picture)).levels(), 1);
+        for (width, height, texels) in [(5, 2, 9), (0, 0, 0), (0, 3, 0)] {
+            let wrong = Picture { width, height, texels: vec![[0.0; 4]; texels] };
+            assert_eq!(Mipmaps::of(Arc::new(wrong)).levels(), 1);
+        }
     }
 
     #[test]

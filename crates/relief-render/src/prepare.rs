@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
-use relief_core::{BakedMap, HeightMap};
+use relief_core::BakedMap;
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Corner, Frame, Light as ShaderLight, SurfaceSettings, Triangle};
@@ -15,6 +15,7 @@ use crate::kept::kept;
 use crate::light::Light;
 use crate::mesh::{Mesh, Vertex};
 use crate::mipmaps::Mipmaps;
+use crate::pictures::Pictures;
 use crate::scene::{Scene, Surface};
 
 /// The least distance of the near plane, as a part of the far plane's: depths have 24 bits, of which such a
@@ -30,47 +31,6 @@ pub struct Preparer {
     /// The baked maps of each of the last scene's surfaces.
     maps: Vec<Vec<(MapSlot, Arc<BakedMap>)>>,
     pictures: Pictures,
-}
-
-/// The pictures of a scene's surfaces as they are bound.
-#[derive(Debug, Default)]
-struct Pictures {
-    /// In their finest level alone.
-    finest: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
-    /// In all levels.
-    levels: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
-    /// Normals derived from height maps, with the tile that they are derived for.
-    derived: Vec<(Arc<HeightMap>, [f64; 2], Arc<Mipmaps>)>,
-}
-
-impl Pictures {
-    /// A picture, as it was bound before if it was.
-    fn of(&mut self, picture: &Arc<Picture>, levels: bool, before: &Pictures) -> Arc<Mipmaps> {
-        if levels {
-            let make = || Arc::new(Mipmaps::of(Arc::clone(picture)));
-            kept(&mut self.levels, &before.levels, picture, make)
-        } else {
-            let make = || Arc::new(Mipmaps::finest_only(Arc::clone(picture)));
-            kept(&mut self.finest, &before.finest, picture, make)
-        }
-    }
-
-    /// The derived normals of a surface, from the second level on.
-    fn derived(&mut self, surface: &Surface, before: &Pictures) -> Option<Arc<Mipmaps>> {
-        let (map, metric) = (surface.height_map(), surface.metric());
-        let is_same = |(of, tile_m, _): &&(Arc<HeightMap>, [f64; 2], _)| {
-            Arc::ptr_eq(of, map) && *tile_m == metric.tile_m
-        };
-        if let Some((_, _, known)) = self.derived.iter().find(is_same) {
-            return Some(Arc::clone(known));
-        }
-        let made = match before.derived.iter().find(is_same) {
-            Some((_, _, known)) => Arc::clone(known),
-            None => Arc::new(Mipmaps::of_normals(map, metric)?),
-        };
-        self.derived.push((Arc::clone(map), metric.tile_m, Arc::clone(&made)));
-        Some(made)
-    }
 }
 
 impl Preparer {

@@ -9,6 +9,7 @@ use crate::tone::Tone;
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use relief_core::{ByteSize, HeightMap, Wrap};
+use relief_shaders::Selection;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -248,7 +249,7 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         ("light-angle = nan\nlights = []", "light-angle"),
         ("shadow-search = 'cone'\nshadow = 'horizon'", "shadow-search"),
         ("set.shadow-search.limit = 4\nshadow = 'none'", "set"),
-        ("detail = 'footprint'\nshadow-search = 'pyramid'", "shadow-search"),
+        ("shadow-search = 'pyramid'\ndetail = 'footprint'", "shadow-search"),
         ("set.detail.anisotropy = 0\ndetail = 'footprint'", "set"),
         ("set.shadow.samples = 4\nshadow = 'none'", "set"),
         ("shadow-search = 'relaxed-cone'\nshadow = 'ray'", "shadow-search"),
@@ -456,8 +457,12 @@ fn a_scene_is_loaded_with_its_defaults() {
     assert_eq!((surface.two_sided(), surface.mesh().triangles().len()), (false, 2));
     assert!(surface.selection().is_exact());
     assert!(surface.color().is_none() && surface.normal_map().is_none());
-    // The builder's own defaults are the same ones.
+    // The builder's own defaults are the same ones, but for the detail: a surface of its own does not know how
+    // many samples its picture has.
+    let mut selection = Selection::exact();
+    selection.choose("detail", "footprint").expect("a detail");
     let own = Surface::new(Builtin::Plane.build([1.0, 1.0]).expect("a mesh"), Arc::clone(map));
+    let own = own.with_selection(selection);
     let built = Scene::builder(own).build().expect("a scene");
     assert_eq!(format!("{built:?}"), format!("{scene:?}"));
 }

@@ -39,8 +39,8 @@ pub struct Draw {
 }
 
 impl Draw {
-    /// The next draw.
-    pub fn new(pair: [&Entry; 2], shadow: [&Entry; 2], rng: &mut Rng) -> Self {
+    /// The next draw; in the finest level where the search's map has no other.
+    pub fn new(pair: [&Entry; 2], shadow: [&Entry; 2], detail: &Entry, rng: &mut Rng) -> Self {
         let [search, refine] = pair;
         let scale_m = rng.pick(&[1.0, 1.0, 0.1, 0.02, 3.0, 0.0]);
         let bias_m = rng.pick(&[-1.0, -1.0, 0.0, -0.3, 0.5]) * scale_m;
@@ -48,12 +48,10 @@ impl Draw {
         for (stage, entry) in [SHADOW, SHADOW_SEARCH].into_iter().zip(shadow) {
             selection.choose(STAGES[stage].key, entry.name).expect("a listed name");
         }
-        if rng.below(3) == 0 {
-            let finest = selection;
-            selection.choose(STAGES[DETAIL].key, "footprint").expect("a listed name");
-            if selection.check_levels().is_err() {
-                selection = finest;
-            }
+        let finest = selection;
+        selection.choose(STAGES[DETAIL].key, detail.name).expect("a listed name");
+        if selection.check_levels().is_err() {
+            selection = finest;
         }
         for choice in &mut selection.choices {
             choice.params = params(choice.entry, rng);

@@ -20,7 +20,7 @@ use relief_core::{HeightMap, MapFormat, Wrap};
 use relief_render::gpu::Prober;
 use relief_shaders::cpu::{PixelIn, PixelOut, Probe, Shared, write_all};
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{Selection, refine, search, shadow};
+use relief_shaders::{Selection, detail, refine, search, shadow};
 use relief_tests::maps::{self, NamedMap};
 use relief_tests::rng::Rng;
 
@@ -75,7 +75,11 @@ impl Pair {
                 }
                 let none = [&shadow::none::ENTRY, search];
                 let shadow = shadows.get(pairs.len()).copied().unwrap_or(none);
-                let draws = maps::ALL.iter().map(|_| Draw::new([search, refine], shadow, &mut rng)).collect();
+                // Every third in levels of detail: most of the time goes into compiling programs, and this way
+                // a pair has one.
+                let detail = &detail::ENTRIES[usize::from(pairs.len() % 3 == 0)];
+                let draw = |_| Draw::new([search, refine], shadow, detail, &mut rng);
+                let draws = maps::ALL.iter().map(draw).collect();
                 pairs.push(Pair { numbers: [s, r], draws });
             }
         }
