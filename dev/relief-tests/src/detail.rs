@@ -41,7 +41,7 @@ pub struct Seen<'a> {
     pub side: u32,
 }
 
-/// What one detail makes of it, beside [`MANY`] samples in the finest level.
+/// What one detail makes of it, beside many samples in the finest level.
 #[derive(Clone, Copy, Debug)]
 pub struct Shown {
     /// Root of the mean squared error of the linear colour.
