@@ -63,8 +63,11 @@ fn samples_change_colours_alone() {
     for backend in backends() {
         let of = |samples| {
             let size = Some([80, 60]);
-            let over =
-                SceneSpec { samples: Some(samples), size, backend: Some(backend), ..SceneSpec::default() };
+            // In one detail, whatever the number of samples.
+            let stages = [("detail".to_owned(), "none".to_owned())].into();
+            let surface = SurfaceSpec { stages, ..SurfaceSpec::default() };
+            let (samples, backend) = (Some(samples), Some(backend));
+            let over = SceneSpec { samples, size, backend, ..SceneSpec::of_surface(surface) };
             picture(&scene("still-life.toml", over))
         };
         let [one, many] = [1, 9].map(of);
