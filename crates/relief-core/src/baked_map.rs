@@ -1,5 +1,6 @@
 //! A baked map as a value: what it is, what it was made from, and its texels.
 
+use crate::area_mean::level_count;
 use crate::encoding::code::Codes;
 use crate::{HeightMap, HeightsHash, MAX_SIDE, Metric, Wrap};
 
@@ -74,7 +75,7 @@ impl MapLayout {
     /// When a side, the layers or the levels are none or too many, or the channels are not 1, 2 or 4.
     pub fn check(&self) -> Result<(), MapLayoutError> {
         let longest = self.size[0].max(self.size[1]);
-        let most_levels = if longest == 0 { 0 } else { longest.ilog2() + 1 };
+        let most_levels = if longest == 0 { 0 } else { level_count(self.size) };
         let fits = self.size.iter().all(|side| (1..=MAX_SIDE).contains(side))
             && (1..=most_levels).contains(&self.levels)
             && (1..=MAX_LAYERS).contains(&self.layers)

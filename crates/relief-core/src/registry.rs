@@ -1,7 +1,7 @@
 //! What a registry entry says of itself.
 //!
-//! Each surface, detail, search, refinement, shadow and shading has one [`Entry`] beside its source. The command's help, the
-//! tables in the documentation, the tests' matrix and the benchmarks all read the lists of these.
+//! Each variant of a stage, such as a search or a shadow, has one [`Entry`] beside its source. The command's
+//! help, the tables in the documentation, the tests' matrix and the benchmarks all read the lists of these.
 
 use crate::FoundState;
 

@@ -18,8 +18,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/disc", head: r#"// The disc of a light, as a point of the surface sees it.
 "# },
-    Module { path: "shared/displacement", head: r#"// The space that the relief fills above the base surface: how deep it is, where the base lies in it, and where
-// its footprint ends.
+    Module { path: "shared/displacement", head: r#"// The space that the relief fills above the base surface: how deep it is, where the base lies in it, how
+// directions of the world run in it, and where its footprint ends.
 "# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
 //
@@ -49,6 +49,9 @@ pub const MODULES: &[Module] = &[
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central
 // differences over two texels, or a tangent-space normal map.
+//
+// Where several texels lie in a pixel's footprint, the mean of their normals is taken. The more they differ,
+// the shorter it is. Shaded with it as it is, a diffuse surface is as bright as all of them together.
 "# },
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
@@ -78,8 +81,10 @@ pub const MODULES: &[Module] = &[
 //
 // Oh, Ki and Lee 2006, section 3.4. The footprint is an ellipse, and its shorter axis decides, as in
 // anisotropic filtering; `params.x` is how many times as long the longer one may be. `params.y` is how many
-// texels are traced in it: with one, shadows and what hides what are lost that are still seen. The footprint
-// is made from the rays of the pixels beside, not from what neighbouring invocations compute, so that any ray has one.
+// texels of the level lie beside each other in it: with one, shadows are lost that are still seen.
+//
+// The footprint is made from the rays of the neighbouring pixels, not from derivatives, so that any ray has
+// one.
 "# },
     Module { path: "detail/none", head: r#"// No level of detail: the finest level of all maps.
 "# },
@@ -1149,6 +1154,21 @@ fn base_height() -> f32 {
     },
     Declaration {
         module: "shared/displacement",
+        name: "climb",
+        sampling: None,
+        uses: &["Entered", "traced_scale_m"],
+        text: r#"// Change of the texture coordinates, and of the normalised height, with a metre in a direction of the world.
+fn climb(at: Entered, direction: vec3f) -> vec3f {
+    let metric = at.path.metric;
+    let td = dot(at.tangent, direction);
+    let bd = dot(at.bitangent, direction);
+    let area = metric.x * metric.z - metric.y * metric.y;
+    let duv = vec2f(td * metric.z - bd * metric.y, bd * metric.x - td * metric.y) / area;
+    return vec3f(duv, dot(at.normal, direction) / traced_scale_m());
+}"#,
+    },
+    Declaration {
+        module: "shared/displacement",
         name: "inside_unit",
         sampling: None,
         uses: &[],
@@ -1532,21 +1552,6 @@ fn near_uv(uv: vec2f) -> vec2f {
     },
     Declaration {
         module: "shared/light_ray",
-        name: "climb",
-        sampling: None,
-        uses: &["Entered", "traced_scale_m"],
-        text: r#"// Change of the texture coordinates, and of the normalised height, with a metre in a direction of the world.
-fn climb(at: Entered, direction: vec3f) -> vec3f {
-    let metric = at.path.metric;
-    let td = dot(at.tangent, direction);
-    let bd = dot(at.bitangent, direction);
-    let area = metric.x * metric.z - metric.y * metric.y;
-    let duv = vec2f(td * metric.z - bd * metric.y, bd * metric.x - td * metric.y) / area;
-    return vec3f(duv, dot(at.normal, direction) / traced_scale_m());
-}"#,
-    },
-    Declaration {
-        module: "shared/light_ray",
         name: "from_hit",
         sampling: None,
         uses: &["Entered", "Hit", "Path", "RAY_SHADOW", "Toward", "climb", "height_at", "near_uv"],
@@ -1725,8 +1730,10 @@ struct MeanNormal {
     let size = height_size(0u);
     let du = vec2f(1.0 / size.x, 0.0);
     let dv = vec2f(0.0, 1.0 / size.y);
-    let slope_u = (height_at(uv + du, 0u) - height_at(uv - du, 0u)) * (0.5 * size.x * surface_settings.scale_m);
-    let slope_v = (height_at(uv + dv, 0u) - height_at(uv - dv, 0u)) * (0.5 * size.y * surface_settings.scale_m);
+    let rise_u = height_at(uv + du, 0u) - height_at(uv - du, 0u);
+    let rise_v = height_at(uv + dv, 0u) - height_at(uv - dv, 0u);
+    let slope_u = rise_u * (0.5 * size.x * surface_settings.scale_m);
+    let slope_v = rise_v * (0.5 * size.y * surface_settings.scale_m);
     let along_u = at.tangent + at.normal * slope_u;
     let along_v = at.bitangent + at.normal * slope_v;
     let across = normalize(cross(along_v, along_u));
@@ -2172,8 +2179,8 @@ struct Record {
     height: f32,
     uv: vec2f,
     t: f32,
-    // 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps; and four times
-    // the level of detail that was traced.
+    // 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps. To these,
+    // four times the level of detail is added.
     hit: u32,
     cell: vec2i,
     reads: u32,
@@ -2360,7 +2367,7 @@ fn free_way(at: Entered, hit: Hit, light: Toward) -> f32 {
         name: "height_and_slope",
         sampling: None,
         uses: &["cell_of", "height_cell", "height_size"],
-        text: r#"// Height and its derivatives by u and v at texture coordinates, from the dual cell of a level there. One read.
+        text: r#"// Height and its derivatives by u and v at texture coordinates, from the dual cell of that level. One read.
 fn height_and_slope(uv: vec2f, level: u32) -> vec3f {
     let size = height_size(level);
     let point = uv * size - vec2f(0.5, 0.5);
@@ -2659,7 +2666,14 @@ const BELOW_FLOOR = 1.000001;"#,
         uses: &["Entered", "PixelIn", "climb", "surface_settings"],
         text: r#"// How far the base point moves, in texels, when the ray's origin and direction change by these. `normal` is
 // the triangle's, of any length; `t` is where its plane is on the ray.
-fn footprint_axis(pixel: PixelIn, at: Entered, normal: vec3f, t: f32, origin: vec3f, direction: vec3f) -> vec2f {
+fn footprint_axis(
+    pixel: PixelIn,
+    at: Entered,
+    normal: vec3f,
+    t: f32,
+    origin: vec3f,
+    direction: vec3f,
+) -> vec2f {
     let aside = origin + direction * t;
     let along = dot(normal, aside) / dot(normal, pixel.direction);
     return climb(at, aside - pixel.direction * along).xy * vec2f(surface_settings.height_size);
@@ -2676,11 +2690,11 @@ fn footprint_axis(pixel: PixelIn, at: Entered, normal: vec3f, t: f32, origin: ve
     let t = dot(normal, a - pixel.origin) / dot(normal, pixel.direction);
     let right = footprint_axis(pixel, at, normal, t, frame.eye_right.xyz, frame.right.xyz);
     let down = footprint_axis(pixel, at, normal, t, frame.eye_down.xyz, frame.down.xyz);
-    // The squared axes of the ellipse are the larger and the smaller root: their sum and product are known.
-    // One product of four: of a sum of two sums compilers make another one, which ends in other bits.
+    // One product of four: of two sums that are added compilers make another sum, which ends in other bits.
     let both = vec4f(right, down);
     let sum = dot(both, both);
     let area = right.x * down.y - right.y * down.x;
+    // Of the squared axes of the ellipse the sum is known, and the product: the area squared.
     let apart = sqrt(max((sum - 2.0 * area) * (sum + 2.0 * area), 0.0));
     let longer = 0.5 * (sum + apart);
     let shorter = area * area / longer;

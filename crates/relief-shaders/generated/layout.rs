@@ -249,8 +249,8 @@ pub struct Record {
     pub height: f32,
     pub uv: rt::Vec2<f32>,
     pub t: f32,
-    /// 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps; and four times
-    /// the level of detail that was traced.
+    /// 0 where the pixel shows no surface, 1 where it does, 3 where the search ran out of steps. To these,
+    /// four times the level of detail is added.
     pub hit: u32,
     pub cell: rt::Vec2<i32>,
     pub reads: u32,

@@ -78,8 +78,8 @@ pub enum SelectionError {
     },
     /// A variant's baked map knows the finest level of detail alone.
     #[error(
-        "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not levels of \
-         detail; choose another, or the detail '{none}'", none = crate::detail::NONE
+        "the {stage} '{entry}' cannot be used with the detail '{detail}': the levels of its map are not \
+            levels of detail; choose another, or the detail '{none}'", none = crate::detail::NONE
     )]
     OneLevel {
         /// The title of the stage that reads the map.

@@ -24,7 +24,10 @@ use crate::{MapError, Selection, SlotMaps};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct MethodTracer<'a>(Program<'a>, u32);
+pub struct MethodTracer<'a> {
+    program: Program<'a>,
+    levels: u32,
+}
 
 impl<'a> MethodTracer<'a> {
     /// The method over that height map, on a surface of that metric, with the baked maps that it reads. Maps
@@ -54,20 +57,20 @@ impl<'a> MethodTracer<'a> {
             normal_map: ColorTexture::BLANK,
             maps,
         });
-        Self(program, levels)
+        Self { program, levels }
     }
 
     /// Where a path ends by this method.
     #[inline]
     pub fn first_hit(&self, path: &Path) -> Hit {
-        Hit::from(&self.0.trace(super::Path::from(path)))
+        Hit::from(&self.program.trace(super::Path::from(path)))
     }
 
-    /// Where a path ends in a [level](HeightMap::level) of the height map. A method whose detail is `none` has
-    /// the finest one alone: there, and beyond the coarsest, the nearest one is traced.
+    /// Where a path ends in a [level](HeightMap::level) of the height map. Beyond the coarsest level that one
+    /// is traced; a method whose detail is `none` has the finest alone.
     #[inline]
     pub fn first_hit_in(&self, level: u32, path: &Path) -> Hit {
-        let level = level.min(self.1 - 1);
-        Hit::from(&self.0.trace(super::Path { level, ..path.into() }))
+        let level = level.min(self.levels - 1);
+        Hit::from(&self.program.trace(super::Path { level, ..path.into() }))
     }
 }

@@ -35,7 +35,7 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Each level is a bilinear surface of its own, with baked maps of its own heights: what a search \
-        and a refinement promise holds for the surface of the level. That lies within the range of the finest \
-        heights around it, and is another surface than the finest.",
+    argument: "Each level is a bilinear surface of its own, with baked maps of its own heights: what a \
+        search and a refinement promise holds for the surface of the level. That lies within the range of \
+        the finest heights around it, and is another surface than the finest.",
 };

@@ -24,7 +24,7 @@ pub const ENTRY: Entry = Entry {
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "The ray enters at the top of the relief, at the footprint's edge or at the light, and \
-        descends to the hit: search and refinement of the view serve it, with their map. Where it ends within the \
-        tolerance of the hit nothing is taken to be in the way, though a thin ridge may be; where light \
-        grazes the surface, rounding alone can be more than the tolerance.",
+        descends to the hit: search and refinement of the view serve it, with their map. Where it ends \
+        within the tolerance of the hit nothing is taken to be in the way, though a thin ridge may be; where \
+        light grazes the surface, rounding alone can be more than the tolerance.",
 };

@@ -25,8 +25,8 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Where a horizon changes from one azimuth or one texel to the next, a mean of both stands \
-        for it: more azimuths come nearer. The part of the disc above a straight horizon is known. Height and \
-        texture coordinates along the light's direction tell the horizon in the hit's own frame, so that \
-        it follows a curved mesh. A light at a point is taken to be behind all of the relief.",
+    argument: "Where a horizon changes from one azimuth or one texel to the next, a mean of both stands for \
+        it: more azimuths come nearer. The part of the disc above a straight horizon is known. Height and \
+        texture coordinates along the light's direction tell the horizon in the hit's own frame, so that it \
+        follows a curved mesh. A light at a point is taken to be behind all of the relief.",
 };

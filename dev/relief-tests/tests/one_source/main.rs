@@ -75,8 +75,8 @@ impl Pair {
                 }
                 let none = [&shadow::none::ENTRY, search];
                 let shadow = shadows.get(pairs.len()).copied().unwrap_or(none);
-                // Every third in levels of detail: most of the time goes into compiling programs, and this way
-                // a pair has one.
+                // Every third in levels of detail: most of the time goes into compiling programs, and this
+                // way a pair has one.
                 let detail = &detail::ENTRIES[usize::from(pairs.len() % 3 == 0)];
                 let draw = |_| Draw::new([search, refine], shadow, detail, &mut rng);
                 let draws = maps::ALL.iter().map(draw).collect();
