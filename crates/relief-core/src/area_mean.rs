@@ -18,6 +18,11 @@ pub fn level_count(size: [u32; 2]) -> u32 {
 /// A texel is the mean over its area: where a side is odd, texels that lie across two areas count for each in
 /// part. So the mean of the map stays what it is, to rounding.
 pub fn coarser<const N: usize>(texels: &[[f32; N]], size: [u32; 2]) -> Vec<[f32; N]> {
+    coarser_of(|at| texels[at], size)
+}
+
+/// The same of values that are made for the texel of that number.
+pub fn coarser_of<const N: usize>(value: impl Fn(usize) -> [f32; N] + Sync, size: [u32; 2]) -> Vec<[f32; N]> {
     let to = coarser_size(size);
     let [columns, rows] = [0, 1].map(|axis| areas(size[axis], to[axis]));
     let width = size[0] as usize;
@@ -25,7 +30,7 @@ pub fn coarser<const N: usize>(texels: &[[f32; N]], size: [u32; 2]) -> Vec<[f32;
         let mut sums = [0.0; N];
         for (j, down) in row {
             for (i, across) in column {
-                for (sum, value) in sums.iter_mut().zip(texels[j * width + i]) {
+                for (sum, value) in sums.iter_mut().zip(value(j * width + i)) {
                     *sum += down * across * f64::from(value);
                 }
             }

@@ -70,7 +70,7 @@ impl JobSurface {
 }
 
 fn of_levels(levels: &Mipmaps) -> ColorTexture<'_> {
-    ColorTexture::new(levels.size(), &levels.finest().texels, levels.coarser())
+    ColorTexture::new(levels.size(), levels.layers(), levels.finest(), levels.coarser())
 }
 
 /// The result of a job: every pixel, row by row from the top.

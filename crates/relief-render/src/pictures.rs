@@ -16,6 +16,8 @@ pub struct Pictures {
     finest: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
     /// In all levels.
     levels: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
+    /// Normal maps in all levels.
+    normals: Vec<(Arc<Picture>, Arc<Mipmaps>)>,
     /// Normals derived from height maps, with the tile that they are derived for.
     derived: Vec<(Arc<HeightMap>, [f64; 2], Arc<Mipmaps>)>,
 }
@@ -32,6 +34,15 @@ impl Pictures {
         }
     }
 
+    /// A normal map, as it was bound before if it was.
+    pub fn of_normals(&mut self, picture: &Arc<Picture>, levels: bool, before: &Pictures) -> Arc<Mipmaps> {
+        if !levels {
+            return self.of(picture, false, before);
+        }
+        let make = || Arc::new(Mipmaps::of_normals(Arc::clone(picture)));
+        kept(&mut self.normals, &before.normals, picture, make)
+    }
+
     /// The derived normals of a surface, from the second level on.
     pub fn derived(&mut self, surface: &Surface, before: &Pictures) -> Option<Arc<Mipmaps>> {
         let (map, metric) = (surface.height_map(), surface.metric());
@@ -43,7 +54,7 @@ impl Pictures {
         }
         let made = match before.derived.iter().find(is_same) {
             Some((_, _, known)) => Arc::clone(known),
-            None => Arc::new(Mipmaps::of_normals(map, metric)?),
+            None => Arc::new(Mipmaps::of_heights(map, metric)?),
         };
         self.derived.push((Arc::clone(map), metric.tile_m, Arc::clone(&made)));
         Some(made)

@@ -68,10 +68,9 @@ impl Preparer {
                 (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number)).collect()
             });
             let levels = surface.selection().has_levels();
-            let mut picture = |picture| pictures.of(picture, levels, &self.pictures);
-            let color = surface.color().map(&mut picture);
+            let color = surface.color().map(|picture| pictures.of(picture, levels, &self.pictures));
             let normal_map = match surface.normal_map() {
-                Some(normals) => Some(picture(normals)),
+                Some(normals) => Some(pictures.of_normals(normals, levels, &self.pictures)),
                 None if levels => pictures.derived(surface, &self.pictures),
                 None => None,
             };

@@ -321,19 +321,19 @@ impl MapSettings {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// The mean of the normals within a footprint.
-pub struct MeanNormal {
-    /// Its direction.
-    pub normal: rt::Vec3<f32>,
-    /// Its length: 1 where all normals are the same.
-    pub length: f32,
+/// The means of the normals n and the slopes s in an area, in tangent space. n is (-sx, -sy, 1) nz.
+pub struct Normals {
+    /// nx, ny, nz, sx
+    pub first: rt::Vec4<f32>,
+    /// sx² nz, sx sy nz, sy² nz, sy
+    pub second: rt::Vec4<f32>,
 }
-impl MeanNormal {
+impl Normals {
     pub fn new(
-        normal: impl rt::Into<rt::Vec3<f32>>,
-        length: impl rt::Into<f32>,
+        first: impl rt::Into<rt::Vec4<f32>>,
+        second: impl rt::Into<rt::Vec4<f32>>,
     ) -> Self {
-        Self { normal: rt::into(normal), length: rt::into(length) }
+        Self { first: rt::into(first), second: rt::into(second) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -410,10 +410,52 @@ impl PixelOut {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The normals within a footprint as an eye sees them.
+pub struct SeenNormals {
+    /// The direction of their mean, in the world.
+    pub normal: rt::Vec3<f32>,
+    /// The length of their mean: 1 where all are the same.
+    pub length: f32,
+    /// 1 where they differ. What follows is known only then, in tangent space.
+    pub differ: u32,
+    /// The one in the middle and its slope, and how normals and slopes change in a deviation along two axes: the
+    /// others are APART of them beside it, two on each axis.
+    pub middle: rt::Vec3<f32>,
+    pub along: rt::Vec3<f32>,
+    pub across: rt::Vec3<f32>,
+    pub slope: rt::Vec2<f32>,
+    pub slope_along: rt::Vec2<f32>,
+    pub slope_across: rt::Vec2<f32>,
+    /// The squared cosine between the base's normal and the view.
+    pub upright: f32,
+    /// What is seen of a slope for each of them, beside what is seen of all.
+    pub middle_seen: f32,
+    pub others_seen: rt::Vec4<f32>,
+}
+impl SeenNormals {
+    pub fn new(
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        length: impl rt::Into<f32>,
+        differ: impl rt::Into<u32>,
+        middle: impl rt::Into<rt::Vec3<f32>>,
+        along: impl rt::Into<rt::Vec3<f32>>,
+        across: impl rt::Into<rt::Vec3<f32>>,
+        slope: impl rt::Into<rt::Vec2<f32>>,
+        slope_along: impl rt::Into<rt::Vec2<f32>>,
+        slope_across: impl rt::Into<rt::Vec2<f32>>,
+        upright: impl rt::Into<f32>,
+        middle_seen: impl rt::Into<f32>,
+        others_seen: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { normal: rt::into(normal), length: rt::into(length), differ: rt::into(differ), middle: rt::into(middle), along: rt::into(along), across: rt::into(across), slope: rt::into(slope), slope_along: rt::into(slope_along), slope_across: rt::into(slope_across), upright: rt::into(upright), middle_seen: rt::into(middle_seen), others_seen: rt::into(others_seen) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// What belongs to a surface: its maps, displacement, material and method.
 pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
-    pub choices: [Choice; 7],
+    pub choices: [Choice; 8],
     /// For each slot of baked maps.
     pub maps: [MapSettings; 5],
     pub diffuse: rt::Vec4<f32>,
@@ -436,12 +478,14 @@ pub struct SurfaceSettings {
     pub shininess: u32,
     pub has_color: u32,
     pub has_normal: u32,
+    /// 0 where the relief casts no shadows.
+    pub has_shadows: u32,
     pub scale_m: f32,
     pub bias_m: f32,
 }
 impl SurfaceSettings {
     pub fn new(
-        choices: impl rt::Into<[Choice; 7]>,
+        choices: impl rt::Into<[Choice; 8]>,
         maps: impl rt::Into<[MapSettings; 5]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
@@ -458,10 +502,11 @@ impl SurfaceSettings {
         shininess: impl rt::Into<u32>,
         has_color: impl rt::Into<u32>,
         has_normal: impl rt::Into<u32>,
+        has_shadows: impl rt::Into<u32>,
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -516,13 +561,15 @@ pub const RAY_SHADOW: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
+pub const SLOT_AMBIENT: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
 pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
-pub const STAGES: rt::Scalar<u32> = rt::Scalar(7u32);
+pub const STAGES: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -531,6 +578,8 @@ pub const WRAP_MIRROR: rt::Scalar<u32> = rt::Scalar(2u32);
 pub const WRAP_REPEAT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Resources<'g> {
+    #[doc = "group(0) binding(8)"]
+    pub(crate) ambient_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(2)"]
     pub(crate) color_map: rt::ColorTexture<'g>,
     #[doc = "group(0) binding(10)"]
@@ -566,60 +615,87 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         return (sum + (color * weight));
     }
-    pub(crate) fn traced_scale_m(&self) -> f32 {
-        rt::into(self.v_traced_scale_m())
+    pub(crate) fn from_tangent_space(
+        &self,
+        at: Entered,
+        n: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_from_tangent_space(at, rt::into(n)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_traced_scale_m(&self) -> rt::Scalar<f32> {
-        let _e2 = rt::Scalar(self.surface_settings.scale_m);
-        return _e2.max(rt::Scalar(0.000000001f32));
+    fn v_from_tangent_space(
+        &self,
+        at: Entered,
+        n: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let along_u = at.tangent.normalize();
+        let along_v = at.bitangent.normalize();
+        return (((along_u * n.x()) - (along_v * n.y())) + (at.normal * n.z()));
     }
-    pub(crate) fn base_height(&self) -> f32 {
-        rt::into(self.v_base_height())
+    pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_cell_of(rt::into(point)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_base_height(&self) -> rt::Scalar<f32> {
-        let _e2 = rt::Scalar(self.surface_settings.bias_m);
-        let _e5 = self.v_traced_scale_m();
-        return ((rt::Scalar(0f32) - _e2) / _e5);
+    fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
     }
-    pub(crate) fn bilinear(
+    pub(crate) fn wrap_index(
         &self,
-        h00_: impl rt::Into<rt::Vec4<f32>>,
-        h10_: impl rt::Into<rt::Vec4<f32>>,
-        h01_: impl rt::Into<rt::Vec4<f32>>,
-        h11_: impl rt::Into<rt::Vec4<f32>>,
-        part: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_bilinear(rt::into(h00_), rt::into(h10_), rt::into(h01_), rt::into(h11_), rt::into(part)))
+        i: impl rt::Into<rt::Scalar<i32>>,
+        n_1: impl rt::Into<rt::Scalar<i32>>,
+    ) -> i32 {
+        rt::into(self.v_wrap_index(rt::into(i), rt::into(n_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_bilinear(
+    fn v_wrap_index(
         &self,
-        h00_: rt::Vec4<f32>,
-        h10_: rt::Vec4<f32>,
-        h01_: rt::Vec4<f32>,
-        h11_: rt::Vec4<f32>,
-        part: rt::Vec2<f32>,
-    ) -> rt::Vec4<f32> {
-        let top_1 = (h00_ + ((h10_ - h00_) * part.x()));
-        let bottom = (h01_ + ((h11_ - h01_) * part.x()));
-        return (top_1 + ((bottom - top_1) * part.y()));
+        i: rt::Scalar<i32>,
+        n_1: rt::Scalar<i32>,
+    ) -> rt::Scalar<i32> {
+        let mut local: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(i.elementwise_ge(rt::Scalar(0i32))) {
+            local = i.elementwise_lt(n_1);
+        } else {
+            local = rt::Scalar(false);
+        }
+        let _e8 = local;
+        if rt::Scalar::into_branch_condition(_e8) {
+            return i;
+        }
+        let _e11 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e11.elementwise_eq(WRAP_CLAMP)) {
+            return i.clamp(rt::Scalar(0i32), (n_1 - rt::Scalar(1i32)));
+        }
+        let _e20 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e20.elementwise_eq(WRAP_REPEAT)) {
+            return (((i % n_1) + n_1) % n_1);
+        }
+        let period = (rt::Scalar(2i32) * n_1);
+        let folded = (((i % period) + period) % period);
+        return ((period - rt::Scalar(1i32)) - folded).select(folded, folded.elementwise_lt(n_1));
     }
-    pub(crate) fn path_height(
+    pub(crate) fn texels_around(
         &self,
-        path: Path,
-        t: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_path_height(path, rt::into(t)))
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        n_2: impl rt::Into<rt::Vec2<i32>>,
+    ) -> Around {
+        rt::into(self.v_texels_around(rt::into(uv), rt::into(n_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_path_height(
+    fn v_texels_around(
         &self,
-        path: Path,
-        t: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        return (path.h.x() + (t * (path.h.y() + (t * path.h.z()))));
+        uv: rt::Vec2<f32>,
+        n_2: rt::Vec2<i32>,
+    ) -> Around {
+        let point_2 = ((uv * n_2.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_2);
+        let i_1 = _e8.cast_elem_as_i32();
+        let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
+        let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
+        let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
+        let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_2 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -645,100 +721,316 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_level_texels(_e3, level_1);
         return _e4;
     }
-    pub(crate) fn height_size(&self, level_2: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_height_size(rt::into(level_2)))
+    pub(crate) fn bilinear(
+        &self,
+        h00_: impl rt::Into<rt::Vec4<f32>>,
+        h10_: impl rt::Into<rt::Vec4<f32>>,
+        h01_: impl rt::Into<rt::Vec4<f32>>,
+        h11_: impl rt::Into<rt::Vec4<f32>>,
+        part: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_bilinear(rt::into(h00_), rt::into(h10_), rt::into(h01_), rt::into(h11_), rt::into(part)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_size(&self, level_2: rt::Scalar<u32>) -> rt::Vec2<f32> {
-        let _e1 = self.v_height_texels(level_2);
+    fn v_bilinear(
+        &self,
+        h00_: rt::Vec4<f32>,
+        h10_: rt::Vec4<f32>,
+        h01_: rt::Vec4<f32>,
+        h11_: rt::Vec4<f32>,
+        part: rt::Vec2<f32>,
+    ) -> rt::Vec4<f32> {
+        let top_1 = (h00_ + ((h10_ - h00_) * part.x()));
+        let bottom = (h01_ + ((h11_ - h01_) * part.x()));
+        return (top_1 + ((bottom - top_1) * part.y()));
+    }
+    pub(crate) fn decoded(
+        &self,
+        texel: impl rt::Into<rt::Vec4<f32>>,
+        map: MapSettings,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_decoded(rt::into(texel), map))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_decoded(
+        &self,
+        texel: rt::Vec4<f32>,
+        map: MapSettings,
+    ) -> rt::Vec4<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(map.coded).elementwise_eq(rt::Scalar(1u32))) {
+            return (map.low + (map.step * ((texel * rt::Scalar(255f32)) + <rt::Vec4<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor()));
+        }
+        return texel;
+    }
+    pub(crate) fn ambient_texel(
+        &self,
+        place: impl rt::Into<rt::Vec2<i32>>,
+        layer: impl rt::Into<rt::Scalar<i32>>,
+        level_2: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_ambient_texel(rt::into(place), rt::into(layer), rt::into(level_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_texel(
+        &self,
+        place: rt::Vec2<i32>,
+        layer: rt::Scalar<i32>,
+        level_2: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.ambient_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level_2));
+        let _e8 = self.surface_settings.maps[3usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
+    }
+    pub(crate) fn ambient_texel_between(
+        &self,
+        uv_1: impl rt::Into<rt::Vec2<f32>>,
+        level_3: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_ambient_texel_between(rt::into(uv_1), rt::into(level_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_texel_between(
+        &self,
+        uv_1: rt::Vec2<f32>,
+        level_3: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e2 = self.v_height_texels(level_3);
+        let _e3 = self.v_texels_around(uv_1, _e2);
+        let k_11 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_11);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_11);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_11);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_11);
+        let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
+        return _e34;
+    }
+    pub(crate) fn ambient_bent_normal(
+        &self,
+        at_1: Entered,
+        hit: Hit,
+        normal: impl rt::Into<rt::Vec3<f32>>,
+        view: impl rt::Into<rt::Vec3<f32>>,
+        color_1: impl rt::Into<rt::Vec3<f32>>,
+        params: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ambient_bent_normal(at_1, hit, rt::into(normal), rt::into(view), rt::into(color_1), rt::into(params)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_bent_normal(
+        &self,
+        at_1: Entered,
+        hit: Hit,
+        normal: rt::Vec3<f32>,
+        view: rt::Vec3<f32>,
+        color_1: rt::Vec3<f32>,
+        params: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e9 = self.v_ambient_texel_between(hit.uv, rt::Scalar(at_1.path.level));
+        let _e11 = self.v_from_tangent_space(at_1, _e9.xyz());
+        let _e14 = self.frame.ambient;
+        return ((_e14.xyz() * color_1) * normal.dot(_e11).max(rt::Scalar(0f32)));
+    }
+    pub(crate) fn ambient_bounce(
+        &self,
+        at_2: Entered,
+        hit_1: Hit,
+        normal_1: impl rt::Into<rt::Vec3<f32>>,
+        view_1: impl rt::Into<rt::Vec3<f32>>,
+        color_2: impl rt::Into<rt::Vec3<f32>>,
+        params_1: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ambient_bounce(at_2, hit_1, rt::into(normal_1), rt::into(view_1), rt::into(color_2), rt::into(params_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_bounce(
+        &self,
+        at_2: Entered,
+        hit_1: Hit,
+        normal_1: rt::Vec3<f32>,
+        view_1: rt::Vec3<f32>,
+        color_2: rt::Vec3<f32>,
+        params_1: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e8 = self.frame.ambient;
+        let _e14 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_2.path.level));
+        return ((_e8.xyz() * color_2) * _e14.x());
+    }
+    pub(crate) fn ambient_constant(
+        &self,
+        at_3: Entered,
+        hit_2: Hit,
+        normal_2: impl rt::Into<rt::Vec3<f32>>,
+        view_2: impl rt::Into<rt::Vec3<f32>>,
+        color_3: impl rt::Into<rt::Vec3<f32>>,
+        params_2: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ambient_constant(at_3, hit_2, rt::into(normal_2), rt::into(view_2), rt::into(color_3), rt::into(params_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_constant(
+        &self,
+        at_3: Entered,
+        hit_2: Hit,
+        normal_2: rt::Vec3<f32>,
+        view_2: rt::Vec3<f32>,
+        color_3: rt::Vec3<f32>,
+        params_2: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e8 = self.frame.ambient;
+        return (_e8.xyz() * color_3);
+    }
+    pub(crate) fn ambient_occlusion(
+        &self,
+        at_4: Entered,
+        hit_3: Hit,
+        normal_3: impl rt::Into<rt::Vec3<f32>>,
+        view_3: impl rt::Into<rt::Vec3<f32>>,
+        color_4: impl rt::Into<rt::Vec3<f32>>,
+        params_3: impl rt::Into<rt::Vec4<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ambient_occlusion(at_4, hit_3, rt::into(normal_3), rt::into(view_3), rt::into(color_4), rt::into(params_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_occlusion(
+        &self,
+        at_4: Entered,
+        hit_3: Hit,
+        normal_3: rt::Vec3<f32>,
+        view_3: rt::Vec3<f32>,
+        color_4: rt::Vec3<f32>,
+        params_3: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e8 = self.frame.ambient;
+        let _e14 = self.v_ambient_texel_between(hit_3.uv, rt::Scalar(at_4.path.level));
+        return ((_e8.xyz() * color_4) * _e14.x());
+    }
+    pub(crate) fn ambient_stage(
+        &self,
+        at_5: Entered,
+        hit_4: Hit,
+        normal_4: impl rt::Into<rt::Vec3<f32>>,
+        view_4: impl rt::Into<rt::Vec3<f32>>,
+        color_5: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ambient_stage(at_5, hit_4, rt::into(normal_4), rt::into(view_4), rt::into(color_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_stage(
+        &self,
+        at_5: Entered,
+        hit_4: Hit,
+        normal_4: rt::Vec3<f32>,
+        view_4: rt::Vec3<f32>,
+        color_5: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e9 = rt::Scalar(self.surface_settings.choices[7usize].number);
+        match rt::Scalar::into_inner(_e9) {
+            0u32 => {
+                let _e14 = self.surface_settings.choices[7usize].params;
+                let _e15 = self.v_ambient_constant(at_5, hit_4, normal_4, view_4, color_5, _e14);
+                return _e15;
+            }
+            1u32 => {
+                let _e20 = self.surface_settings.choices[7usize].params;
+                let _e21 = self.v_ambient_occlusion(at_5, hit_4, normal_4, view_4, color_5, _e20);
+                return _e21;
+            }
+            2u32 => {
+                let _e26 = self.surface_settings.choices[7usize].params;
+                let _e27 = self.v_ambient_bent_normal(at_5, hit_4, normal_4, view_4, color_5, _e26);
+                return _e27;
+            }
+            _ => {
+                let _e32 = self.surface_settings.choices[7usize].params;
+                let _e33 = self.v_ambient_bounce(at_5, hit_4, normal_4, view_4, color_5, _e32);
+                return _e33;
+            }
+        }
+    }
+    pub(crate) fn traced_scale_m(&self) -> f32 {
+        rt::into(self.v_traced_scale_m())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_traced_scale_m(&self) -> rt::Scalar<f32> {
+        let _e2 = rt::Scalar(self.surface_settings.scale_m);
+        return _e2.max(rt::Scalar(0.000000001f32));
+    }
+    pub(crate) fn base_height(&self) -> f32 {
+        rt::into(self.v_base_height())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_base_height(&self) -> rt::Scalar<f32> {
+        let _e2 = rt::Scalar(self.surface_settings.bias_m);
+        let _e5 = self.v_traced_scale_m();
+        return ((rt::Scalar(0f32) - _e2) / _e5);
+    }
+    pub(crate) fn path_height(
+        &self,
+        path: Path,
+        t: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_height(path, rt::into(t)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_height(
+        &self,
+        path: Path,
+        t: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (path.h.x() + (t * (path.h.y() + (t * path.h.z()))));
+    }
+    pub(crate) fn height_size(&self, level_4: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_height_size(rt::into(level_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_size(&self, level_4: rt::Scalar<u32>) -> rt::Vec2<f32> {
+        let _e1 = self.v_height_texels(level_4);
         return _e1.cast_elem_as_f32();
-    }
-    pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_of(rt::into(point)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_cell_of(&self, point: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return point.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(-1073741800f32), rt::Scalar(-1073741800f32)), <rt::Vec2<f32>>::from_scalars(rt::Scalar(1073741800f32), rt::Scalar(1073741800f32)));
-    }
-    pub(crate) fn wrap_index(
-        &self,
-        i: impl rt::Into<rt::Scalar<i32>>,
-        n: impl rt::Into<rt::Scalar<i32>>,
-    ) -> i32 {
-        rt::into(self.v_wrap_index(rt::into(i), rt::into(n)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_wrap_index(
-        &self,
-        i: rt::Scalar<i32>,
-        n: rt::Scalar<i32>,
-    ) -> rt::Scalar<i32> {
-        let mut local: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(i.elementwise_ge(rt::Scalar(0i32))) {
-            local = i.elementwise_lt(n);
-        } else {
-            local = rt::Scalar(false);
-        }
-        let _e8 = local;
-        if rt::Scalar::into_branch_condition(_e8) {
-            return i;
-        }
-        let _e11 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e11.elementwise_eq(WRAP_CLAMP)) {
-            return i.clamp(rt::Scalar(0i32), (n - rt::Scalar(1i32)));
-        }
-        let _e20 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e20.elementwise_eq(WRAP_REPEAT)) {
-            return (((i % n) + n) % n);
-        }
-        let period = (rt::Scalar(2i32) * n);
-        let folded = (((i % period) + period) % period);
-        return ((period - rt::Scalar(1i32)) - folded).select(folded, folded.elementwise_lt(n));
     }
     pub(crate) fn height_cell(
         &self,
         cell: impl rt::Into<rt::Vec2<i32>>,
-        level_3: impl rt::Into<rt::Scalar<u32>>,
+        level_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_3)))
+        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_cell(
         &self,
         cell: rt::Vec2<i32>,
-        level_3: rt::Scalar<u32>,
+        level_5: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_texels(level_3);
-        let k_11 = level_3.cast_elem_as_i32();
+        let _e2 = self.v_height_texels(level_5);
+        let k_12 = level_5.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_11));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_11));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_11));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_11));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_12));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
         &self,
-        uv: impl rt::Into<rt::Vec2<f32>>,
-        level_4: impl rt::Into<rt::Scalar<u32>>,
+        uv_2: impl rt::Into<rt::Vec2<f32>>,
+        level_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_height_at(rt::into(uv), rt::into(level_4)))
+        rt::into(self.v_height_at(rt::into(uv_2), rt::into(level_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_at(
         &self,
-        uv: rt::Vec2<f32>,
-        level_4: rt::Scalar<u32>,
+        uv_2: rt::Vec2<f32>,
+        level_6: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_height_size(level_4);
-        let point_2 = ((uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_2);
-        let f = (point_2 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_4);
+        let _e2 = self.v_height_size(level_6);
+        let point_3 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_3);
+        let f = (point_3 - _e8);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_6);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
         return (top_2 + ((bottom_1 - top_2) * f.y()));
@@ -854,10 +1146,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_29 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_38 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_29.x())) + (by * at_29.y())) + ((twist * at_29.x()) * at_29.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_29.x() * grid_1.step.y()) + (at_29.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_38.x())) + (by * at_38.y())) + ((twist * at_38.x()) * at_38.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_38.x() * grid_1.step.y()) + (at_38.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -938,68 +1230,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn climb(
         &self,
-        at: Entered,
+        at_6: Entered,
         direction: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_climb(at, rt::into(direction)))
+        rt::into(self.v_climb(at_6, rt::into(direction)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_climb(
         &self,
-        at: Entered,
+        at_6: Entered,
         direction: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let metric = at.path.metric;
-        let td = at.tangent.dot(direction);
-        let bd = at.bitangent.dot(direction);
+        let metric = at_6.path.metric;
+        let td = at_6.tangent.dot(direction);
+        let bd = at_6.bitangent.dot(direction);
         let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
         let duv = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
         let _e30 = self.v_traced_scale_m();
-        return <rt::Vec3<f32>>::new_21(duv, (at.normal.dot(direction) / _e30));
-    }
-    pub(crate) fn texels_around(
-        &self,
-        uv_1: impl rt::Into<rt::Vec2<f32>>,
-        n_1: impl rt::Into<rt::Vec2<i32>>,
-    ) -> Around {
-        rt::into(self.v_texels_around(rt::into(uv_1), rt::into(n_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_texels_around(
-        &self,
-        uv_1: rt::Vec2<f32>,
-        n_1: rt::Vec2<i32>,
-    ) -> Around {
-        let point_3 = ((uv_1 * n_1.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_3);
-        let i_1 = _e8.cast_elem_as_i32();
-        let _e12 = self.v_wrap_index(i_1.x(), n_1.x());
-        let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_1.x());
-        let _e21 = self.v_wrap_index(i_1.y(), n_1.y());
-        let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_1.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_3 - _e8));
+        return <rt::Vec3<f32>>::new_21(duv, (at_6.normal.dot(direction) / _e30));
     }
     pub(crate) fn color_at(
         &self,
-        uv_2: impl rt::Into<rt::Vec2<f32>>,
-        level_5: impl rt::Into<rt::Scalar<u32>>,
+        uv_3: impl rt::Into<rt::Vec2<f32>>,
+        level_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_2), rt::into(level_5)))
+        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_color_at(
         &self,
-        uv_2: rt::Vec2<f32>,
-        level_5: rt::Scalar<u32>,
+        uv_3: rt::Vec2<f32>,
+        level_7: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_5);
-        let _e6 = self.v_texels_around(uv_2, _e5);
-        let k_12 = level_5.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_12));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_12));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_12));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e5 = self.v_level_texels(_e4, level_7);
+        let _e6 = self.v_texels_around(uv_3, _e5);
+        let k_13 = level_7.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_13));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_13));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_13));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_13));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -1017,7 +1287,7 @@ impl<'g> Resources<'g> {
         count: rt::Scalar<u32>,
     ) -> Levels {
         let mut texels: rt::Scalar<f32>;
-        let mut level_6: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_8: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut local_2: rt::Scalar<bool>;
         let mut local_3: rt::Scalar<bool>;
 
@@ -1026,7 +1296,7 @@ impl<'g> Resources<'g> {
             'naga_continue: {
                 let _e5 = texels;
                 if rt::Scalar::into_branch_condition(_e5.elementwise_ge(rt::Scalar(2f32))) {
-                    let _e10 = level_6;
+                    let _e10 = level_8;
                     local_2 = (_e10 + rt::Scalar(1u32)).elementwise_lt(count);
                 } else {
                     local_2 = rt::Scalar(false);
@@ -1039,38 +1309,38 @@ impl<'g> Resources<'g> {
                 {
                     let _e16 = texels;
                     texels = (_e16 * rt::Scalar(0.5f32));
-                    let _e19 = level_6;
-                    level_6 = (_e19 + rt::Scalar(1u32));
+                    let _e19 = level_8;
+                    level_8 = (_e19 + rt::Scalar(1u32));
                 }
             }
         }
         let _e22 = texels;
         if rt::Scalar::into_branch_condition(_e22.elementwise_gt(rt::Scalar(1f32))) {
-            let _e27 = level_6;
+            let _e27 = level_8;
             local_3 = (_e27 + rt::Scalar(1u32)).elementwise_lt(count);
         } else {
             local_3 = rt::Scalar(false);
         }
         let _e32 = local_3;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = level_6;
+            let _e33 = level_8;
             let _e34 = texels;
             return <Levels>::new(_e33, (_e34 - rt::Scalar(1f32)));
         }
-        let _e38 = level_6;
+        let _e38 = level_8;
         return <Levels>::new(_e38, rt::Scalar(0f32));
     }
     pub(crate) fn color_or_white(
         &self,
-        uv_3: impl rt::Into<rt::Vec2<f32>>,
+        uv_4: impl rt::Into<rt::Vec2<f32>>,
         footprint_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_color_or_white(rt::into(uv_3), rt::into(footprint_1)))
+        rt::into(self.v_color_or_white(rt::into(uv_4), rt::into(footprint_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_color_or_white(
         &self,
-        uv_3: rt::Vec2<f32>,
+        uv_4: rt::Vec2<f32>,
         footprint_1: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_color);
@@ -1080,10 +1350,10 @@ impl<'g> Resources<'g> {
         let _e13 = rt::Scalar(self.surface_settings.color_texels);
         let _e17 = rt::Scalar(self.surface_settings.color_levels);
         let _e18 = self.v_levels_of((footprint_1 * _e13), _e17);
-        let _e20 = self.v_color_at(uv_3, rt::Scalar(_e18.fine));
+        let _e20 = self.v_color_at(uv_4, rt::Scalar(_e18.fine));
         let fine = _e20.xyz();
         if rt::Scalar::into_branch_condition(rt::Scalar(_e18.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e28 = self.v_color_at(uv_3, (rt::Scalar(_e18.fine) + rt::Scalar(1u32)));
+            let _e28 = self.v_color_at(uv_4, (rt::Scalar(_e18.fine) + rt::Scalar(1u32)));
             return (fine + ((_e28.xyz() - fine) * rt::Scalar(_e18.part)));
         }
         return fine;
@@ -1099,48 +1369,30 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(-1f32);
     }
-    pub(crate) fn decoded(
-        &self,
-        texel: impl rt::Into<rt::Vec4<f32>>,
-        map: MapSettings,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_decoded(rt::into(texel), map))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_decoded(
-        &self,
-        texel: rt::Vec4<f32>,
-        map: MapSettings,
-    ) -> rt::Vec4<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(map.coded).elementwise_eq(rt::Scalar(1u32))) {
-            return (map.low + (map.step * ((texel * rt::Scalar(255f32)) + <rt::Vec4<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32), rt::Scalar(0.5f32))).floor()));
-        }
-        return texel;
-    }
     pub(crate) fn search_texel(
         &self,
         path_6: Path,
-        place: impl rt::Into<rt::Vec2<i32>>,
-        layer: impl rt::Into<rt::Scalar<i32>>,
-        level_7: impl rt::Into<rt::Scalar<i32>>,
+        place_1: impl rt::Into<rt::Vec2<i32>>,
+        layer_1: impl rt::Into<rt::Scalar<i32>>,
+        level_9: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_6, rt::into(place), rt::into(layer), rt::into(level_7)))
+        rt::into(self.v_search_texel(path_6, rt::into(place_1), rt::into(layer_1), rt::into(level_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel(
         &self,
         path_6: Path,
-        place: rt::Vec2<i32>,
-        layer: rt::Scalar<i32>,
-        level_7: rt::Scalar<i32>,
+        place_1: rt::Vec2<i32>,
+        layer_1: rt::Scalar<i32>,
+        level_9: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_6.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_4 = rt::texture::Read::read_texel((&self.shadow_search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level_7));
+            let texel_4 = rt::texture::Read::read_texel((&self.shadow_search_map), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_9));
             let _e12 = self.surface_settings.maps[1usize];
             let _e13 = self.v_decoded(texel_4, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level_7));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_9));
         let _e19 = self.surface_settings.maps[0usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -1159,9 +1411,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_7.level));
-        let place_2 = texel_1.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(place_2.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_2.y(), _e3.y());
+        let place_3 = texel_1.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(place_3.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_3.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -1187,99 +1439,99 @@ impl<'g> Resources<'g> {
     pub(crate) fn footprint_axis(
         &self,
         pixel: PixelIn,
-        at_1: Entered,
-        normal: impl rt::Into<rt::Vec3<f32>>,
+        at_7: Entered,
+        normal_5: impl rt::Into<rt::Vec3<f32>>,
         t_6: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel, at_1, rt::into(normal), rt::into(t_6), rt::into(origin), rt::into(direction_1)))
+        rt::into(self.v_footprint_axis(pixel, at_7, rt::into(normal_5), rt::into(t_6), rt::into(origin), rt::into(direction_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_axis(
         &self,
         pixel: PixelIn,
-        at_1: Entered,
-        normal: rt::Vec3<f32>,
+        at_7: Entered,
+        normal_5: rt::Vec3<f32>,
         t_6: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_1: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside = (origin + (direction_1 * t_6));
-        let along = (normal.dot(aside) / normal.dot(pixel.direction));
-        let _e15 = self.v_climb(at_1, (aside - (pixel.direction * along)));
+        let along_1 = (normal_5.dot(aside) / normal_5.dot(pixel.direction));
+        let _e15 = self.v_climb(at_7, (aside - (pixel.direction * along_1)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_1: PixelIn,
-        at_2: Entered,
-        params: impl rt::Into<rt::Vec4<f32>>,
+        at_8: Entered,
+        params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_1, at_2, rt::into(params)))
+        rt::into(self.v_detail_footprint(pixel_1, at_8, rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_footprint(
         &self,
         pixel_1: PixelIn,
-        at_2: Entered,
-        params: rt::Vec4<f32>,
+        at_8: Entered,
+        params_4: rt::Vec4<f32>,
     ) -> Detail {
         let a_2 = pixel_1.a.position;
-        let normal_3 = (pixel_1.b.position - a_2).cross((pixel_1.c.position - a_2));
-        let t_26 = (normal_3.dot((a_2 - pixel_1.origin)) / normal_3.dot(pixel_1.direction));
+        let normal_9 = (pixel_1.b.position - a_2).cross((pixel_1.c.position - a_2));
+        let t_26 = (normal_9.dot((a_2 - pixel_1.origin)) / normal_9.dot(pixel_1.direction));
         let _e20 = self.frame.eye_right;
         let _e24 = self.frame.right;
-        let _e26 = self.v_footprint_axis(pixel_1, at_2, normal_3, t_26, _e20.xyz(), _e24.xyz());
+        let _e26 = self.v_footprint_axis(pixel_1, at_8, normal_9, t_26, _e20.xyz(), _e24.xyz());
         let _e29 = self.frame.eye_down;
         let _e33 = self.frame.down;
-        let _e35 = self.v_footprint_axis(pixel_1, at_2, normal_3, t_26, _e29.xyz(), _e33.xyz());
+        let _e35 = self.v_footprint_axis(pixel_1, at_8, normal_9, t_26, _e29.xyz(), _e33.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e26, _e35);
         let sum_1 = both.dot(both);
         let area_1 = ((_e26.x() * _e35.y()) - (_e26.y() * _e35.x()));
         let apart = ((sum_1 - (rt::Scalar(2f32) * area_1)) * (sum_1 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
         let longer = (rt::Scalar(0.5f32) * (sum_1 + apart));
         let shorter = ((area_1 * area_1) / longer);
-        let squared_1 = shorter.max((longer / (params.x() * params.x())));
+        let squared_1 = shorter.max((longer / (params_4.x() * params_4.x())));
         let _e68 = rt::Scalar(self.frame.sample_width);
         let footprint_2 = (squared_1.sqrt() * _e68);
         let _e74 = rt::Scalar(self.surface_settings.height_levels);
-        let _e75 = self.v_levels_of((footprint_2 / params.y()), _e74);
+        let _e75 = self.v_levels_of((footprint_2 / params_4.y()), _e74);
         return <Detail>::new(rt::Scalar(_e75.fine), footprint_2);
     }
     pub(crate) fn detail_none(
         &self,
         pixel_2: PixelIn,
-        at_3: Entered,
-        params_1: impl rt::Into<rt::Vec4<f32>>,
+        at_9: Entered,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_2, at_3, rt::into(params_1)))
+        rt::into(self.v_detail_none(pixel_2, at_9, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_none(
         &self,
         pixel_2: PixelIn,
-        at_3: Entered,
-        params_1: rt::Vec4<f32>,
+        at_9: Entered,
+        params_5: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_3: PixelIn, at_4: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_3, at_4))
+    pub(crate) fn detail_stage(&self, pixel_3: PixelIn, at_10: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_3, at_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_3: PixelIn, at_4: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_3: PixelIn, at_10: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[1usize].params;
-                let _e12 = self.v_detail_none(pixel_3, at_4, _e11);
+                let _e12 = self.v_detail_none(pixel_3, at_10, _e11);
                 return _e12;
             }
             _ => {
                 let _e17 = self.surface_settings.choices[1usize].params;
-                let _e18 = self.v_detail_footprint(pixel_3, at_4, _e17);
+                let _e18 = self.v_detail_footprint(pixel_3, at_10, _e17);
                 return _e18;
             }
         }
@@ -1287,52 +1539,52 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_texel_between(
         &self,
         path_8: Path,
-        uv_4: impl rt::Into<rt::Vec2<f32>>,
-        layer_1: impl rt::Into<rt::Scalar<i32>>,
+        uv_5: impl rt::Into<rt::Vec2<f32>>,
+        layer_2: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_8, rt::into(uv_4), rt::into(layer_1)))
+        rt::into(self.v_search_texel_between(path_8, rt::into(uv_5), rt::into(layer_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel_between(
         &self,
         path_8: Path,
-        uv_4: rt::Vec2<f32>,
-        layer_1: rt::Scalar<i32>,
+        uv_5: rt::Vec2<f32>,
+        layer_2: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_8.level));
-        let _e5 = self.v_texels_around(uv_4, _e4);
-        let level_17 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_1, level_17);
-        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_1, level_17);
-        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_1, level_17);
-        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_1, level_17);
+        let _e5 = self.v_texels_around(uv_5, _e4);
+        let level_19 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_2, level_19);
+        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_2, level_19);
+        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_2, level_19);
+        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_2, level_19);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
         path_9: Path,
-        uv_5: impl rt::Into<rt::Vec2<f32>>,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
         height: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_9, rt::into(uv_5), rt::into(height), rt::into(slices)))
+        rt::into(self.v_distance_at(path_9, rt::into(uv_6), rt::into(height), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_distance_at(
         &self,
         path_9: Path,
-        uv_5: rt::Vec2<f32>,
+        uv_6: rt::Vec2<f32>,
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_3 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_2 = place_3.floor();
-        let _e13 = self.v_search_texel_between(path_9, uv_5, below_2.cast_elem_as_i32());
+        let place_4 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_2 = place_4.floor();
+        let _e13 = self.v_search_texel_between(path_9, uv_6, below_2.cast_elem_as_i32());
         let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_9, uv_5, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let _e21 = self.v_search_texel_between(path_9, uv_6, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_3 - below_2)));
+        return (lower + ((upper - lower) * (place_4 - below_2)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -1379,15 +1631,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane(
         &self,
         pixel_4: PixelIn,
-        params_2: impl rt::Into<rt::Vec4<f32>>,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_4, rt::into(params_2)))
+        rt::into(self.v_surface_plane(pixel_4, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_4: PixelIn,
-        params_2: rt::Vec4<f32>,
+        params_6: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut local_5: rt::Scalar<bool>;
@@ -1398,28 +1650,28 @@ impl<'g> Resources<'g> {
         let a_4 = pixel_4.a.position;
         let e1_ = (pixel_4.b.position - a_4);
         let e2_ = (pixel_4.c.position - a_4);
-        let n_6 = e1_.cross(e2_);
-        let nn = n_6.dot(n_6);
-        let toward_2 = n_6.dot(pixel_4.direction);
-        let distance = (n_6.dot((a_4 - pixel_4.origin)) / toward_2);
+        let n_7 = e1_.cross(e2_);
+        let nn = n_7.dot(n_7);
+        let toward_3 = n_7.dot(pixel_4.direction);
+        let distance = (n_7.dot((a_4 - pixel_4.origin)) / toward_3);
         let point_4 = (pixel_4.origin + (pixel_4.direction * distance));
         let from_a = (point_4 - a_4);
-        let wb = (from_a.cross(e2_).dot(n_6) / nn);
-        let wc = (e1_.cross(from_a).dot(n_6) / nn);
+        let wb = (from_a.cross(e2_).dot(n_7) / nn);
+        let wc = (e1_.cross(from_a).dot(n_7) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_14 = (((pixel_4.a.uv * wa) + (pixel_4.b.uv * wb)) + (pixel_4.c.uv * wc));
+        let uv_15 = (((pixel_4.a.uv * wa) + (pixel_4.b.uv * wb)) + (pixel_4.c.uv * wc));
         let tangent_1 = (((pixel_4.a.tangent * wa) + (pixel_4.b.tangent * wb)) + (pixel_4.c.tangent * wc));
         let bitangent = (((pixel_4.a.bitangent * wa) + (pixel_4.b.bitangent * wb)) + (pixel_4.c.bitangent * wc));
-        let normal_4 = ((((pixel_4.a.normal * wa) + (pixel_4.b.normal * wb)) + (pixel_4.c.normal * wc)).normalize() * rt::Scalar(pixel_4.side));
-        let along_1 = pixel_4.direction.length();
-        let direction_2 = (pixel_4.direction / rt::Vec3::splat_from_scalar(along_1));
+        let normal_10 = ((((pixel_4.a.normal * wa) + (pixel_4.b.normal * wb)) + (pixel_4.c.normal * wc)).normalize() * rt::Scalar(pixel_4.side));
+        let along_2 = pixel_4.direction.length();
+        let direction_2 = (pixel_4.direction / rt::Vec3::splat_from_scalar(along_2));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let td_1 = tangent_1.dot(direction_2);
         let bd_1 = bitangent.dot(direction_2);
         let area_2 = ((tt * bb) - (tb * tb));
-        let descent = (rt::Scalar(0f32) - normal_4.dot(direction_2));
+        let descent = (rt::Scalar(0f32) - normal_10.dot(direction_2));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
             local_5 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
         } else {
@@ -1433,7 +1685,7 @@ impl<'g> Resources<'g> {
         let _e118 = self.v_traced_scale_m();
         let _e119 = self.v_base_height();
         let slope_4 = ((rt::Scalar(0f32) - descent) / _e118);
-        let eye = ((rt::Scalar(0f32) - distance) * along_1);
+        let eye = ((rt::Scalar(0f32) - distance) * along_2);
         let top_3 = (((_e119 - rt::Scalar(1f32)) * _e118) / descent);
         enter = top_3.max(eye);
         leave_3 = ((_e119 * _e118) / descent);
@@ -1444,10 +1696,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e143.elementwise_eq(WRAP_CLAMP)) {
             let _e148 = enter;
             let _e149 = leave_3;
-            let _e151 = self.v_inside_unit(uv_14.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e148, _e149));
+            let _e151 = self.v_inside_unit(uv_15.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e148, _e149));
             interval_1 = _e151;
             let _e155 = interval_1;
-            let _e156 = self.v_inside_unit(uv_14.y(), duv_1.y(), _e155);
+            let _e156 = self.v_inside_unit(uv_15.y(), duv_1.y(), _e155);
             interval_1 = _e156;
             let _e158 = interval_1.x();
             enter = _e158;
@@ -1468,9 +1720,9 @@ impl<'g> Resources<'g> {
         let _e184 = leave_3;
         let _e185 = enter;
         let _e189 = rt::Scalar(self.surface_settings.scale_m);
-        let path_45 = <Path>::new((uv_14 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
+        let path_45 = <Path>::new((uv_15 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
         let _e194 = valid;
-        return <Entered>::new(_e194, path_45, point_4, uv_14, tangent_1, bitangent, normal_4, rt::Scalar(0f32));
+        return <Entered>::new(_e194, path_45, point_4, uv_15, tangent_1, bitangent, normal_10, rt::Scalar(0f32));
     }
     pub(crate) fn surface_stage(&self, pixel_5: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_5))
@@ -1491,15 +1743,15 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_enter_relief(&self, pixel_6: PixelIn) -> Entered {
-        let mut at_5: Entered;
+        let mut at_11: Entered;
 
         let _e1 = self.v_surface_stage(pixel_6);
-        at_5 = _e1;
-        let _e3 = at_5;
+        at_11 = _e1;
+        let _e3 = at_11;
         let _e4 = self.v_detail_stage(pixel_6, _e3);
-        rt::Scalar(at_5.path.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_5.footprint) = rt::Scalar(_e4.footprint);
-        let _e10 = at_5;
+        rt::Scalar(at_11.path.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_11.footprint) = rt::Scalar(_e4.footprint);
+        let _e10 = at_11;
         return _e10;
     }
     pub(crate) fn entered_once(
@@ -1549,11 +1801,11 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = near_1;
                     let _e26 = far_1;
-                    let middle = (rt::Scalar(0.5f32) * (_e25 + _e26));
+                    let middle_2 = (rt::Scalar(0.5f32) * (_e25 + _e26));
                     let _e30 = near_1;
-                    if rt::Scalar::into_branch_condition(middle.elementwise_gt(_e30)) {
+                    if rt::Scalar::into_branch_condition(middle_2.elementwise_gt(_e30)) {
                         let _e34 = far_1;
-                        local_6 = middle.elementwise_lt(_e34);
+                        local_6 = middle_2.elementwise_lt(_e34);
                     } else {
                         local_6 = rt::Scalar(false);
                     }
@@ -1561,14 +1813,14 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e37)) {
                         break 'naga_break;
                     }
-                    let _e39 = self.v_path_gap(path_10, middle);
+                    let _e39 = self.v_path_gap(path_10, middle_2);
                     let _e40 = reads_1;
                     reads_1 = (_e40 + rt::Scalar(1u32));
                     if rt::Scalar::into_branch_condition(_e39.elementwise_le(rt::Scalar(0f32))) {
-                        far_1 = middle;
+                        far_1 = middle_2;
                         far_gap = _e39;
                     } else {
-                        near_1 = middle;
+                        near_1 = middle_2;
                         near_gap = _e39;
                     }
                 }
@@ -1581,99 +1833,103 @@ impl<'g> Resources<'g> {
         let _e50 = reads_1;
         return <Found>::new(FOUND_BRACKET, _e46, _e47, _e48, _e49, _e50);
     }
-    pub(crate) fn from_tangent_space(
+    pub(crate) fn facing_four(
         &self,
-        at_6: Entered,
-        n_2: impl rt::Into<rt::Vec3<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_from_tangent_space(at_6, rt::into(n_2)))
+        middle: impl rt::Into<rt::Scalar<f32>>,
+        along: impl rt::Into<rt::Scalar<f32>>,
+        across: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_facing_four(rt::into(middle), rt::into(along), rt::into(across)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_tangent_space(
+    fn v_facing_four(
         &self,
-        at_6: Entered,
-        n_2: rt::Vec3<f32>,
-    ) -> rt::Vec3<f32> {
-        let along_u = at_6.tangent.normalize();
-        let along_v = at_6.bitangent.normalize();
-        return (((along_u * n_2.x()) - (along_v * n_2.y())) + (at_6.normal * n_2.z()));
+        middle: rt::Scalar<f32>,
+        along: rt::Scalar<f32>,
+        across: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        let x_1 = (along * rt::Scalar(1.7320508f32));
+        let y = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle + x_1), (middle - x_1), (middle + y), (middle - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn normal_at(
         &self,
-        uv_6: impl rt::Into<rt::Vec2<f32>>,
-        level_8: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_6), rt::into(level_8)))
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        layer_3: impl rt::Into<rt::Scalar<i32>>,
+        level_10: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_7), rt::into(layer_3), rt::into(level_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_at(
         &self,
-        uv_6: rt::Vec2<f32>,
-        level_8: rt::Scalar<u32>,
-    ) -> rt::Vec3<f32> {
-        let _e4 = self.surface_settings.normal_size;
-        let _e5 = self.v_level_texels(_e4, level_8);
-        let _e6 = self.v_texels_around(uv_6, _e5);
-        let k_13 = level_8.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(k_13));
-        let _e23 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(k_13));
-        let _e31 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(k_13));
-        let _e39 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), rt::Scalar::into_inner(rt::Scalar(0i32)), 0i32, rt::Scalar::into_inner(k_13));
-        let _e41 = self.v_bilinear(_e15, _e23, _e31, _e39, _e6.part);
-        return _e41.xyz();
+        uv_7: rt::Vec2<f32>,
+        layer_3: rt::Scalar<i32>,
+        level_10: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e5 = self.surface_settings.normal_size;
+        let _e6 = self.v_level_texels(_e5, level_10);
+        let _e7 = self.v_texels_around(uv_7, _e6);
+        let k_14 = level_10.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_14));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_14));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_14));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_14));
+        let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
+        return _e38;
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_7: Entered,
-        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        at_12: Entered,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_7, rt::into(uv_7)))
+        rt::into(self.v_normal_from_height(at_12, rt::into(uv_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_7: Entered,
-        uv_7: rt::Vec2<f32>,
+        at_12: Entered,
+        uv_8: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e16 = self.v_height_at((uv_7 + du), rt::Scalar(0u32));
-        let _e19 = self.v_height_at((uv_7 - du), rt::Scalar(0u32));
+        let _e16 = self.v_height_at((uv_8 + du), rt::Scalar(0u32));
+        let _e19 = self.v_height_at((uv_8 - du), rt::Scalar(0u32));
         let rise_u = (_e16 - _e19);
-        let _e23 = self.v_height_at((uv_7 + dv), rt::Scalar(0u32));
-        let _e26 = self.v_height_at((uv_7 - dv), rt::Scalar(0u32));
+        let _e23 = self.v_height_at((uv_8 + dv), rt::Scalar(0u32));
+        let _e26 = self.v_height_at((uv_8 - dv), rt::Scalar(0u32));
         let rise_v = (_e23 - _e26);
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
         let _e41 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
-        let along_u_1 = (at_7.tangent + (at_7.normal * slope_u));
-        let along_v_1 = (at_7.bitangent + (at_7.normal * slope_v));
-        let across = along_v_1.cross(along_u_1).normalize();
-        return (across * rt::Scalar(-1f32).select(rt::Scalar(1f32), across.dot(at_7.normal).elementwise_ge(rt::Scalar(0f32))));
+        let along_u_1 = (at_12.tangent + (at_12.normal * slope_u));
+        let along_v_1 = (at_12.bitangent + (at_12.normal * slope_v));
+        let across_1 = along_v_1.cross(along_u_1).normalize();
+        return (across_1 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_1.dot(at_12.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn finest_normal(
         &self,
-        at_8: Entered,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        at_13: Entered,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_8, rt::into(uv_8)))
+        rt::into(self.v_finest_normal(at_13, rt::into(uv_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_finest_normal(
         &self,
-        at_8: Entered,
-        uv_8: rt::Vec2<f32>,
+        at_13: Entered,
+        uv_9: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e8 = self.v_normal_at(uv_8, rt::Scalar(0u32));
-            let _e9 = self.v_from_tangent_space(at_8, _e8);
-            return _e9.normalize();
+            let _e9 = self.v_normal_at(uv_9, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e11 = self.v_from_tangent_space(at_13, _e9.xyz());
+            return _e11.normalize();
         }
-        let _e11 = self.v_normal_from_height(at_8, uv_8);
-        return _e11;
+        let _e13 = self.v_normal_from_height(at_13, uv_9);
+        return _e13;
     }
     pub(crate) fn quadratic(
         &self,
@@ -1794,31 +2050,31 @@ impl<'g> Resources<'g> {
         let _e36 = self.v_quadratic(c_3, span_2);
         return <Found>::new(FOUND_ABOVE, t_7, (t_7 + span_2), c_3.x(), _e36, reads_2);
     }
-    pub(crate) fn near_uv(&self, uv_9: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_9)))
+    pub(crate) fn near_uv(&self, uv_10: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_near_uv(&self, uv_9: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_10: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_9 - uv_9.floor());
+            return (uv_10 - uv_10.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_9 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_9).floor()));
+            return (uv_10 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_10).floor()));
         }
-        return uv_9;
+        return uv_10;
     }
-    pub(crate) fn from_hit(&self, at_9: Entered, hit: Hit, light: Toward) -> Path {
-        rt::into(self.v_from_hit(at_9, hit, light))
+    pub(crate) fn from_hit(&self, at_14: Entered, hit_5: Hit, light: Toward) -> Path {
+        rt::into(self.v_from_hit(at_14, hit_5, light))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_9: Entered, hit: Hit, light: Toward) -> Path {
-        let _e4 = self.v_climb(at_9, light.direction);
-        let _e6 = self.v_near_uv(hit.uv);
-        let _e9 = self.v_height_at(_e6, rt::Scalar(at_9.path.level));
+    fn v_from_hit(&self, at_14: Entered, hit_5: Hit, light: Toward) -> Path {
+        let _e4 = self.v_climb(at_14, light.direction);
+        let _e6 = self.v_near_uv(hit_5.uv);
+        let _e9 = self.v_height_at(_e6, rt::Scalar(at_14.path.level));
         let h_1 = <rt::Vec3<f32>>::from_scalars(_e9, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_1, rt::Scalar(0f32), rt::Scalar(0f32), at_9.path.metric, RAY_SHADOW, rt::Scalar(at_9.path.level));
+        return <Path>::new(_e6, _e4.xy(), h_1, rt::Scalar(0f32), rt::Scalar(0f32), at_14.path.metric, RAY_SHADOW, rt::Scalar(at_14.path.level));
     }
     pub(crate) fn way_out(&self, path_11: Path, light_1: Toward) -> f32 {
         rt::into(self.v_way_out(path_11, light_1))
@@ -1851,14 +2107,14 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_height_size(rt::Scalar(path_12.level));
         return <Grid>::new(((path_12.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e2));
     }
-    pub(crate) fn light_ray(&self, at_10: Entered, hit_1: Hit, light_2: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_10, hit_1, light_2))
+    pub(crate) fn light_ray(&self, at_15: Entered, hit_6: Hit, light_2: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_15, hit_6, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_10: Entered, hit_1: Hit, light_2: Toward) -> LightRay {
+    fn v_light_ray(&self, at_15: Entered, hit_6: Hit, light_2: Toward) -> LightRay {
         let mut local_8: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_10, hit_1, light_2);
+        let _e3 = self.v_from_hit(at_15, hit_6, light_2);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -1894,38 +2150,38 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_13: Path,
-        params_3: impl rt::Into<rt::Vec4<f32>>,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_13, rt::into(params_3)))
+        rt::into(self.v_search_none(path_13, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
         path_13: Path,
-        params_3: rt::Vec4<f32>,
+        params_7: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_13.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
     pub(crate) fn search_linear(
         &self,
         path_14: Path,
-        params_4: impl rt::Into<rt::Vec4<f32>>,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_14, rt::into(params_4)))
+        rt::into(self.v_search_linear(path_14, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_14: Path,
-        params_4: rt::Vec4<f32>,
+        params_8: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
         let mut reads_3: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut k: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine = (path_14.h.y().abs() * path_14.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_4.x() * params_4.y().mix_scalar(rt::Scalar(1f32), cosine)).ceil());
+        let cosine_2 = (path_14.h.y().abs() * path_14.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_8.x() * params_8.y().mix_scalar(rt::Scalar(1f32), cosine_2)).ceil());
         let _e22 = self.v_path_gap(path_14, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
@@ -1971,15 +2227,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_15: Path,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_15, rt::into(params_5)))
+        rt::into(self.v_search_cells(path_15, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_15: Path,
-        params_5: rt::Vec4<f32>,
+        params_9: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_6: rt::Vec2<f32>;
         let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -1988,7 +2244,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_15);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_6 = _e4;
-        let limit = params_5.x().cast_elem_as_u32();
+        let limit = params_9.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = reads_4;
@@ -2161,15 +2417,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_18: Path,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_18, rt::into(params_6)))
+        rt::into(self.v_search_frustum(path_18, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_18: Path,
-        params_6: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_10: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2182,7 +2438,7 @@ impl<'g> Resources<'g> {
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
-        let limit_1 = params_6.x().cast_elem_as_u32();
+        let limit_1 = params_10.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_5;
@@ -2246,8 +2502,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e108.elementwise_ge(rt::Scalar(0f32))) {
                         let _e112 = cell_9;
                         let _e115 = t_10;
-                        let at_30 = ((_e2.origin - _e112) + (_e2.step * _e115));
-                        let left_1 = at_30.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_30), forward_2);
+                        let at_39 = ((_e2.origin - _e112) + (_e2.step * _e115));
+                        let left_1 = at_39.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_39), forward_2);
                         let _e127 = t_10;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e127)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e135 = slope_1;
@@ -2288,12 +2544,12 @@ impl<'g> Resources<'g> {
         let _e182 = reads_5;
         return <Found>::new(FOUND_EXHAUSTED, _e180, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e182);
     }
-    pub(crate) fn nearest_corner(&self, at_11: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_11)))
+    pub(crate) fn nearest_corner(&self, at_16: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_11: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_11.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_16: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_16.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -2377,15 +2633,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_20: Path,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_20, rt::into(params_7)))
+        rt::into(self.v_search_cone(path_20, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_20: Path,
-        params_7: rt::Vec4<f32>,
+        params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
         let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2396,7 +2652,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
-        let limit_2 = params_7.x().cast_elem_as_u32();
+        let limit_2 = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_6;
@@ -2418,8 +2674,8 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_4 - _e36).max(rt::Scalar(0f32));
                     let _e41 = cell_10;
                     let _e44 = t_12;
-                    let at_31 = ((_e2.origin - _e41) + (_e2.step * _e44));
-                    let _e47 = self.v_nearest_corner(at_31);
+                    let at_40 = ((_e2.origin - _e41) + (_e2.step * _e44));
+                    let _e47 = self.v_nearest_corner(at_40);
                     let _e48 = self.v_corner_height(_e25, _e47);
                     let _e49 = t_12;
                     next_2 = _e49;
@@ -2476,9 +2732,9 @@ impl<'g> Resources<'g> {
         cell_11: impl rt::Into<rt::Scalar<i32>>,
         image: impl rt::Into<rt::Vec2<i32>>,
         n_4: impl rt::Into<rt::Scalar<i32>>,
-        level_9: impl rt::Into<rt::Scalar<u32>>,
+        level_11: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_4), rt::into(level_9)))
+        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_4), rt::into(level_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
@@ -2486,12 +2742,12 @@ impl<'g> Resources<'g> {
         cell_11: rt::Scalar<i32>,
         image: rt::Vec2<i32>,
         n_4: rt::Scalar<i32>,
-        level_9: rt::Scalar<u32>,
+        level_11: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_13: rt::Scalar<bool>;
 
-        let first_4 = ((image.x() >> level_9) << level_9);
-        let side_1 = (rt::Scalar(1i32) << level_9);
+        let first_4 = ((image.x() >> level_11) << level_11);
+        let side_1 = (rt::Scalar(1i32) << level_11);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
             let low = (cell_11 - (image.x() - first_4));
             return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_4 - first_4))));
@@ -2500,7 +2756,7 @@ impl<'g> Resources<'g> {
             let high = ((cell_11 + (image.x() - first_4)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_4 - rt::Scalar(1i32)) - first_4))), high);
         }
-        if rt::Scalar::into_branch_condition(level_9.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_11.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
             local_13 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
@@ -2538,18 +2794,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid(
         &self,
         path_21: Path,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_21, rt::into(params_8)))
+        rt::into(self.v_search_pyramid(path_21, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_21: Path,
-        params_8: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_10: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_12: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_12: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2572,17 +2828,17 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_10;
+                    let _e28 = level_12;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long)) {
-                        let _e33 = level_10;
-                        level_10 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_12;
+                        level_12 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_12 = _e37.cast_elem_as_i32();
-        let limit_3 = params_8.x().cast_elem_as_u32();
+        let limit_3 = params_12.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e50 = reads_7;
@@ -2595,10 +2851,10 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_image_of(_e53, _e4.x());
                     let _e57 = cell_12.y();
                     let _e59 = self.v_image_of(_e57, _e4.y());
-                    let place_4 = <rt::Vec2<i32>>::from_scalars(_e55.x(), _e59.x());
-                    let _e63 = level_10;
+                    let place_5 = <rt::Vec2<i32>>::from_scalars(_e55.x(), _e59.x());
+                    let _e63 = level_12;
                     let above_level = (_e63 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_4.x() >> above_level), (place_4.y() >> above_level));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_5.x() >> above_level), (place_5.y() >> above_level));
                     let _e72 = parent.x();
                     if rt::Scalar::into_branch_condition(_e72.elementwise_ge(rt::Scalar(0i32))) {
                         let _e78 = parent.x();
@@ -2615,7 +2871,7 @@ impl<'g> Resources<'g> {
                     }
                     let left_2 = local_14;
                     if rt::Scalar::into_branch_condition(left_2) {
-                        let _e94 = level_10;
+                        let _e94 = level_12;
                         let _e95 = top;
                         local_16 = _e94.elementwise_lt(_e95);
                     } else {
@@ -2623,13 +2879,13 @@ impl<'g> Resources<'g> {
                     }
                     let _e98 = local_16;
                     if rt::Scalar::into_branch_condition(_e98) {
-                        level_10 = above_level;
+                        level_12 = above_level;
                     }
                     let _e100 = cell_12.x();
-                    let _e102 = level_10;
+                    let _e102 = level_12;
                     let _e103 = self.v_node_extent(_e100, _e55, _e4.x(), _e102);
                     let _e105 = cell_12.y();
-                    let _e107 = level_10;
+                    let _e107 = level_12;
                     let _e108 = self.v_node_extent(_e105, _e59, _e4.y(), _e107);
                     let _e113 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e103);
                     let _e118 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e108);
@@ -2640,7 +2896,7 @@ impl<'g> Resources<'g> {
                     let last_1 = <rt::Vec2<i32>>::from_scalars((_e103.y() - rt::Scalar(1i32)), (_e108.y() - rt::Scalar(1i32)));
                     let _e136 = reads_7;
                     reads_7 = (_e136 + rt::Scalar(1u32));
-                    let _e139 = level_10;
+                    let _e139 = level_12;
                     if rt::Scalar::into_branch_condition(_e139.elementwise_eq(rt::Scalar(0u32))) {
                         let _e142 = cell_12;
                         let _e144 = cell_12;
@@ -2655,10 +2911,10 @@ impl<'g> Resources<'g> {
                             return _e154;
                         }
                     } else {
-                        let _e159 = level_10;
-                        let _e162 = level_10;
-                        let _e166 = level_10;
-                        let _e170 = self.v_search_texel(path_21, <rt::Vec2<i32>>::from_scalars((place_4.x() >> _e159), (place_4.y() >> _e162)), rt::Scalar(0i32), (_e166.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e159 = level_12;
+                        let _e162 = level_12;
+                        let _e166 = level_12;
+                        let _e170 = self.v_search_texel(path_21, <rt::Vec2<i32>>::from_scalars((place_5.x() >> _e159), (place_5.y() >> _e162)), rt::Scalar(0i32), (_e166.cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e170.y();
                         let _e172 = t_13;
                         let furthest = (_e172 + span_7);
@@ -2685,8 +2941,8 @@ impl<'g> Resources<'g> {
                             let _e219 = t_13;
                             let _e222 = self.v_cell_of((_e2.origin + (_e2.step * _e219)));
                             cell_12 = _e222.cast_elem_as_i32().clamp(low_1, last_1);
-                            let _e225 = level_10;
-                            level_10 = (_e225 - rt::Scalar(1u32));
+                            let _e225 = level_12;
+                            level_12 = (_e225 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -2704,9 +2960,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_5)) {
                         cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e270 = level_10;
-                    let _e275 = level_10;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_4.x() >> (_e270 + rt::Scalar(1u32))), (place_4.y() >> (_e275 + rt::Scalar(1u32))));
+                    let _e270 = level_12;
+                    let _e275 = level_12;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_5.x() >> (_e270 + rt::Scalar(1u32))), (place_5.y() >> (_e275 + rt::Scalar(1u32))));
                     let _e280 = t_13;
                     t_13 = _e280.max(end_5);
                 }
@@ -2720,22 +2976,22 @@ impl<'g> Resources<'g> {
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_5: impl rt::Into<rt::Scalar<i32>>,
-        level_11: impl rt::Into<rt::Scalar<u32>>,
+        level_13: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_11)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
-        level_11: rt::Scalar<u32>,
+        level_13: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_18: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
-        let first_5 = ((_e3 >> level_11) << level_11);
-        let last_2 = (first_5 + (rt::Scalar(1i32) << level_11)).min(n_5);
+        let first_5 = ((_e3 >> level_13) << level_13);
+        let last_2 = (first_5 + (rt::Scalar(1i32) << level_13)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_18 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -2760,17 +3016,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid_texels(
         &self,
         path_22: Path,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_22, rt::into(params_9)))
+        rt::into(self.v_search_pyramid_texels(path_22, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
         path_22: Path,
-        params_9: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_12: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_14: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -2784,20 +3040,20 @@ impl<'g> Resources<'g> {
         let step_1 = (path_22.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_12;
+                let _e14 = level_14;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_12;
-                    level_12 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_14;
+                    level_14 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_2);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_4 = params_9.x().cast_elem_as_u32();
+        let limit_4 = params_13.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e33 = reads_8;
@@ -2810,27 +3066,27 @@ impl<'g> Resources<'g> {
                     let _e38 = self.v_wrap_index(_e36, _e3.x());
                     let _e40 = texel_3.y();
                     let _e42 = self.v_wrap_index(_e40, _e3.y());
-                    let place_5 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
+                    let place_6 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
                     highest = rt::Scalar(0f32);
-                    let _e46 = level_12;
+                    let _e46 = level_14;
                     if rt::Scalar::into_branch_condition(_e46.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e51 = rt::texture::Read::read_texel((&self.height_map), place_5, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e51 = rt::texture::Read::read_texel((&self.height_map), place_6, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e51.x();
                     } else {
-                        let _e54 = level_12;
-                        let _e57 = level_12;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_5.x() >> _e54), (place_5.y() >> _e57));
-                        let _e61 = level_12;
+                        let _e54 = level_14;
+                        let _e57 = level_14;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e54), (place_6.y() >> _e57));
+                        let _e61 = level_14;
                         let _e65 = self.v_search_texel(path_22, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e65.y();
                     }
                     let _e67 = reads_8;
                     reads_8 = (_e67 + rt::Scalar(1u32));
                     let _e71 = texel_3.x();
-                    let _e73 = level_12;
+                    let _e73 = level_14;
                     let _e74 = self.v_texel_extent(_e71, _e3.x(), _e73);
                     let _e76 = texel_3.y();
-                    let _e78 = level_12;
+                    let _e78 = level_14;
                     let _e79 = self.v_texel_extent(_e76, _e3.y(), _e78);
                     let _e82 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e74);
                     let _e85 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e79);
@@ -2856,14 +3112,14 @@ impl<'g> Resources<'g> {
                         let _e124 = t_14;
                         let _e125 = sinks;
                         t_14 = (_e124 + _e125);
-                        let _e127 = level_12;
+                        let _e127 = level_14;
                         if rt::Scalar::into_branch_condition(_e127.elementwise_eq(rt::Scalar(0u32))) {
                             let _e131 = t_14;
                             let _e132 = reads_8;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e131, rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                         }
-                        let _e137 = level_12;
-                        level_12 = (_e137 - rt::Scalar(1u32));
+                        let _e137 = level_14;
+                        level_14 = (_e137 - rt::Scalar(1u32));
                         let _e140 = t_14;
                         let _e143 = self.v_cell_of((origin_2 + (step_1 * _e140)));
                         texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_3);
@@ -2914,15 +3170,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_dilation_erosion(
         &self,
         path_23: Path,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_23, rt::into(params_10)))
+        rt::into(self.v_search_dilation_erosion(path_23, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
         path_23: Path,
-        params_10: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_14: rt::Vec2<f32>;
         let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2940,7 +3196,7 @@ impl<'g> Resources<'g> {
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_14 = _e11;
-        let limit_5 = params_10.x().cast_elem_as_u32();
+        let limit_5 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = reads_9;
@@ -2956,7 +3212,7 @@ impl<'g> Resources<'g> {
                     let span_8 = (end_7 - _e30).max(rt::Scalar(0f32));
                     let _e34 = t_15;
                     next_3 = _e34;
-                    looks = params_10.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_14.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e41 = cell_14.x();
                     let _e44 = self.v_image_of(_e41.cast_elem_as_i32(), _e4.x());
                     let _e46 = cell_14.y();
@@ -2974,7 +3230,7 @@ impl<'g> Resources<'g> {
                         let _e69 = reads_9;
                         reads_9 = (_e69 + rt::Scalar(1u32));
                         let _e72 = cell_14;
-                        let _e74 = self.v_leaves_window(_e2, _e72, params_10.z());
+                        let _e74 = self.v_leaves_window(_e2, _e72, params_14.z());
                         let _e77 = t_15;
                         let reach = (_e74.min(rt::Scalar(path_23.exit)) - _e77).max(rt::Scalar(0f32));
                         let _e81 = t_15;
@@ -3071,15 +3327,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_sphere(
         &self,
         path_24: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_24, rt::into(params_11)))
+        rt::into(self.v_search_sphere(path_24, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_24: Path,
-        params_11: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_15: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3099,7 +3355,7 @@ impl<'g> Resources<'g> {
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_15 = _e52;
-        let limit_6 = params_11.x().cast_elem_as_u32();
+        let limit_6 = params_15.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e60 = reads_10;
@@ -3117,7 +3373,7 @@ impl<'g> Resources<'g> {
                     let _e74 = self.v_path_uv(path_24, _e73);
                     let _e75 = t_16;
                     let _e76 = self.v_path_height(path_24, _e75);
-                    let _e78 = self.v_distance_at(path_24, _e74, _e76, params_11.z());
+                    let _e78 = self.v_distance_at(path_24, _e74, _e76, params_15.z());
                     let free_1 = (_e78 - lost_3);
                     let _e80 = reads_10;
                     reads_10 = (_e80 + rt::Scalar(2u32));
@@ -3127,7 +3383,7 @@ impl<'g> Resources<'g> {
                         let _e87 = t_16;
                         next_4 = (_e87 + (free_1 / speed_1));
                     }
-                    if rt::Scalar::into_branch_condition(params_11.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_15.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e93 = next_4;
                         let _e94 = t_16;
                         if rt::Scalar::into_branch_condition((!(_e93 - _e94).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_24.exit))))) {
@@ -3185,15 +3441,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone_moved(
         &self,
         path_25: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_25, rt::into(params_12)))
+        rt::into(self.v_search_cone_moved(path_25, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
         path_25: Path,
-        params_12: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Found {
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_3: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3206,7 +3462,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_1;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_12.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_16.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3282,15 +3538,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone(
         &self,
         path_26: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_26, rt::into(params_13)))
+        rt::into(self.v_search_relaxed_cone(path_26, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
         path_26: Path,
-        params_13: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
         let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3312,7 +3568,7 @@ impl<'g> Resources<'g> {
         let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_26.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_16 = _e36;
-        let limit_7 = params_13.x().cast_elem_as_u32();
+        let limit_7 = params_17.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e48 = reads_12;
@@ -3360,7 +3616,7 @@ impl<'g> Resources<'g> {
                     let _e96 = t_18;
                     start = _e96;
                     gap = _e67.x();
-                    if rt::Scalar::into_branch_condition(params_13.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_17.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e103 = t_18;
                         let _e104 = t_18;
                         let _e107 = reads_12;
@@ -3402,7 +3658,7 @@ impl<'g> Resources<'g> {
                             next_5 = (_e162 + (room.max(rt::Scalar(0f32)) / closing_2));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_13.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_17.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e172 = next_5;
                         let _e173 = t_18;
                         local_26 = (!(_e172 - _e173).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
@@ -3448,15 +3704,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_27: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_27, rt::into(params_14)))
+        rt::into(self.v_search_relaxed_cone_resting(path_27, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
         path_27: Path,
-        params_14: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3470,7 +3726,7 @@ impl<'g> Resources<'g> {
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_17 = _e9;
-        let limit_8 = params_14.x().cast_elem_as_u32();
+        let limit_8 = params_18.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = reads_13;
@@ -3643,12 +3899,12 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_12: Entered, hit_2: Hit, light_3: Toward) -> f32 {
-        rt::into(self.v_free_way(at_12, hit_2, light_3))
+    pub(crate) fn free_way(&self, at_17: Entered, hit_7: Hit, light_3: Toward) -> f32 {
+        rt::into(self.v_free_way(at_17, hit_7, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_12: Entered, hit_2: Hit, light_3: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_12, hit_2, light_3);
+    fn v_free_way(&self, at_17: Entered, hit_7: Hit, light_3: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_17, hit_7, light_3);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -3689,22 +3945,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn height_and_slope(
         &self,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
-        level_13: impl rt::Into<rt::Scalar<u32>>,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        level_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_10), rt::into(level_13)))
+        rt::into(self.v_height_and_slope(rt::into(uv_11), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_and_slope(
         &self,
-        uv_10: rt::Vec2<f32>,
-        level_13: rt::Scalar<u32>,
+        uv_11: rt::Vec2<f32>,
+        level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_13);
-        let point_5 = ((uv_10 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e2 = self.v_height_size(level_15);
+        let point_5 = ((uv_11 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_5);
         let f_1 = (point_5 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_13);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
@@ -3753,126 +4009,232 @@ impl<'g> Resources<'g> {
         let _e20 = self.v_path_height(path_29, inside);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_15);
     }
-    pub(crate) fn hit_position(&self, at_13: Entered, hit_3: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_hit_position(at_13, hit_3))
+    pub(crate) fn hit_position(&self, at_18: Entered, hit_8: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_hit_position(at_18, hit_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_position(&self, at_13: Entered, hit_3: Hit) -> rt::Vec3<f32> {
-        let aside_4 = (hit_3.uv - at_13.uv);
+    fn v_hit_position(&self, at_18: Entered, hit_8: Hit) -> rt::Vec3<f32> {
+        let aside_4 = (hit_8.uv - at_18.uv);
         let _e17 = rt::Scalar(self.surface_settings.bias_m);
         let _e20 = rt::Scalar(self.surface_settings.scale_m);
-        let _e24 = self.v_height_at(hit_3.uv, rt::Scalar(at_13.path.level));
-        return (((at_13.point + (at_13.tangent * aside_4.x())) + (at_13.bitangent * aside_4.y())) + (at_13.normal * (_e17 + (_e20 * _e24))));
+        let _e24 = self.v_height_at(hit_8.uv, rt::Scalar(at_18.path.level));
+        return (((at_18.point + (at_18.tangent * aside_4.x())) + (at_18.bitangent * aside_4.y())) + (at_18.normal * (_e17 + (_e20 * _e24))));
     }
-    pub(crate) fn mean_normal(
+    pub(crate) fn mean_of_five(
         &self,
-        at_14: Entered,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
-        level_14: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_mean_normal(at_14, rt::into(uv_11), rt::into(level_14)))
+        middle_1: impl rt::Into<rt::Scalar<f32>>,
+        four: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_mean_of_five(rt::into(middle_1), rt::into(four)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mean_normal(
+    fn v_mean_of_five(
         &self,
-        at_14: Entered,
-        uv_11: rt::Vec2<f32>,
-        level_14: rt::Scalar<u32>,
-    ) -> rt::Vec3<f32> {
-        if rt::Scalar::into_branch_condition(level_14.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_14, uv_11);
-            return _e5;
-        }
-        let _e8 = rt::Scalar(self.surface_settings.has_normal);
-        if rt::Scalar::into_branch_condition(_e8.elementwise_eq(rt::Scalar(1u32))) {
-            let _e11 = self.v_normal_at(uv_11, level_14);
-            let _e12 = self.v_from_tangent_space(at_14, _e11);
-            return _e12;
-        }
-        let _e15 = self.v_normal_at(uv_11, (level_14 - rt::Scalar(1u32)));
-        let tile = self.surface_settings.normal_tile_m;
-        let x_1 = (_e15.x() * ((tile.x() * at_14.tangent.normalize().dot(at_14.tangent)) / at_14.tangent.dot(at_14.tangent)));
-        let y = (_e15.y() * ((tile.y() * at_14.bitangent.normalize().dot(at_14.bitangent)) / at_14.bitangent.dot(at_14.bitangent)));
-        let _e48 = self.v_from_tangent_space(at_14, (<rt::Vec3<f32>>::from_scalars(x_1, y, _e15.z()).normalize() * _e15.length()));
-        return _e48;
+        middle_1: rt::Scalar<f32>,
+        four: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return ((middle_1 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
-    pub(crate) fn mesostructure_normal(
+    pub(crate) fn one_normal(&self, normal_6: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_normal(rt::into(normal_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_one_normal(&self, normal_6: rt::Vec3<f32>) -> SeenNormals {
+        let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <SeenNormals>::new(normal_6, rt::Scalar(1f32), rt::Scalar(0u32), none, none, none, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts);
+    }
+    pub(crate) fn single_normal(&self, n_6: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_single_normal(rt::into(n_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_single_normal(&self, n_6: rt::Vec3<f32>) -> Normals {
+        let upright = n_6.z().max(rt::Scalar(0.05f32));
+        let slope_5 = (<rt::Vec2<f32>>::from_scalars((-n_6.x()), (-n_6.y())) / rt::Vec2::splat_from_scalar(upright));
+        let square_1 = ((slope_5 * slope_5) * upright);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_6, slope_5.x()), <rt::Vec4<f32>>::from_scalars(square_1.x(), ((slope_5.x() * slope_5.y()) * upright), square_1.y(), slope_5.y()));
+    }
+    pub(crate) fn to_tangent_space(
         &self,
-        at_15: Entered,
+        at_19: Entered,
+        v: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_to_tangent_space(at_19, rt::into(v)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_to_tangent_space(
+        &self,
+        at_19: Entered,
+        v: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let along_u_2 = at_19.tangent.normalize();
+        let along_v_2 = at_19.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_19.normal.dot(v));
+    }
+    pub(crate) fn normals_of_level(
+        &self,
+        at_20: Entered,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
-    ) -> MeanNormal {
-        rt::into(self.v_mesostructure_normal(at_15, rt::into(uv_12)))
+        level_16: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Normals {
+        rt::into(self.v_normals_of_level(at_20, rt::into(uv_12), rt::into(level_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mesostructure_normal(
+    fn v_normals_of_level(
         &self,
-        at_15: Entered,
+        at_20: Entered,
         uv_12: rt::Vec2<f32>,
-    ) -> MeanNormal {
+        level_16: rt::Scalar<u32>,
+    ) -> Normals {
+        if rt::Scalar::into_branch_condition(level_16.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_20, uv_12);
+            let _e6 = self.v_to_tangent_space(at_20, _e5);
+            let _e7 = self.v_single_normal(_e6);
+            return _e7;
+        }
+        let _e10 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
+            let _e14 = self.v_normal_at(uv_12, rt::Scalar(0i32), level_16);
+            let _e16 = self.v_normal_at(uv_12, rt::Scalar(1i32), level_16);
+            return <Normals>::new(_e14, _e16);
+        }
+        let tile = self.surface_settings.normal_tile_m;
+        let x_2 = ((tile.x() * at_20.tangent.normalize().dot(at_20.tangent)) / at_20.tangent.dot(at_20.tangent));
+        let y_1 = ((tile.y() * at_20.bitangent.normalize().dot(at_20.bitangent)) / at_20.bitangent.dot(at_20.bitangent));
+        let _e44 = self.v_normal_at(uv_12, rt::Scalar(0i32), (level_16 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_12, rt::Scalar(1i32), (level_16 - rt::Scalar(1u32)));
+        let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
+        let n_8 = (flatter * (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt());
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_8, (_e44.w() * x_2)), <rt::Vec4<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1), (_e48.w() * y_1)));
+    }
+    pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
+        rt::into(self.v_sum_of_four(rt::into(four_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_sum_of_four(&self, four_1: rt::Vec4<f32>) -> rt::Scalar<f32> {
+        return ((four_1.x() + four_1.y()) + (four_1.z() + four_1.w()));
+    }
+    pub(crate) fn seen_normals(
+        &self,
+        at_21: Entered,
+        normals: Normals,
+        view_5: impl rt::Into<rt::Vec3<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_seen_normals(at_21, normals, rt::into(view_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_seen_normals(
+        &self,
+        at_21: Entered,
+        normals: Normals,
+        view_5: rt::Vec3<f32>,
+    ) -> SeenNormals {
+        let first_6 = normals.first;
+        let second = normals.second;
+        let slope_6 = <rt::Vec2<f32>>::from_scalars(first_6.w(), second.w());
+        let upright_1 = first_6.z().max(rt::Scalar(0.05f32));
+        let x_3 = (first_6.x() / upright_1);
+        let y_2 = (first_6.y() / upright_1);
+        let a_6 = ((second.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_4 = (((second.y() / upright_1) - (x_3 * y_2)) / a_6);
+        let spread = ((second.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
+        let d = (spread - (b_4 * b_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second.x(), second.y(), first_6.x())) - (first_6.xyz() * slope_6.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second.y(), second.z(), first_6.y())) - (first_6.xyz() * slope_6.y()));
+        let along_3 = (with_x / rt::Vec3::splat_from_scalar(a_6));
+        let across_2 = ((with_y - (along_3 * b_4)) / rt::Vec3::splat_from_scalar(d));
+        let _e66 = self.v_to_tangent_space(at_21, view_5);
+        let middle_3 = (_e66.z() - _e66.xy().dot(slope_6));
+        let _e80 = self.v_facing_four(middle_3, (-((_e66.x() * a_6) + (_e66.y() * b_4))), (-(_e66.y() * d)));
+        let one = middle_3.max(rt::Scalar(0f32));
+        let _e83 = self.v_sum_of_four(_e80);
+        let _e84 = self.v_mean_of_five(one, _e83);
+        let all = _e84.max(rt::Scalar(0.001f32));
+        let aside_5 = ((along_3 * ((_e80.x() - _e80.y()) / all)) + (across_2 * ((_e80.z() - _e80.w()) / all)));
+        let _e102 = self.v_from_tangent_space(at_21, (first_6.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
+        return <SeenNormals>::new(_e102.normalize(), _e102.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_6.xyz(), along_3, across_2, slope_6, <rt::Vec2<f32>>::from_scalars(a_6, b_4), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d), (_e66.z().max(rt::Scalar(0f32)) * _e66.z().max(rt::Scalar(0f32))), (one / all), (_e80 / rt::Vec4::splat_from_scalar(all)));
+    }
+    pub(crate) fn mesostructure_normals(
+        &self,
+        at_22: Entered,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        view_6: impl rt::Into<rt::Vec3<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_mesostructure_normals(at_22, rt::into(uv_13), rt::into(view_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_mesostructure_normals(
+        &self,
+        at_22: Entered,
+        uv_13: rt::Vec2<f32>,
+        view_6: rt::Vec3<f32>,
+    ) -> SeenNormals {
         let mut local_32: rt::Scalar<bool>;
-        let mut mean: rt::Vec3<f32>;
 
-        let _e5 = rt::Scalar(self.surface_settings.normal_texels);
-        let _e9 = rt::Scalar(self.surface_settings.normal_levels);
-        let _e10 = self.v_levels_of((rt::Scalar(at_15.footprint) * _e5), _e9);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e10.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_32 = (!rt::Scalar(_e10.part).elementwise_gt(rt::Scalar(0f32)));
+        let upright_2 = at_22.normal.dot(view_6);
+        let _e8 = rt::Scalar(self.surface_settings.normal_texels);
+        let texels_1 = ((rt::Scalar(at_22.footprint) * _e8) * upright_2.max(rt::Scalar(0.5f32)));
+        let _e15 = rt::Scalar(self.surface_settings.normal_levels);
+        let _e16 = self.v_levels_of(texels_1, _e15);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e16.fine).elementwise_eq(rt::Scalar(0u32))) {
+            local_32 = (!rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
             local_32 = rt::Scalar(false);
         }
-        let _e21 = local_32;
-        if rt::Scalar::into_branch_condition(_e21) {
-            let _e22 = self.v_finest_normal(at_15, uv_12);
-            return <MeanNormal>::new(_e22, rt::Scalar(1f32));
+        let _e27 = local_32;
+        if rt::Scalar::into_branch_condition(_e27) {
+            let _e28 = self.v_finest_normal(at_22, uv_13);
+            let _e29 = self.v_one_normal(_e28);
+            return _e29;
         }
-        let _e26 = self.v_mean_normal(at_15, uv_12, rt::Scalar(_e10.fine));
-        mean = _e26;
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e10.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e31 = mean;
-            let _e35 = self.v_mean_normal(at_15, uv_12, (rt::Scalar(_e10.fine) + rt::Scalar(1u32)));
-            let _e36 = mean;
-            mean = (_e31 + ((_e35 - _e36) * rt::Scalar(_e10.part)));
+        let _e31 = self.v_normals_of_level(at_22, uv_13, rt::Scalar(_e16.fine));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32)))) {
+            let _e36 = self.v_seen_normals(at_22, _e31, view_6);
+            return _e36;
         }
-        let _e41 = mean;
-        let _e43 = mean;
-        return <MeanNormal>::new(_e41.normalize(), _e43.length().min(rt::Scalar(1f32)));
+        let _e40 = self.v_normals_of_level(at_22, uv_13, (rt::Scalar(_e16.fine) + rt::Scalar(1u32)));
+        let first_7 = (_e31.first + ((_e40.first - _e31.first) * rt::Scalar(_e16.part)));
+        let second_1 = (_e31.second + ((_e40.second - _e31.second) * rt::Scalar(_e16.part)));
+        let _e56 = self.v_seen_normals(at_22, <Normals>::new(first_7, second_1), view_6);
+        return _e56;
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_16: Entered,
-        hit_4: Hit,
+        at_23: Entered,
+        hit_9: Hit,
         light_4: Toward,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_16, hit_4, light_4, rt::into(params_15)))
+        rt::into(self.v_shadow_ray(at_23, hit_9, light_4, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_16: Entered,
-        hit_4: Hit,
+        at_23: Entered,
+        hit_9: Hit,
         light_4: Toward,
-        params_15: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_16, hit_4, light_4);
+        let _e4 = self.v_free_way(at_23, hit_9, light_4);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_17: Entered,
-        hit_5: Hit,
+        at_24: Entered,
+        hit_10: Hit,
         light_5: Toward,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_17, hit_5, light_5, rt::into(params_16)))
+        rt::into(self.v_shadow_none(at_24, hit_10, light_5, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_17: Entered,
-        hit_5: Hit,
+        at_24: Entered,
+        hit_10: Hit,
         light_5: Toward,
-        params_16: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -3901,16 +4263,16 @@ impl<'g> Resources<'g> {
         &self,
         path_31: Path,
         found_2: Found,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_31, found_2, rt::into(params_17)))
+        rt::into(self.v_refine_none(path_31, found_2, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
         path_31: Path,
         found_2: Found,
-        params_17: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_2.reads));
@@ -3925,16 +4287,16 @@ impl<'g> Resources<'g> {
         &self,
         path_32: Path,
         found_3: Found,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_32, found_3, rt::into(params_18)))
+        rt::into(self.v_refine_offset(path_32, found_3, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
         path_32: Path,
         found_3: Found,
-        params_18: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_21: rt::Scalar<f32>;
 
@@ -3959,18 +4321,18 @@ impl<'g> Resources<'g> {
         &self,
         path_33: Path,
         found_4: Found,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_33, found_4, rt::into(params_19)))
+        rt::into(self.v_refine_offset_limited(path_33, found_4, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
         path_33: Path,
         found_4: Found,
-        params_19: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_6: Hit;
+        let mut hit_11: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_4.reads));
@@ -3982,12 +4344,12 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_path_height(path_33, _e8);
         let rise_m = ((_e11 - _e12) * path_33.metric.w());
         let _e27 = self.v_hit_on_path(path_33, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
-        hit_6 = _e27;
-        let _e30 = rt::Scalar(hit_6.found);
+        hit_11 = _e27;
+        let _e30 = rt::Scalar(hit_11.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_6.height) = _e11;
+            rt::Scalar(hit_11.height) = _e11;
         }
-        let _e34 = hit_6;
+        let _e34 = hit_11;
         return _e34;
     }
     pub(crate) fn normal_z(
@@ -4012,16 +4374,16 @@ impl<'g> Resources<'g> {
         &self,
         path_35: Path,
         found_5: Found,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_35, found_5, rt::into(params_20)))
+        rt::into(self.v_refine_slope(path_35, found_5, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
         path_35: Path,
         found_5: Found,
-        params_20: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
 
@@ -4035,7 +4397,7 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_path_height(path_35, _e8);
         let rise_3 = (_e11.x() - _e13);
         t_22 = _e8;
-        if rt::Scalar::into_branch_condition(params_20.x().elementwise_gt(rt::Scalar(0.5f32))) {
+        if rt::Scalar::into_branch_condition(params_24.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_35, _e8);
             let closing_3 = (_e19 - ((_e11.y() * path_35.duv.x()) + (_e11.z() * path_35.duv.y())));
             if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
@@ -4053,16 +4415,16 @@ impl<'g> Resources<'g> {
         &self,
         path_36: Path,
         found_6: Found,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_36, found_6, rt::into(params_21)))
+        rt::into(self.v_refine_slope_iterative(path_36, found_6, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
         path_36: Path,
         found_6: Found,
-        params_21: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_23: rt::Scalar<f32>;
         let mut reads_16: rt::Scalar<u32>;
@@ -4078,7 +4440,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_2;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_21.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_25.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4091,7 +4453,7 @@ impl<'g> Resources<'g> {
                     let _e25 = t_23;
                     let _e26 = self.v_path_height(path_36, _e25);
                     let rise_4 = (_e20.x() - _e26);
-                    if rt::Scalar::into_branch_condition(params_21.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_25.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e31 = t_23;
                         let _e32 = self.v_path_slope(path_36, _e31);
                         let closing_4 = (_e32 - ((_e20.y() * path_36.duv.x()) + (_e20.z() * path_36.duv.y())));
@@ -4120,16 +4482,16 @@ impl<'g> Resources<'g> {
         &self,
         path_37: Path,
         found_7: Found,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_37, found_7, rt::into(params_22)))
+        rt::into(self.v_refine_binary(path_37, found_7, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
         path_37: Path,
         found_7: Found,
-        params_22: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
@@ -4140,7 +4502,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_37, found_7, params_22);
+            let _e5 = self.v_refine_none(path_37, found_7, params_26);
             return _e5;
         }
         near_6 = rt::Scalar(found_7.near);
@@ -4158,22 +4520,22 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_3;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_22.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_26.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e30 = near_6;
                     let _e31 = far_2;
-                    let middle_1 = (rt::Scalar(0.5f32) * (_e30 + _e31));
+                    let middle_4 = (rt::Scalar(0.5f32) * (_e30 + _e31));
                     let _e35 = reads_17;
                     reads_17 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = self.v_path_gap(path_37, middle_1);
+                    let _e38 = self.v_path_gap(path_37, middle_4);
                     if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
-                        far_2 = middle_1;
+                        far_2 = middle_4;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_6 = middle_1;
+                        near_6 = middle_4;
                     }
                     let _e42 = k_3;
                     k_3 = (_e42 + rt::Scalar(1f32));
@@ -4196,16 +4558,16 @@ impl<'g> Resources<'g> {
         &self,
         path_38: Path,
         found_8: Found,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_23)))
+        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
         path_38: Path,
         found_8: Found,
-        params_23: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_7: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
@@ -4217,7 +4579,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_38, found_8, params_23);
+            let _e5 = self.v_refine_none(path_38, found_8, params_27);
             return _e5;
         }
         near_7 = rt::Scalar(found_8.near);
@@ -4246,7 +4608,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_4;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_23.x())) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_27.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4263,7 +4625,7 @@ impl<'g> Resources<'g> {
                     let _e48 = near_gap_5;
                     t_24 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
                     let _e52 = k_4;
-                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_23.x())) {
+                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_27.x())) {
                         let _e55 = t_24;
                         let _e56 = self.v_path_gap(path_38, _e55);
                         let _e57 = reads_18;
@@ -4292,16 +4654,16 @@ impl<'g> Resources<'g> {
         &self,
         path_39: Path,
         found_9: Found,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_39, found_9, rt::into(params_24)))
+        rt::into(self.v_refine_true_secant(path_39, found_9, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
         path_39: Path,
         found_9: Found,
-        params_24: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
@@ -4312,7 +4674,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_39, found_9, params_24);
+            let _e5 = self.v_refine_none(path_39, found_9, params_28);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -4339,7 +4701,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e33 = k_5;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_24.x())) {
+                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_28.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4361,7 +4723,7 @@ impl<'g> Resources<'g> {
                     before_gap = _e53;
                     last = t_28;
                     let _e54 = k_5;
-                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_24.x())) {
+                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_28.x())) {
                         let _e57 = self.v_path_gap(path_39, t_28);
                         last_gap = _e57;
                         let _e58 = reads_19;
@@ -4381,16 +4743,16 @@ impl<'g> Resources<'g> {
         &self,
         path_40: Path,
         found_10: Found,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_40, found_10, rt::into(params_25)))
+        rt::into(self.v_refine_patch(path_40, found_10, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
         path_40: Path,
         found_10: Found,
-        params_25: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_25: rt::Scalar<f32>;
         let mut cell_18: rt::Vec2<f32>;
@@ -4416,7 +4778,7 @@ impl<'g> Resources<'g> {
         cell_18 = _e30;
         reads_20 = rt::Scalar(found_10.reads);
         let _e34 = reads_20;
-        let limit_9 = (_e34 + params_25.x().cast_elem_as_u32());
+        let limit_9 = (_e34 + params_29.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e38 = reads_20;
@@ -4481,27 +4843,27 @@ impl<'g> Resources<'g> {
         &self,
         path_41: Path,
         found_11: Found,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_41, found_11, rt::into(params_26)))
+        rt::into(self.v_refine_half_texel(path_41, found_11, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
         path_41: Path,
         found_11: Found,
-        params_26: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_41, found_11, params_26);
+            let _e6 = self.v_refine_none(path_41, found_11, params_30);
             return _e6;
         }
         let _e9 = self.v_height_size(rt::Scalar(path_41.level));
         let speed_2 = (path_41.duv * _e9).length();
         if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_41.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_41, found_11, params_26);
+            let _e17 = self.v_refine_none(path_41, found_11, params_30);
             return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_2);
@@ -4648,22 +5010,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_18: Entered,
-        hit_7: Hit,
+        at_25: Entered,
+        hit_12: Hit,
         light_6: Toward,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_18, hit_7, light_6, rt::into(params_27)))
+        rt::into(self.v_shadow_entry(at_25, hit_12, light_6, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_18: Entered,
-        hit_7: Hit,
+        at_25: Entered,
+        hit_12: Hit,
         light_6: Toward,
-        params_27: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_18, hit_7, light_6);
+        let _e4 = self.v_from_hit(at_25, hit_12, light_6);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -4682,7 +5044,7 @@ impl<'g> Resources<'g> {
         }
         let _e49 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_1 = ((_e39.uv - _e4.uv).abs() * _e49);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_27.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_31.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -4703,14 +5065,14 @@ impl<'g> Resources<'g> {
         let _e17 = x;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_8: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_8))
+    pub(crate) fn seed_of(&self, hit_13: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_seed_of(&self, hit_8: Hit) -> rt::Scalar<u32> {
-        let place_6 = ((hit_8.uv - hit_8.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_6.y());
-        let _e12 = self.v_mixed((place_6.x() ^ _e10));
+    fn v_seed_of(&self, hit_13: Hit) -> rt::Scalar<u32> {
+        let place_7 = ((hit_13.uv - hit_13.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_7.y());
+        let _e12 = self.v_mixed((place_7.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -4725,10 +5087,10 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_quarter_sine(&self, turn: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_2 = (turn * rt::Scalar(6.2831855f32));
-        let s_2 = (x_2 * x_2);
+        let x_4 = (turn * rt::Scalar(6.2831855f32));
+        let s_2 = (x_4 * x_4);
         let last_4 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_2 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_4)))))));
+        return (x_4 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_4)))))));
     }
     pub(crate) fn sine_of(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_1)))
@@ -4770,36 +5132,36 @@ impl<'g> Resources<'g> {
         let ring = ((k_6.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
         let _e18 = self.v_turned(((k_6.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_7 = (_e18 * (ring.sqrt() * rt::Scalar(light_7.radius)));
+        let place_8 = (_e18 * (ring.sqrt() * rt::Scalar(light_7.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_7.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_7.direction).normalize();
         let up = light_7.direction.cross(right_2);
-        let toward_3 = ((light_7.direction + (right_2 * place_7.x())) + (up * place_7.y()));
-        let along_2 = toward_3.length();
-        return <Toward>::new((toward_3 / rt::Vec3::splat_from_scalar(along_2)), rt::Scalar(light_7.falloff), (rt::Scalar(light_7.distance) * along_2), rt::Scalar(0f32));
+        let toward_4 = ((light_7.direction + (right_2 * place_8.x())) + (up * place_8.y()));
+        let along_4 = toward_4.length();
+        return <Toward>::new((toward_4 / rt::Vec3::splat_from_scalar(along_4)), rt::Scalar(light_7.falloff), (rt::Scalar(light_7.distance) * along_4), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_19: Entered,
-        hit_9: Hit,
+        at_26: Entered,
+        hit_14: Hit,
         light_8: Toward,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_19, hit_9, light_8, rt::into(params_28)))
+        rt::into(self.v_shadow_soft(at_26, hit_14, light_8, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_19: Entered,
-        hit_9: Hit,
+        at_26: Entered,
+        hit_14: Hit,
         light_8: Toward,
-        params_28: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_2 = params_28.x().cast_elem_as_u32();
-        let _e6 = self.v_seed_of(hit_9);
+        let count_2 = params_32.x().cast_elem_as_u32();
+        let _e6 = self.v_seed_of(hit_14);
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_7;
@@ -4811,7 +5173,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_7;
                     let _e15 = self.v_point_of_disc(light_8, _e6, _e14, count_2);
-                    let _e16 = self.v_free_way(at_19, hit_9, _e15);
+                    let _e16 = self.v_free_way(at_26, hit_14, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_7;
                     k_7 = (_e18 + rt::Scalar(1u32));
@@ -4823,25 +5185,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_20: Entered,
-        hit_10: Hit,
+        at_27: Entered,
+        hit_15: Hit,
         light_9: Toward,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_20, hit_10, light_9, rt::into(params_29)))
+        rt::into(self.v_shadow_heuristic(at_27, hit_15, light_9, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_20: Entered,
-        hit_10: Hit,
+        at_27: Entered,
+        hit_15: Hit,
         light_9: Toward,
-        params_29: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_20, hit_10, light_9);
+        let _e4 = self.v_from_hit(at_27, hit_15, light_9);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -4849,13 +5211,13 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = k_8;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_29.x())) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_33.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = k_8;
-                    let part_3 = (_e19 / params_29.x());
+                    let part_3 = (_e19 / params_33.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_3 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_3)));
@@ -4865,31 +5227,31 @@ impl<'g> Resources<'g> {
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_29.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_33.y() * _e35).min(rt::Scalar(1f32)));
     }
-    pub(crate) fn turn_of(&self, v: impl rt::Into<rt::Vec2<f32>>) -> f32 {
-        rt::into(self.v_turn_of(rt::into(v)))
+    pub(crate) fn turn_of(&self, v_1: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_turn_of(rt::into(v_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of(&self, v: rt::Vec2<f32>) -> rt::Scalar<f32> {
+    fn v_turn_of(&self, v_1: rt::Vec2<f32>) -> rt::Scalar<f32> {
         let mut turn_3: rt::Scalar<f32>;
 
-        let x_3 = v.x().abs();
-        let y_1 = v.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_3 + y_1).elementwise_gt(rt::Scalar(0f32)))) {
+        let x_5 = v_1.x().abs();
+        let y_3 = v_1.y().abs();
+        if rt::Scalar::into_branch_condition((!(x_5 + y_3).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e13 = self.v_eighth_turn((x_3.min(y_1) / x_3.max(y_1)));
+        let _e13 = self.v_eighth_turn((x_5.min(y_3) / x_5.max(y_3)));
         turn_3 = _e13;
-        if rt::Scalar::into_branch_condition(y_1.elementwise_gt(x_3)) {
+        if rt::Scalar::into_branch_condition(y_3.elementwise_gt(x_5)) {
             let _e16 = turn_3;
             turn_3 = (rt::Scalar(0.25f32) - _e16);
         }
-        if rt::Scalar::into_branch_condition(v.x().elementwise_lt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(v_1.x().elementwise_lt(rt::Scalar(0f32))) {
             let _e22 = turn_3;
             turn_3 = (rt::Scalar(0.5f32) - _e22);
         }
-        if rt::Scalar::into_branch_condition(v.y().elementwise_lt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(v_1.y().elementwise_lt(rt::Scalar(0f32))) {
             let _e28 = turn_3;
             turn_3 = (rt::Scalar(1f32) - _e28);
         }
@@ -4899,46 +5261,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_1: impl rt::Into<rt::Vec2<i32>>,
-        layer_2: impl rt::Into<rt::Scalar<i32>>,
-        level_15: impl rt::Into<rt::Scalar<i32>>,
+        place_2: impl rt::Into<rt::Vec2<i32>>,
+        layer_4: impl rt::Into<rt::Scalar<i32>>,
+        level_17: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_1), rt::into(layer_2), rt::into(level_15)))
+        rt::into(self.v_shadow_texel(rt::into(place_2), rt::into(layer_4), rt::into(level_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel(
         &self,
-        place_1: rt::Vec2<i32>,
-        layer_2: rt::Scalar<i32>,
-        level_15: rt::Scalar<i32>,
+        place_2: rt::Vec2<i32>,
+        layer_4: rt::Scalar<i32>,
+        level_17: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_1, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_15));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_2, rt::Scalar::into_inner(layer_4), 0i32, rt::Scalar::into_inner(level_17));
         let _e8 = self.surface_settings.maps[2usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
-        layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_16: impl rt::Into<rt::Scalar<u32>>,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        layer_5: impl rt::Into<rt::Scalar<i32>>,
+        level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_13), rt::into(layer_3), rt::into(level_16)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_14), rt::into(layer_5), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel_between(
         &self,
-        uv_13: rt::Vec2<f32>,
-        layer_3: rt::Scalar<i32>,
-        level_16: rt::Scalar<u32>,
+        uv_14: rt::Vec2<f32>,
+        layer_5: rt::Scalar<i32>,
+        level_18: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_16);
-        let _e4 = self.v_texels_around(uv_13, _e3);
-        let k_14 = level_16.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_14);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_14);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_14);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_14);
+        let _e3 = self.v_height_texels(level_18);
+        let _e4 = self.v_texels_around(uv_14, _e3);
+        let k_15 = level_18.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_5, k_15);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_5, k_15);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_5, k_15);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_5, k_15);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -4951,9 +5313,9 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_12 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        let level_18 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
+        let level_20 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
         let _e24 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
-        let _e26 = self.v_gap_to(level_18, _e1, _e3, _e24, rt::Scalar(0f32));
+        let _e26 = self.v_gap_to(level_20, _e1, _e3, _e24, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e26.y().min((_e26.y() + (_e26.z() * end_12))));
     }
     pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -4961,48 +5323,48 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_part_above(&self, height_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_4 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_4 * x_4);
-        return (rt::Scalar(0.5f32) + (x_4 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+        let x_6 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_6 * x_6);
+        return (rt::Scalar(0.5f32) + (x_6 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_21: Entered,
-        hit_11: Hit,
+        at_28: Entered,
+        hit_16: Hit,
         light_10: Toward,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_21, hit_11, light_10, rt::into(params_30)))
+        rt::into(self.v_shadow_horizon(at_28, hit_16, light_10, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_21: Entered,
-        hit_11: Hit,
+        at_28: Entered,
+        hit_16: Hit,
         light_10: Toward,
-        params_30: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_21, light_10.direction);
+        let _e5 = self.v_climb(at_28, light_10.direction);
         let map_1 = self.surface_settings.maps[2usize];
-        let along_3 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_3);
-        let azimuth_1 = (_e13 * params_30.x());
-        let first_6 = azimuth_1.floor();
-        let count_3 = params_30.x().cast_elem_as_i32();
-        let before_2 = (first_6.cast_elem_as_i32() % count_3);
-        let part_4 = (azimuth_1 - first_6);
-        let _e25 = self.v_shadow_texel_between(hit_11.uv, before_2, rt::Scalar(at_21.path.level));
+        let along_5 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_5);
+        let azimuth_1 = (_e13 * params_34.x());
+        let first_8 = azimuth_1.floor();
+        let count_3 = params_34.x().cast_elem_as_i32();
+        let before_2 = (first_8.cast_elem_as_i32() % count_3);
+        let part_4 = (azimuth_1 - first_8);
+        let _e25 = self.v_shadow_texel_between(hit_16.uv, before_2, rt::Scalar(at_28.path.level));
         let low_3 = _e25.x();
-        let _e33 = self.v_shadow_texel_between(hit_11.uv, ((before_2 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_21.path.level));
+        let _e33 = self.v_shadow_texel_between(hit_16.uv, ((before_2 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_28.path.level));
         let sine = (low_3 + ((_e33.x() - low_3) * part_4));
         let squared_3 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_3 * along_3.dot(along_3)).sqrt();
-        let _e50 = self.v_from_hit(at_21, hit_11, light_10);
+        let far_9 = (squared_3 * along_5.dot(along_5)).sqrt();
+        let _e50 = self.v_from_hit(at_28, hit_16, light_10);
         let _e51 = self.v_own_slope(_e50);
         let _e54 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e51 * _e54);
         let horizon = far_9.max(near_8);
-        let up_1 = at_21.normal.dot(light_10.direction);
+        let up_1 = at_28.normal.dot(light_10.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_10.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
         }
@@ -5016,60 +5378,60 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_22: Entered,
-        hit_12: Hit,
+        at_29: Entered,
+        hit_17: Hit,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_22, hit_12, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
+        rt::into(self.v_open_part(at_29, hit_17, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_22: Entered,
-        hit_12: Hit,
+        at_29: Entered,
+        hit_17: Hit,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e10 = self.v_shadow_texel_between(hit_12.uv, ((azimuth * elevations) + elevation), rt::Scalar(at_22.path.level));
+        let _e10 = self.v_shadow_texel_between(hit_17.uv, ((azimuth * elevations) + elevation), rt::Scalar(at_29.path.level));
         return (rt::Scalar(1f32) - _e10.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_23: Entered,
-        hit_13: Hit,
+        at_30: Entered,
+        hit_18: Hit,
         light_11: Toward,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_23, hit_13, light_11, rt::into(params_31)))
+        rt::into(self.v_shadow_visibility(at_30, hit_18, light_11, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_23: Entered,
-        hit_13: Hit,
+        at_30: Entered,
+        hit_18: Hit,
         light_11: Toward,
-        params_31: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_23, light_11.direction);
+        let _e5 = self.v_climb(at_30, light_11.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[2usize];
-        let along_4 = (_e5.xy() * map_2.tile_m);
+        let along_6 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_3 = (_e5.z() * _e21);
-        let squared_4 = ((height_3 * height_3) / (along_4.dot(along_4) + (height_3 * height_3)));
-        let azimuths = params_31.x().cast_elem_as_i32();
-        let elevations_1 = params_31.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_4);
-        let azimuth_2 = (_e32 * params_31.x());
-        let elevation_1 = ((squared_4 * params_31.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_31.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_31.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_6 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_23, hit_13, a_6, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+        let squared_4 = ((height_3 * height_3) / (along_6.dot(along_6) + (height_3 * height_3)));
+        let azimuths = params_35.x().cast_elem_as_i32();
+        let elevations_1 = params_35.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_6);
+        let azimuth_2 = (_e32 * params_35.x());
+        let elevation_1 = ((squared_4 * params_35.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_35.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_35.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_7 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_30, hit_18, a_7, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_ = (azimuth_2.floor().cast_elem_as_i32() % azimuths);
@@ -5078,68 +5440,68 @@ impl<'g> Resources<'g> {
         let e1_1 = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_2 - azimuth_2.floor());
         let along_elevation = (elevation_1 - elevation_1.floor());
-        let _e74 = self.v_open_part(at_23, hit_13, a1_, e0_, elevations_1);
-        let _e75 = self.v_open_part(at_23, hit_13, a0_, e1_1, elevations_1);
+        let _e74 = self.v_open_part(at_30, hit_18, a1_, e0_, elevations_1);
+        let _e75 = self.v_open_part(at_30, hit_18, a0_, e1_1, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_23, hit_13, a0_, e0_, elevations_1);
+            let _e79 = self.v_open_part(at_30, hit_18, a0_, e0_, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_23, hit_13, a1_, e1_1, elevations_1);
+        let _e86 = self.v_open_part(at_30, hit_18, a1_, e1_1, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_24: Entered, hit_14: Hit, light_12: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_24, hit_14, light_12))
+    pub(crate) fn shadow_stage(&self, at_31: Entered, hit_19: Hit, light_12: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_31, hit_19, light_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_24: Entered, hit_14: Hit, light_12: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_31: Entered, hit_19: Hit, light_12: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_24, hit_14, light_12, _e12);
+                let _e13 = self.v_shadow_ray(at_31, hit_19, light_12, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_24, hit_14, light_12, _e18);
+                let _e19 = self.v_shadow_none(at_31, hit_19, light_12, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_24, hit_14, light_12, _e24);
+                let _e25 = self.v_shadow_entry(at_31, hit_19, light_12, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_24, hit_14, light_12, _e30);
+                let _e31 = self.v_shadow_soft(at_31, hit_19, light_12, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_24, hit_14, light_12, _e36);
+                let _e37 = self.v_shadow_heuristic(at_31, hit_19, light_12, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_24, hit_14, light_12, _e42);
+                let _e43 = self.v_shadow_horizon(at_31, hit_19, light_12, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_24, hit_14, light_12, _e48);
+                let _e49 = self.v_shadow_visibility(at_31, hit_19, light_12, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_7: PixelIn, at_25: Entered, hit_15: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_7, at_25, hit_15))
+    pub(crate) fn mirrored_light(&self, pixel_7: PixelIn, at_32: Entered, hit_20: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_7, at_32, hit_20))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_7: PixelIn, at_25: Entered, hit_15: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_7: PixelIn, at_32: Entered, hit_20: Hit) -> rt::Scalar<f32> {
         let mut local_36: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_25.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_36 = rt::Scalar(hit_15.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_32.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_36 = rt::Scalar(hit_20.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_36 = rt::Scalar(true);
         }
@@ -5148,8 +5510,8 @@ impl<'g> Resources<'g> {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_7.direction.normalize();
-        let up_2 = (down_2 - (at_25.normal * (rt::Scalar(2f32) * down_2.dot(at_25.normal))));
-        let _e31 = self.v_shadow_stage(at_25, hit_15, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        let up_2 = (down_2 - (at_32.normal * (rt::Scalar(2f32) * down_2.dot(at_32.normal))));
+        let _e31 = self.v_shadow_stage(at_32, hit_20, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
         return _e31;
     }
     pub(crate) fn pixel_direction(&self, pixel_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -5209,34 +5571,69 @@ impl<'g> Resources<'g> {
         position: rt::Vec3<f32>,
     ) -> Toward {
         if rt::Scalar::into_branch_condition(light_13.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_4 = (light_13.place.xyz() - position);
-            let squared_5 = toward_4.dot(toward_4);
+            let toward_5 = (light_13.place.xyz() - position);
+            let squared_5 = toward_5.dot(toward_5);
             let distance_1 = squared_5.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_5.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_4.normalize(), falloff, distance_1, (light_13.color.w() / distance_1));
+            return <Toward>::new(toward_5.normalize(), falloff, distance_1, (light_13.color.w() / distance_1));
         }
         return <Toward>::new(light_13.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_13.color.w());
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_26: Entered,
-        hit_16: Hit,
+        at_33: Entered,
+        hit_21: Hit,
         number: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_26, hit_16, rt::into(number)))
+        rt::into(self.v_ray_to_light(at_33, hit_21, rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_26: Entered,
-        hit_16: Hit,
+        at_33: Entered,
+        hit_21: Hit,
         number: rt::Scalar<u32>,
     ) -> LightRay {
         let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e7 = self.v_hit_position(at_26, hit_16);
+        let _e7 = self.v_hit_position(at_33, hit_21);
         let _e8 = self.v_toward_light(_e6, _e7);
-        let _e9 = self.v_light_ray(at_26, hit_16, _e8);
+        let _e9 = self.v_light_ray(at_33, hit_21, _e8);
         return _e9;
+    }
+    pub(crate) fn seen_cosine(
+        &self,
+        at_34: Entered,
+        seen: SeenNormals,
+        toward: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_seen_cosine(at_34, seen, rt::into(toward)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_seen_cosine(
+        &self,
+        at_34: Entered,
+        seen: SeenNormals,
+        toward: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(seen.differ).elementwise_eq(rt::Scalar(0u32))) {
+            return seen.normal.dot(toward).max(rt::Scalar(0f32));
+        }
+        let _e10 = self.v_to_tangent_space(at_34, toward);
+        let middle_5 = seen.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_5, seen.along.dot(_e10), seen.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen.middle_seen) * middle_5.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let others = seen.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
+        let _e28 = self.v_mean_of_five(one_1, others);
+        let _e31 = rt::Scalar(self.surface_settings.has_shadows);
+        if rt::Scalar::into_branch_condition(_e31.elementwise_eq(rt::Scalar(1u32))) {
+            let falls = (_e10.z() - _e10.xy().dot(seen.slope));
+            let _e47 = self.v_facing_four(falls, (-_e10.xy().dot(seen.slope_along)), (-_e10.xy().dot(seen.slope_across)));
+            let _e50 = self.v_sum_of_four(_e47);
+            let _e51 = self.v_mean_of_five(falls.max(rt::Scalar(0f32)), _e50);
+            let lit = (falls.max(rt::Scalar(0f32)) / _e51.max(rt::Scalar(0.001f32)));
+            return (_e28 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen.upright))));
+        }
+        return _e28;
     }
     pub(crate) fn whole_power(
         &self,
@@ -5284,156 +5681,164 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_1: impl rt::Into<rt::Vec3<f32>>,
-        mean_1: impl rt::Into<rt::Scalar<f32>>,
-        view: impl rt::Into<rt::Vec3<f32>>,
-        toward: impl rt::Into<rt::Vec3<f32>>,
-        color_1: impl rt::Into<rt::Vec3<f32>>,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        normal_7: impl rt::Into<rt::Vec3<f32>>,
+        mean: impl rt::Into<rt::Scalar<f32>>,
+        cosine: impl rt::Into<rt::Scalar<f32>>,
+        view_7: impl rt::Into<rt::Vec3<f32>>,
+        toward_1: impl rt::Into<rt::Vec3<f32>>,
+        color_6: impl rt::Into<rt::Vec3<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_1), rt::into(mean_1), rt::into(view), rt::into(toward), rt::into(color_1), rt::into(params_32)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_7), rt::into(mean), rt::into(cosine), rt::into(view_7), rt::into(toward_1), rt::into(color_6), rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_1: rt::Vec3<f32>,
-        mean_1: rt::Scalar<f32>,
-        view: rt::Vec3<f32>,
-        toward: rt::Vec3<f32>,
-        color_1: rt::Vec3<f32>,
-        params_32: rt::Vec4<f32>,
+        normal_7: rt::Vec3<f32>,
+        mean: rt::Scalar<f32>,
+        cosine: rt::Scalar<f32>,
+        view_7: rt::Vec3<f32>,
+        toward_1: rt::Vec3<f32>,
+        color_6: rt::Vec3<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_1 = normal_1.dot(toward);
-        if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(cosine.elementwise_gt(rt::Scalar(0f32))) {
             let _e11 = rt::Scalar(self.surface_settings.shininess);
             exponent_1 = _e11;
-            if rt::Scalar::into_branch_condition(mean_1.elementwise_lt(rt::Scalar(1f32))) {
+            if rt::Scalar::into_branch_condition(mean.elementwise_lt(rt::Scalar(1f32))) {
                 let _e19 = rt::Scalar(self.surface_settings.shininess);
                 let sharp = _e19.cast_elem_as_f32();
-                let wide_2 = ((sharp * mean_1) / (mean_1 + (sharp * (rt::Scalar(1f32) - mean_1)))).floor().max(rt::Scalar(1f32));
+                let wide_2 = ((sharp * mean) / (mean + (sharp * (rt::Scalar(1f32) - mean)))).floor().max(rt::Scalar(1f32));
                 exponent_1 = wide_2.cast_elem_as_u32();
                 dimmed = ((wide_2 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_1.dot((toward + view).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_7.dot((toward_1 + view_7).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_1;
             let _e46 = self.v_whole_power(lobe, _e45);
             let _e47 = dimmed;
             let specular = (_e43.xyz() * (_e46 * _e47));
-            return ((color_1 * (cosine_1 * mean_1)) + specular);
+            return ((color_6 * cosine) + specular);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_2: impl rt::Into<rt::Vec3<f32>>,
-        mean_2: impl rt::Into<rt::Scalar<f32>>,
-        view_1: impl rt::Into<rt::Vec3<f32>>,
-        toward_1: impl rt::Into<rt::Vec3<f32>>,
-        color_2: impl rt::Into<rt::Vec3<f32>>,
+        normal_8: impl rt::Into<rt::Vec3<f32>>,
+        mean_1: impl rt::Into<rt::Scalar<f32>>,
+        cosine_1: impl rt::Into<rt::Scalar<f32>>,
+        view_8: impl rt::Into<rt::Vec3<f32>>,
+        toward_2: impl rt::Into<rt::Vec3<f32>>,
+        color_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_2), rt::into(mean_2), rt::into(view_1), rt::into(toward_1), rt::into(color_2)))
+        rt::into(self.v_shade_stage(rt::into(normal_8), rt::into(mean_1), rt::into(cosine_1), rt::into(view_8), rt::into(toward_2), rt::into(color_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
         &self,
-        normal_2: rt::Vec3<f32>,
-        mean_2: rt::Scalar<f32>,
-        view_1: rt::Vec3<f32>,
-        toward_1: rt::Vec3<f32>,
-        color_2: rt::Vec3<f32>,
+        normal_8: rt::Vec3<f32>,
+        mean_1: rt::Scalar<f32>,
+        cosine_1: rt::Scalar<f32>,
+        view_8: rt::Vec3<f32>,
+        toward_2: rt::Vec3<f32>,
+        color_7: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = rt::Scalar(self.surface_settings.choices[4usize].number);
-        match rt::Scalar::into_inner(_e9) {
+        let _e10 = rt::Scalar(self.surface_settings.choices[4usize].number);
+        match rt::Scalar::into_inner(_e10) {
             _ => {
-                let _e14 = self.surface_settings.choices[4usize].params;
-                let _e15 = self.v_shade_blinn_phong(normal_2, mean_2, view_1, toward_1, color_2, _e14);
-                return _e15;
+                let _e15 = self.surface_settings.choices[4usize].params;
+                let _e16 = self.v_shade_blinn_phong(normal_8, mean_1, cosine_1, view_8, toward_2, color_7, _e15);
+                return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
         position_1: impl rt::Into<rt::Vec3<f32>>,
-        mean_3: MeanNormal,
-        view_2: impl rt::Into<rt::Vec3<f32>>,
-        color_3: impl rt::Into<rt::Vec3<f32>>,
+        at_35: Entered,
+        hit_22: Hit,
+        seen_1: SeenNormals,
+        view_9: impl rt::Into<rt::Vec3<f32>>,
+        color_8: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), mean_3, rt::into(view_2), rt::into(color_3), visible))
+        rt::into(self.v_reflected_light(rt::into(position_1), at_35, hit_22, seen_1, rt::into(view_9), rt::into(color_8), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
         position_1: rt::Vec3<f32>,
-        mean_3: MeanNormal,
-        view_2: rt::Vec3<f32>,
-        color_3: rt::Vec3<f32>,
+        at_35: Entered,
+        hit_22: Hit,
+        seen_1: SeenNormals,
+        view_9: rt::Vec3<f32>,
+        color_8: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_14: rt::Vec3<f32>;
         let mut k_9: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e7 = self.surface_settings.diffuse;
-        let diffuse = (_e7.xyz() * color_3);
-        let _e12 = self.frame.ambient;
-        light_14 = (_e12.xyz() * diffuse);
+        let _e9 = self.surface_settings.diffuse;
+        let diffuse = (_e9.xyz() * color_8);
+        let _e15 = self.v_ambient_stage(at_35, hit_22, (seen_1.normal * rt::Scalar(seen_1.length)), view_9, diffuse);
+        light_14 = _e15;
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = k_9;
-                let _e21 = rt::Scalar(self.frame.light_count);
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(_e21)) {
+                let _e19 = k_9;
+                let _e22 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = k_9;
-                    let _e27 = self.frame.lights[rt::Scalar::into_array_index(_e25)];
-                    let _e28 = self.v_toward_light(_e27, position_1);
-                    let _e32 = self.v_shade_stage(mean_3.normal, rt::Scalar(mean_3.length), view_2, _e28.direction, diffuse);
-                    let _e33 = light_14;
-                    let _e36 = k_9;
-                    let _e39 = self.frame.lights[rt::Scalar::into_array_index(_e36)].color;
-                    let _e43 = k_9;
-                    light_14 = (_e33 + ((_e32 * _e39.xyz()) * (rt::Scalar(_e28.falloff) * visible[rt::Scalar::into_array_index(_e43)].x())));
-                    let _e49 = k_9;
-                    k_9 = (_e49 + rt::Scalar(1u32));
+                    let _e26 = k_9;
+                    let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
+                    let _e29 = self.v_toward_light(_e28, position_1);
+                    let _e31 = self.v_seen_cosine(at_35, seen_1, _e29.direction);
+                    let _e35 = self.v_shade_stage(seen_1.normal, rt::Scalar(seen_1.length), _e31, view_9, _e29.direction, diffuse);
+                    let _e36 = light_14;
+                    let _e39 = k_9;
+                    let _e42 = self.frame.lights[rt::Scalar::into_array_index(_e39)].color;
+                    let _e46 = k_9;
+                    light_14 = (_e36 + ((_e35 * _e42.xyz()) * (rt::Scalar(_e29.falloff) * visible[rt::Scalar::into_array_index(_e46)].x())));
+                    let _e52 = k_9;
+                    k_9 = (_e52 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e52 = light_14;
-        return _e52;
+        let _e55 = light_14;
+        return _e55;
     }
-    pub(crate) fn shade_hit(&self, pixel_10: PixelIn, at_27: Entered, hit_17: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_10, at_27, hit_17, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_10: PixelIn, at_36: Entered, hit_23: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_10, at_36, hit_23, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_10: PixelIn, at_27: Entered, hit_17: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_shade_hit(&self, pixel_10: PixelIn, at_36: Entered, hit_23: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
         let mut local_37: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_27.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_37 = rt::Scalar(hit_17.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_36.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_37 = rt::Scalar(hit_23.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_37 = rt::Scalar(true);
         }
         let _e14 = local_37;
         if rt::Scalar::into_branch_condition(_e14) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_17.reads), rt::Scalar(0f32), rt::Scalar(0u32));
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_23.reads), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e46 = self.v_height_at(hit_17.uv, rt::Scalar(at_27.path.level));
-        let _e47 = self.v_hit_position(at_27, hit_17);
-        let _e49 = self.v_mesostructure_normal(at_27, hit_17.uv);
-        let view_3 = (pixel_10.origin - _e47).normalize();
-        let _e55 = self.v_color_or_white(hit_17.uv, rt::Scalar(at_27.footprint));
-        let _e56 = self.v_reflected_light(_e47, _e49, view_3, _e55, visible_1);
+        let _e46 = self.v_height_at(hit_23.uv, rt::Scalar(at_36.path.level));
+        let _e47 = self.v_hit_position(at_36, hit_23);
+        let view_10 = (pixel_10.origin - _e47).normalize();
+        let _e52 = self.v_mesostructure_normals(at_36, hit_23.uv, view_10);
+        let _e55 = self.v_color_or_white(hit_23.uv, rt::Scalar(at_36.footprint));
+        let _e56 = self.v_reflected_light(_e47, at_36, hit_23, _e52, view_10, _e55, visible_1);
         let _e61 = self.frame.forward;
         let depth = (_e47 - pixel_10.origin).dot(_e61.xyz());
         let _e66 = self.v_height_size(rt::Scalar(0u32));
-        let _e72 = self.v_cell_of(((hit_17.uv * _e66) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e56, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_17.exhausted), hit_17.uv, _e46, _e47, _e49.normal, depth, rt::Scalar(hit_17.t), _e72.cast_elem_as_i32(), rt::Scalar(hit_17.reads), visible_1[0usize].x(), rt::Scalar(at_27.path.level));
+        let _e72 = self.v_cell_of(((hit_23.uv * _e66) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e56, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_23.exhausted), hit_23.uv, _e46, _e47, _e52.normal, depth, rt::Scalar(hit_23.t), _e72.cast_elem_as_i32(), rt::Scalar(hit_23.reads), visible_1[0usize].x(), rt::Scalar(at_36.path.level));
     }
     pub(crate) fn trace(&self, path_44: Path) -> Hit {
         rt::into(self.v_trace(path_44))
@@ -5444,17 +5849,17 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_44, _e1);
         return _e2;
     }
-    pub(crate) fn visible_lights(&self, at_28: Entered, hit_18: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_28, hit_18))
+    pub(crate) fn visible_lights(&self, at_37: Entered, hit_24: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_37, hit_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_28: Entered, hit_18: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_37: Entered, hit_24: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut local_38: rt::Scalar<bool>;
         let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_28.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_38 = rt::Scalar(hit_18.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_37.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_38 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_38 = rt::Scalar(true);
         }
@@ -5463,7 +5868,7 @@ impl<'g> Resources<'g> {
             let _e15 = visible_2;
             return _e15;
         }
-        let _e16 = self.v_hit_position(at_28, hit_18);
+        let _e16 = self.v_hit_position(at_37, hit_24);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_10;
@@ -5476,7 +5881,7 @@ impl<'g> Resources<'g> {
                     let _e26 = k_10;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, _e16);
-                    let _e30 = self.v_shadow_stage(at_28, hit_18, _e29);
+                    let _e30 = self.v_shadow_stage(at_37, hit_24, _e29);
                     let _e31 = k_10;
                     visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e37 = k_10;
@@ -5492,17 +5897,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_pixel(&self, pixel_11: PixelIn) -> PixelOut {
-        let mut hit_19: Hit;
+        let mut hit_25: Hit;
 
         let _e1 = self.v_enter_relief(pixel_11);
         let _e3 = self.v_miss(rt::Scalar(0u32));
-        hit_19 = _e3;
+        hit_25 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_trace(_e1.path);
-            hit_19 = _e9;
+            hit_25 = _e9;
         }
-        let _e10 = hit_19;
-        let _e11 = hit_19;
+        let _e10 = hit_25;
+        let _e11 = hit_25;
         let _e12 = self.v_visible_lights(_e1, _e11);
         let _e13 = self.v_shade_hit(pixel_11, _e1, _e10, _e12);
         return _e13;
@@ -5513,6 +5918,7 @@ impl<'g> Resources<'g> {
     /// What the stages are called on.
     pub(crate) fn of(bound: &crate::cpu::Bound<'g>) -> Self {
         Self {
+            ambient_map: bound.slot(crate::MapSlot::Ambient),
             color_map: bound.color_map,
             frame: bound.frame,
             height_map: bound.height_map,

@@ -50,8 +50,10 @@ pub const MODULES: &[Module] = &[
 // Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central
 // differences over two texels, or a tangent-space normal map.
 //
-// Where several texels lie in a pixel's footprint, the mean of their normals is taken. The more they differ,
-// the shorter it is. Shaded with it as it is, a diffuse surface is as bright as all of them together.
+// Where several texels lie in a pixel's footprint, their normals are known by means over the area. An eye at
+// the side sees more of what faces it (Becker and Max 1993), and what faces away from a light gets none. For
+// both, five normals stand for all of them: they have the same means, and weights as five slopes of a normal
+// distribution have (a cubature of third degree).
 "# },
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
@@ -235,7 +237,8 @@ pub const MODULES: &[Module] = &[
 //
 // Blinn 1977, as named by Szirmay-Kalos and Umenhoffer 2008, section 2.1. The exponent is a whole number, so
 // that the power is a product of squares and has the same bits everywhere. Where the normal is a mean of
-// several, the lobe is as much wider as it is shorter, and as much dimmer (Toksvig 2005).
+// several, of that length, the lobe is as much wider as it is shorter, and as much dimmer (Toksvig 2005);
+// `cosine` is the mean of theirs, 0 for those that face away.
 "# },
     Module { path: "shadow/entry", head: r#"// A ray from where the light enters the relief down to the hit: a view ray.
 //
@@ -265,6 +268,24 @@ pub const MODULES: &[Module] = &[
 //
 // Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008, section 6.2: the nearest direction, or the three
 // that are close to the light's, interpolated.
+"# },
+    Module { path: "ambient/bent_normal", head: r#"// Bent normals: of the light from all around arrives as much as the relief's own normal sees of the sky.
+//
+// Landis 2002. The baked vector is the integral over the directions to the sky, over pi. A point does not see
+// what is behind its own surface, so all of the sky that it sees is before its normal, and the product of
+// normal and vector is the light of a uniform sky without any further integral.
+"# },
+    Module { path: "ambient/bounce", head: r#"// Light that bounces: of the light from all around arrives what is seen of the sky, and what other points of
+// the relief throw back of theirs, about the base's normal.
+//
+// Heidrich, Daubert, Kautz and Seidel 2000; Szirmay-Kalos and Umenhoffer 2008, section 6.2.
+"# },
+    Module { path: "ambient/constant", head: r#"// The same light everywhere.
+"# },
+    Module { path: "ambient/occlusion", head: r#"// Ambient occlusion: of the light from all around arrives what the horizons leave of the sky, about the base's
+// normal.
+//
+// Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
 "# },
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.
@@ -612,7 +633,7 @@ pub const DECLARATIONS: &[Declaration] = &[
         name: "STAGES",
         sampling: None,
         uses: &[],
-        text: r#"const STAGES = 7u;"#,
+        text: r#"const STAGES = 8u;"#,
     },
     Declaration {
         module: "constants",
@@ -1375,17 +1396,18 @@ fn color_at(uv: vec2f, level: u32) -> vec4f {
         name: "normal_at",
         sampling: Some(Sampling::Exact),
         uses: &["bilinear", "level_texels", "normal_map", "surface_settings", "texels_around"],
-        text: r#"// A level of the normal map at texture coordinates: a vector in tangent space, +Y along -B, not normalised.
-fn normal_at(uv: vec2f, level: u32) -> vec3f {
+        text: r#"// A layer of a level of the normal map at texture coordinates. The first begins with a vector in tangent
+// space, +Y along -B, not normalised; from level 1 on there are two, as `normal_level` has them.
+fn normal_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
     let at = texels_around(uv, level_texels(surface_settings.normal_size, level));
     let k = i32(level);
     return bilinear(
-        textureLoad(normal_map, vec2i(at.columns.x, at.rows.x), 0, k),
-        textureLoad(normal_map, vec2i(at.columns.y, at.rows.x), 0, k),
-        textureLoad(normal_map, vec2i(at.columns.x, at.rows.y), 0, k),
-        textureLoad(normal_map, vec2i(at.columns.y, at.rows.y), 0, k),
+        textureLoad(normal_map, vec2i(at.columns.x, at.rows.x), layer, k),
+        textureLoad(normal_map, vec2i(at.columns.y, at.rows.x), layer, k),
+        textureLoad(normal_map, vec2i(at.columns.x, at.rows.y), layer, k),
+        textureLoad(normal_map, vec2i(at.columns.y, at.rows.y), layer, k),
         at.part,
-    ).xyz;
+    );
 }"#,
     },
     Declaration {
@@ -1393,8 +1415,8 @@ fn normal_at(uv: vec2f, level: u32) -> vec3f {
         name: "normal_at",
         sampling: Some(Sampling::Fast),
         uses: &["map_sampler", "normal_map"],
-        text: r#"fn normal_at(uv: vec2f, level: u32) -> vec3f {
-    return textureSampleLevel(normal_map, map_sampler, uv, 0, f32(level)).xyz;
+        text: r#"fn normal_at(uv: vec2f, layer: i32, level: u32) -> vec4f {
+    return textureSampleLevel(normal_map, map_sampler, uv, layer, f32(level));
 }"#,
     },
     Declaration {
@@ -1700,6 +1722,24 @@ fn ambient_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
     },
     Declaration {
         module: "shared/maps",
+        name: "ambient_texel_between",
+        sampling: None,
+        uses: &["ambient_texel", "bilinear", "height_texels", "texels_around"],
+        text: r#"// A level of that map, between the four texels around a place. One read.
+fn ambient_texel_between(uv: vec2f, level: u32) -> vec4f {
+    let at = texels_around(uv, height_texels(level));
+    let k = i32(level);
+    return bilinear(
+        ambient_texel(vec2i(at.columns.x, at.rows.x), 0, k),
+        ambient_texel(vec2i(at.columns.y, at.rows.x), 0, k),
+        ambient_texel(vec2i(at.columns.x, at.rows.y), 0, k),
+        ambient_texel(vec2i(at.columns.y, at.rows.y), 0, k),
+        at.part,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
         name: "environment_texel",
         sampling: None,
         uses: &["SLOT_ENVIRONMENT", "decoded", "environment_map", "surface_settings"],
@@ -1710,15 +1750,104 @@ fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
     },
     Declaration {
         module: "shared/normal",
-        name: "MeanNormal",
+        name: "LEAST_UPRIGHT",
         sampling: None,
         uses: &[],
-        text: r#"// The mean of the normals within a footprint.
-struct MeanNormal {
-    // Its direction.
+        text: r#"// The least upright part of a normal of which slopes are made; the least deviation of slopes that counts, and
+// the least part of an area that is seen.
+const LEAST_UPRIGHT = 0.05;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "LEAST_DEVIATION",
+        sampling: None,
+        uses: &[],
+        text: r#"const LEAST_DEVIATION = 0.0001;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "LEAST_SEEN",
+        sampling: None,
+        uses: &[],
+        text: r#"const LEAST_SEEN = 0.001;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "MOST",
+        sampling: None,
+        uses: &[],
+        text: r#"const MOST = 1000000.0;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "LEAST_WIDTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least part of a footprint in which normals are taken together.
+const LEAST_WIDTH = 0.5;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "APART",
+        sampling: None,
+        uses: &[],
+        text: r#"// How many deviations four of the five slopes are away from their mean, and the parts of the area that have
+// the mean slope and each of the others.
+const APART = 1.7320508;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "MIDDLE",
+        sampling: None,
+        uses: &[],
+        text: r#"const MIDDLE = 0.33333334;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "OUTER",
+        sampling: None,
+        uses: &[],
+        text: r#"const OUTER = 0.16666667;"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "Normals",
+        sampling: None,
+        uses: &[],
+        text: r#"// The means of the normals n and the slopes s in an area, in tangent space. n is (-sx, -sy, 1) nz.
+struct Normals {
+    // nx, ny, nz, sx
+    first: vec4f,
+    // sx² nz, sx sy nz, sy² nz, sy
+    second: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "SeenNormals",
+        sampling: None,
+        uses: &[],
+        text: r#"// The normals within a footprint as an eye sees them.
+struct SeenNormals {
+    // The direction of their mean, in the world.
     normal: vec3f,
-    // Its length: 1 where all normals are the same.
+    // The length of their mean: 1 where all are the same.
     length: f32,
+    // 1 where they differ. What follows is known only then, in tangent space.
+    differ: u32,
+    // The one in the middle and its slope, and how normals and slopes change in a deviation along two axes: the
+    // others are APART of them beside it, two on each axis.
+    middle: vec3f,
+    along: vec3f,
+    across: vec3f,
+    slope: vec2f,
+    slope_along: vec2f,
+    slope_across: vec2f,
+    // The squared cosine between the base's normal and the view.
+    upright: f32,
+    // What is seen of a slope for each of them, beside what is seen of all.
+    middle_seen: f32,
+    others_seen: vec4f,
 }"#,
     },
     Declaration {
@@ -1754,53 +1883,219 @@ fn from_tangent_space(at: Entered, n: vec3f) -> vec3f {
     },
     Declaration {
         module: "shared/normal",
+        name: "to_tangent_space",
+        sampling: None,
+        uses: &["Entered"],
+        text: r#"// The direction to the eye in tangent space.
+fn to_tangent_space(at: Entered, v: vec3f) -> vec3f {
+    let along_u = normalize(at.tangent);
+    let along_v = normalize(at.bitangent);
+    return vec3f(dot(along_u, v), -dot(along_v, v), dot(at.normal, v));
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
         name: "finest_normal",
         sampling: None,
         uses: &["Entered", "from_tangent_space", "normal_at", "normal_from_height", "surface_settings"],
         text: r#"// The normal in the finest level.
 fn finest_normal(at: Entered, uv: vec2f) -> vec3f {
     if (surface_settings.has_normal == 1u) {
-        return normalize(from_tangent_space(at, normal_at(uv, 0u)));
+        return normalize(from_tangent_space(at, normal_at(uv, 0, 0u).xyz));
     }
     return normal_from_height(at, uv);
 }"#,
     },
     Declaration {
         module: "shared/normal",
-        name: "mean_normal",
+        name: "one_normal",
         sampling: None,
-        uses: &["Entered", "finest_normal", "from_tangent_space", "normal_at", "surface_settings"],
-        text: r#"// The mean of the normals in the texels of a level, not normalised.
-fn mean_normal(at: Entered, uv: vec2f, level: u32) -> vec3f {
-    if (level == 0u) {
-        return finest_normal(at, uv);
-    }
-    if (surface_settings.has_normal == 1u) {
-        return from_tangent_space(at, normal_at(uv, level));
-    }
-    // Derived normals hold for tiles of other lengths: where a tile is longer, slopes are as much flatter.
-    let mean = normal_at(uv, level - 1u);
-    let tile = surface_settings.normal_tile_m;
-    let x = mean.x * (tile.x * dot(normalize(at.tangent), at.tangent) / dot(at.tangent, at.tangent));
-    let y = mean.y * (tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent));
-    return from_tangent_space(at, normalize(vec3f(x, y, mean.z)) * length(mean));
+        uses: &["SeenNormals"],
+        text: r#"// A single normal, as every eye sees it.
+fn one_normal(normal: vec3f) -> SeenNormals {
+    let nothing = vec2f(0.0, 0.0);
+    let none = vec3f(0.0, 0.0, 0.0);
+    let parts = vec4f(0.0, 0.0, 0.0, 0.0);
+    return SeenNormals(normal, 1.0, 0u, none, none, none, nothing, nothing, nothing, 1.0, 0.0, parts);
 }"#,
     },
     Declaration {
         module: "shared/normal",
-        name: "mesostructure_normal",
+        name: "single_normal",
         sampling: None,
-        uses: &["Entered", "MeanNormal", "finest_normal", "levels_of", "mean_normal", "surface_settings"],
-        text: r#"fn mesostructure_normal(at: Entered, uv: vec2f) -> MeanNormal {
-    let levels = levels_of(at.footprint * surface_settings.normal_texels, surface_settings.normal_levels);
+        uses: &["LEAST_UPRIGHT", "Normals"],
+        text: r#"// What is known of a single normal.
+fn single_normal(n: vec3f) -> Normals {
+    let upright = max(n.z, LEAST_UPRIGHT);
+    let slope = vec2f(-n.x, -n.y) / upright;
+    let square = slope * slope * upright;
+    return Normals(
+        vec4f(n, slope.x),
+        vec4f(square.x, slope.x * slope.y * upright, square.y, slope.y),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "normals_of_level",
+        sampling: None,
+        uses: &["Entered", "Normals", "finest_normal", "normal_at", "single_normal", "surface_settings", "to_tangent_space"],
+        text: r#"// The normals in the texels of a level.
+fn normals_of_level(at: Entered, uv: vec2f, level: u32) -> Normals {
+    if (level == 0u) {
+        return single_normal(to_tangent_space(at, finest_normal(at, uv)));
+    }
+    if (surface_settings.has_normal == 1u) {
+        return Normals(normal_at(uv, 0, level), normal_at(uv, 1, level));
+    }
+    // Derived normals hold for tiles of other lengths: where a tile is longer, slopes are as much flatter.
+    let tile = surface_settings.normal_tile_m;
+    let x = tile.x * dot(normalize(at.tangent), at.tangent) / dot(at.tangent, at.tangent);
+    let y = tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent);
+    let first = normal_at(uv, 0, level - 1u);
+    let second = normal_at(uv, 1, level - 1u);
+    // As long as it was.
+    let flatter = vec3f(first.x * x, first.y * y, first.z);
+    let n = flatter * sqrt(dot(first.xyz, first.xyz) / dot(flatter, flatter));
+    return Normals(
+        vec4f(n, first.w * x),
+        vec4f(second.x * x * x, second.y * x * y, second.z * y * y, second.w * y),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "facing_four",
+        sampling: None,
+        uses: &["APART"],
+        text: r#"// The greater of 0 and what four of five have that are beside `middle` by this along the axes.
+fn facing_four(middle: f32, along: f32, across: f32) -> vec4f {
+    let x = along * APART;
+    let y = across * APART;
+    return max(vec4f(middle + x, middle - x, middle + y, middle - y), vec4f(0.0, 0.0, 0.0, 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "mean_of_five",
+        sampling: None,
+        uses: &["MIDDLE", "OUTER"],
+        text: r#"// The mean of five, of which the sum of four is given. Constants are factors of sums, not of what is added:
+// compilers make these of those.
+fn mean_of_five(middle: f32, four: f32) -> f32 {
+    return middle * MIDDLE + four * OUTER;
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "sum_of_four",
+        sampling: None,
+        uses: &[],
+        text: r#"fn sum_of_four(four: vec4f) -> f32 {
+    return (four.x + four.y) + (four.z + four.w);
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "seen_normals",
+        sampling: None,
+        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "sum_of_four", "to_tangent_space"],
+        text: r#"// The normals of an area as an eye in direction `view` sees them. A part of the area with slope s covers as
+// much of its view as v - s, that is vz - (vx sx + vy sy), and nothing where that is below 0.
+fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
+    let first = normals.first;
+    let second = normals.second;
+    let slope = vec2f(first.w, second.w);
+    // How slopes spread: their covariance, by its root in triangular form.
+    let upright = max(first.z, LEAST_UPRIGHT);
+    let x = first.x / upright;
+    let y = first.y / upright;
+    let a = max(sqrt(max(second.x / upright - x * x, 0.0)), LEAST_DEVIATION);
+    let b = (second.y / upright - x * y) / a;
+    // Never less than 0 but for rounding. (Said here so that compilers keep the order of the sum.)
+    let spread = max(second.z / upright - y * y, 0.0);
+    let d = max(sqrt(max(spread - b * b, 0.0)), LEAST_DEVIATION);
+    // How normals go with them: means of n times s, less the product of the means.
+    let with_x = -vec3f(second.x, second.y, first.x) - first.xyz * slope.x;
+    let with_y = -vec3f(second.y, second.z, first.y) - first.xyz * slope.y;
+    let along = with_x / a;
+    let across = (with_y - along * b) / d;
+
+    let v = to_tangent_space(at, view);
+    let middle = v.z - dot(v.xy, slope);
+    let four = facing_four(middle, -(v.x * a + v.y * b), -(v.y * d));
+    let one = max(middle, 0.0);
+    let all = max(mean_of_five(one, sum_of_four(four)), LEAST_SEEN);
+    let aside = along * ((four.x - four.y) / all) + across * ((four.z - four.w) / all);
+    let mean = from_tangent_space(at, first.xyz + aside * (APART * OUTER));
+    return SeenNormals(
+        normalize(mean),
+        min(length(mean), 1.0),
+        1u,
+        first.xyz,
+        along,
+        across,
+        slope,
+        vec2f(a, b),
+        vec2f(0.0, d),
+        max(v.z, 0.0) * max(v.z, 0.0),
+        one / all,
+        four / all,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "seen_cosine",
+        sampling: None,
+        uses: &["Entered", "LEAST_SEEN", "MOST", "SeenNormals", "facing_four", "mean_of_five", "sum_of_four", "surface_settings", "to_tangent_space"],
+        text: r#"// The mean cosine between the normals that are seen and a light's direction, 0 for those that face away.
+// Where the relief casts shadows, less of it is lit: as much light falls on all parts as on the base. What
+// is seen from the side lies high, and less of it is in shadow.
+fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
+    if (seen.differ == 0u) {
+        return max(dot(seen.normal, toward), 0.0);
+    }
+    let l = to_tangent_space(at, toward);
+    let middle = dot(seen.middle, l);
+    let four = facing_four(middle, dot(seen.along, l), dot(seen.across, l));
+    // Bounds that nothing reaches: compilers would add these products in another order.
+    let one = min(seen.middle_seen * max(middle, 0.0), MOST);
+    let others = min(dot(seen.others_seen, four), MOST);
+    let cosine = mean_of_five(one, others);
+    if (surface_settings.has_shadows == 1u) {
+        let falls = l.z - dot(l.xy, seen.slope);
+        let facing = facing_four(falls, -dot(l.xy, seen.slope_along), -dot(l.xy, seen.slope_across));
+        let all = mean_of_five(max(falls, 0.0), sum_of_four(facing));
+        let lit = max(falls, 0.0) / max(all, LEAST_SEEN);
+        return cosine * (1.0 - (1.0 - lit) * seen.upright);
+    }
+    return cosine;
+}"#,
+    },
+    Declaration {
+        module: "shared/normal",
+        name: "mesostructure_normals",
+        sampling: None,
+        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "levels_of", "normals_of_level", "one_normal", "seen_normals", "surface_settings"],
+        text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
+fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
+    // At the side the traced level shows by itself which of its parts face the eye: only what is finer than
+    // it is left to be weighed.
+    let upright = dot(at.normal, view);
+    let texels = at.footprint * surface_settings.normal_texels * max(upright, LEAST_WIDTH);
+    let levels = levels_of(texels, surface_settings.normal_levels);
     if (levels.fine == 0u && !(levels.part > 0.0)) {
-        return MeanNormal(finest_normal(at, uv), 1.0);
+        return one_normal(finest_normal(at, uv));
     }
-    var mean = mean_normal(at, uv, levels.fine);
-    if (levels.part > 0.0) {
-        mean = mean + (mean_normal(at, uv, levels.fine + 1u) - mean) * levels.part;
+    let fine = normals_of_level(at, uv, levels.fine);
+    if (!(levels.part > 0.0)) {
+        return seen_normals(at, fine, view);
     }
-    return MeanNormal(normalize(mean), min(length(mean), 1.0));
+    let coarse = normals_of_level(at, uv, levels.fine + 1u);
+    let first = fine.first + (coarse.first - fine.first) * levels.part;
+    let second = fine.second + (coarse.second - fine.second) * levels.part;
+    return seen_normals(at, Normals(first, second), view);
 }"#,
     },
     Declaration {
@@ -1999,22 +2294,25 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "reflected_light",
         sampling: None,
-        uses: &["MAX_LIGHTS", "MeanNormal", "frame", "shade_stage", "surface_settings", "toward_light"],
-        text: r#"// The light that a point reflects along `view`, toward the eye, in linear RGB: the ambient part, and light by
-// light what the shading makes of it, as far as it arrives.
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "SeenNormals", "ambient_stage", "frame", "seen_cosine", "shade_stage", "surface_settings", "toward_light"],
+        text: r#"// The light that a hit reflects along `view`, toward the eye, in linear RGB: of the light from all around, and
+// light by light what the shading makes of it, as far as it arrives.
 fn reflected_light(
     position: vec3f,
-    mean: MeanNormal,
+    at: Entered,
+    hit: Hit,
+    seen: SeenNormals,
     view: vec3f,
     color: vec3f,
     visible: array<vec4f, MAX_LIGHTS>,
 ) -> vec3f {
     let diffuse = surface_settings.diffuse.xyz * color;
-    var light = frame.ambient.xyz * diffuse;
+    var light = ambient_stage(at, hit, seen.normal * seen.length, view, diffuse);
     var k = 0u;
     while (k < frame.light_count) {
         let toward = toward_light(frame.lights[k], position);
-        let reflected = shade_stage(mean.normal, mean.length, view, toward.direction, diffuse);
+        let cosine = seen_cosine(at, seen, toward.direction);
+        let reflected = shade_stage(seen.normal, seen.length, cosine, view, toward.direction, diffuse);
         light = light + reflected * frame.lights[k].color.xyz * (toward.falloff * visible[k].x);
         k = k + 1u;
     }
@@ -2084,7 +2382,7 @@ fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
         module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "hit_position", "mesostructure_normal", "reflected_light"],
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "hit_position", "mesostructure_normals", "reflected_light"],
         text: r#"// What a pixel shows of a hit, at which these parts of the lights arrive.
 fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
     if (at.valid == 0u || hit.found == 0u) {
@@ -2106,9 +2404,9 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
     }
     let height = height_at(hit.uv, at.path.level);
     let position = hit_position(at, hit);
-    let mean = mesostructure_normal(at, hit.uv);
     let view = normalize(pixel.origin - position);
-    let color = reflected_light(position, mean, view, color_or_white(hit.uv, at.footprint), visible);
+    let seen = mesostructure_normals(at, hit.uv, view);
+    let color = reflected_light(position, at, hit, seen, view, color_or_white(hit.uv, at.footprint), visible);
     let depth = dot(position - pixel.origin, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size(0u) - vec2f(0.5, 0.5));
     return PixelOut(
@@ -2118,7 +2416,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         hit.uv,
         height,
         position,
-        mean.normal,
+        seen.normal,
         depth,
         hit.t,
         vec2i(cell),
@@ -2317,6 +2615,8 @@ struct SurfaceSettings {
     shininess: u32,
     has_color: u32,
     has_normal: u32,
+    // 0 where the relief casts no shadows.
+    has_shadows: u32,
     scale_m: f32,
     bias_m: f32,
 }"#,
@@ -3818,12 +4118,12 @@ const LOBE = 8.0;"#,
         text: r#"fn shade_blinn_phong(
     normal: vec3f,
     mean: f32,
+    cosine: f32,
     view: vec3f,
     toward: vec3f,
     color: vec3f,
     params: vec4f,
 ) -> vec3f {
-    let cosine = dot(normal, toward);
     if (cosine > 0.0) {
         var exponent = surface_settings.shininess;
         var dimmed = 1.0;
@@ -3835,7 +4135,7 @@ const LOBE = 8.0;"#,
         }
         let lobe = max(dot(normal, normalize(toward + view)), 0.0);
         let specular = surface_settings.specular.xyz * (whole_power(lobe, exponent) * dimmed);
-        return color * (cosine * mean) + specular;
+        return color * cosine + specular;
     }
     return vec3f(0.0, 0.0, 0.0);
 }"#,
@@ -4037,6 +4337,71 @@ fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i3
     }
     let corner = open_part(at, hit, a1, e1, elevations);
     return corner + (above - corner) * (1.0 - along_azimuth) + (right - corner) * (1.0 - along_elevation);
+}"#,
+    },
+    Declaration {
+        module: "ambient/bent_normal",
+        name: "ambient_bent_normal",
+        sampling: None,
+        uses: &["Entered", "Hit", "ambient_texel_between", "frame", "from_tangent_space"],
+        text: r#"fn ambient_bent_normal(
+    at: Entered,
+    hit: Hit,
+    normal: vec3f,
+    view: vec3f,
+    color: vec3f,
+    params: vec4f,
+) -> vec3f {
+    let sky = from_tangent_space(at, ambient_texel_between(hit.uv, at.path.level).xyz);
+    return frame.ambient.xyz * color * max(dot(normal, sky), 0.0);
+}"#,
+    },
+    Declaration {
+        module: "ambient/bounce",
+        name: "ambient_bounce",
+        sampling: None,
+        uses: &["Entered", "Hit", "ambient_texel_between", "frame"],
+        text: r#"fn ambient_bounce(
+    at: Entered,
+    hit: Hit,
+    normal: vec3f,
+    view: vec3f,
+    color: vec3f,
+    params: vec4f,
+) -> vec3f {
+    return frame.ambient.xyz * color * ambient_texel_between(hit.uv, at.path.level).x;
+}"#,
+    },
+    Declaration {
+        module: "ambient/constant",
+        name: "ambient_constant",
+        sampling: None,
+        uses: &["Entered", "Hit", "frame"],
+        text: r#"fn ambient_constant(
+    at: Entered,
+    hit: Hit,
+    normal: vec3f,
+    view: vec3f,
+    color: vec3f,
+    params: vec4f,
+) -> vec3f {
+    return frame.ambient.xyz * color;
+}"#,
+    },
+    Declaration {
+        module: "ambient/occlusion",
+        name: "ambient_occlusion",
+        sampling: None,
+        uses: &["Entered", "Hit", "ambient_texel_between", "frame"],
+        text: r#"fn ambient_occlusion(
+    at: Entered,
+    hit: Hit,
+    normal: vec3f,
+    view: vec3f,
+    color: vec3f,
+    params: vec4f,
+) -> vec3f {
+    return frame.ambient.xyz * color * ambient_texel_between(hit.uv, at.path.level).x;
 }"#,
     },
     Declaration {

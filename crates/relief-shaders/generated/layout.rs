@@ -142,51 +142,53 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 656;
+    const SIZE: usize = 704;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
-        self.maps.write(&mut bytes[224..]);
-        self.diffuse.write(&mut bytes[544..]);
-        self.specular.write(&mut bytes[560..]);
-        self.height_size.write(&mut bytes[576..]);
-        self.color_size.write(&mut bytes[584..]);
-        self.normal_size.write(&mut bytes[592..]);
-        self.height_levels.write(&mut bytes[600..]);
-        self.color_levels.write(&mut bytes[604..]);
-        self.normal_levels.write(&mut bytes[608..]);
-        self.color_texels.write(&mut bytes[612..]);
-        self.normal_texels.write(&mut bytes[616..]);
-        self.normal_tile_m.write(&mut bytes[624..]);
-        self.wrap.write(&mut bytes[632..]);
-        self.shininess.write(&mut bytes[636..]);
-        self.has_color.write(&mut bytes[640..]);
-        self.has_normal.write(&mut bytes[644..]);
-        self.scale_m.write(&mut bytes[648..]);
-        self.bias_m.write(&mut bytes[652..]);
+        self.maps.write(&mut bytes[256..]);
+        self.diffuse.write(&mut bytes[576..]);
+        self.specular.write(&mut bytes[592..]);
+        self.height_size.write(&mut bytes[608..]);
+        self.color_size.write(&mut bytes[616..]);
+        self.normal_size.write(&mut bytes[624..]);
+        self.height_levels.write(&mut bytes[632..]);
+        self.color_levels.write(&mut bytes[636..]);
+        self.normal_levels.write(&mut bytes[640..]);
+        self.color_texels.write(&mut bytes[644..]);
+        self.normal_texels.write(&mut bytes[648..]);
+        self.normal_tile_m.write(&mut bytes[656..]);
+        self.wrap.write(&mut bytes[664..]);
+        self.shininess.write(&mut bytes[668..]);
+        self.has_color.write(&mut bytes[672..]);
+        self.has_normal.write(&mut bytes[676..]);
+        self.has_shadows.write(&mut bytes[680..]);
+        self.scale_m.write(&mut bytes[684..]);
+        self.bias_m.write(&mut bytes[688..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
-            maps: Shared::read(&bytes[224..]),
-            diffuse: Shared::read(&bytes[544..]),
-            specular: Shared::read(&bytes[560..]),
-            height_size: Shared::read(&bytes[576..]),
-            color_size: Shared::read(&bytes[584..]),
-            normal_size: Shared::read(&bytes[592..]),
-            height_levels: Shared::read(&bytes[600..]),
-            color_levels: Shared::read(&bytes[604..]),
-            normal_levels: Shared::read(&bytes[608..]),
-            color_texels: Shared::read(&bytes[612..]),
-            normal_texels: Shared::read(&bytes[616..]),
-            normal_tile_m: Shared::read(&bytes[624..]),
-            wrap: Shared::read(&bytes[632..]),
-            shininess: Shared::read(&bytes[636..]),
-            has_color: Shared::read(&bytes[640..]),
-            has_normal: Shared::read(&bytes[644..]),
-            scale_m: Shared::read(&bytes[648..]),
-            bias_m: Shared::read(&bytes[652..]),
+            maps: Shared::read(&bytes[256..]),
+            diffuse: Shared::read(&bytes[576..]),
+            specular: Shared::read(&bytes[592..]),
+            height_size: Shared::read(&bytes[608..]),
+            color_size: Shared::read(&bytes[616..]),
+            normal_size: Shared::read(&bytes[624..]),
+            height_levels: Shared::read(&bytes[632..]),
+            color_levels: Shared::read(&bytes[636..]),
+            normal_levels: Shared::read(&bytes[640..]),
+            color_texels: Shared::read(&bytes[644..]),
+            normal_texels: Shared::read(&bytes[648..]),
+            normal_tile_m: Shared::read(&bytes[656..]),
+            wrap: Shared::read(&bytes[664..]),
+            shininess: Shared::read(&bytes[668..]),
+            has_color: Shared::read(&bytes[672..]),
+            has_normal: Shared::read(&bytes[676..]),
+            has_shadows: Shared::read(&bytes[680..]),
+            scale_m: Shared::read(&bytes[684..]),
+            bias_m: Shared::read(&bytes[688..]),
         }
     }
 }

@@ -7,6 +7,7 @@
 //! * [`wgsl`] assembles shaders as text for any engine; [`bindings`] says what they bind.
 //! * `cpu` (with the feature of that name) is the same shaders as Rust.
 
+pub mod ambient;
 pub mod bindings;
 #[cfg(feature = "cpu")]
 pub mod cpu;
@@ -33,7 +34,7 @@ pub use maps::{MapError, MapNeed, MapProblem, SlotMaps};
 pub use methods::{METHODS, Method, method};
 pub use selection::{Choice, Selection, SelectionError};
 pub use slots::MapSlot;
-pub use stages::{DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, stage};
+pub use stages::{AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, stage};
 
 /// The most lights of a picture: the length of the shaders' array of lights.
 pub const MAX_LIGHTS: usize = 8;

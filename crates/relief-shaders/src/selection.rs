@@ -338,6 +338,11 @@ impl Selection {
         search.min(refine)
     }
 
+    /// Whether the relief casts shadows.
+    pub fn has_shadows(&self) -> bool {
+        self.choices[SHADOW].number as usize != NO_SHADOW
+    }
+
     /// Whether shadows are those of rays through the exact search without a baked map.
     pub fn has_exact_shadows(&self) -> bool {
         let [shadow, search] = [SHADOW, SHADOW_SEARCH].map(|stage| self.choices[stage].number as usize);
@@ -353,6 +358,9 @@ impl Selection {
 
 /// The number of the search `cells`.
 const CELLS: usize = entry_place(STAGES[SEARCH].entries, "cells");
+
+/// The number of the shadow `none`.
+const NO_SHADOW: usize = entry_place(STAGES[SHADOW].entries, "none");
 
 /// The number of the shadow `ray`.
 const RAY: usize = entry_place(STAGES[SHADOW].entries, "ray");

@@ -4,7 +4,7 @@
 use relief_core::registry::{Entry, RayClass};
 
 use crate::slots::MapSlot;
-use crate::{detail, refine, search, shade, shadow, surface};
+use crate::{ambient, detail, refine, search, shade, shadow, surface};
 
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
@@ -35,7 +35,7 @@ pub struct Stage {
 }
 
 /// All stages, in the order in which a pixel goes through them.
-pub const STAGES: [Stage; 7] = [
+pub const STAGES: [Stage; 8] = [
     Stage {
         key: "surface",
         folder: "surface",
@@ -89,6 +89,7 @@ pub const STAGES: [Stage; 7] = [
         inputs: &[
             ("normal", "vec3f"),
             ("mean", "f32"),
+            ("cosine", "f32"),
             ("view", "vec3f"),
             ("toward", "vec3f"),
             ("color", "vec3f"),
@@ -119,6 +120,23 @@ pub const STAGES: [Stage; 7] = [
         slot: Some(MapSlot::ShadowSearch),
         rays: &[RayClass::Shadow],
     },
+    Stage {
+        key: "ambient",
+        folder: "ambient",
+        title: "ambient light",
+        plural: "ambient lights",
+        entries: ambient::ENTRIES,
+        inputs: &[
+            ("at", "Entered"),
+            ("hit", "Hit"),
+            ("normal", "vec3f"),
+            ("view", "vec3f"),
+            ("color", "vec3f"),
+        ],
+        returns: "vec3f",
+        slot: Some(MapSlot::Ambient),
+        rays: &[],
+    },
 ];
 
 /// Place of the stage `detail` in [`STAGES`].
@@ -135,6 +153,9 @@ pub const SHADOW: usize = place("shadow");
 
 /// Place of the stage `shadow-search` in [`STAGES`].
 pub const SHADOW_SEARCH: usize = place("shadow-search");
+
+/// Place of the stage `ambient` in [`STAGES`].
+pub const AMBIENT: usize = place("ambient");
 
 impl Stage {
     /// The function through which the shaders call it.

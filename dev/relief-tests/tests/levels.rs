@@ -74,8 +74,9 @@ fn pictures_come_near_to_those_of_many_samples() {
             if texels == 4.0 && (map == "ground" || (tilt_deg == 0.0 && shadow == "none")) {
                 assert!(levels.flicker < 0.5 * none.flicker, "{case}");
             }
-            if texels == 8.0 && shadow == "ray" {
-                assert!((levels.brightness - 1.0).abs() < 0.02, "{case}");
+            if texels == 8.0 {
+                let most = if map == "ground" || tilt_deg == 0.0 { 0.02 } else { 0.08 };
+                assert!((levels.brightness - 1.0).abs() < most, "{case}");
             }
         }
     }

@@ -13,13 +13,17 @@
 //! * along the base, in the direction of `φ`: `∫ from H to π/2 of cos² e de = (π/2 - H - sin H cos H) / 2`,
 //! * upward: `∫ from H to π/2 of sin e cos e de = cos² H / 2`.
 //!
+//! With `scaled` it is not a unit vector but the integral itself over π: its `z` is the
+//! [`occlusion`](super::occlusion), and its product with the relief's normal the part of a uniform sky's light
+//! that arrives there, where all of the sky that is seen lies before that normal.
+//!
 //! # Accuracy
 //!
 //! Exact in elevation, for the horizons that it is given; the rectangle rule between azimuths. Because the
 //! azimuths are spread evenly, an open plain has exactly the base normal.
 
 use rayon::prelude::*;
-use relief_core::registry::Publication;
+use relief_core::registry::{Param, Publication};
 use relief_core::{HeightMap, Metric, Rounding};
 
 use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
@@ -33,12 +37,25 @@ pub const KIND: Kind = Kind {
     summary: "the mean direction in which a texel sees the sky",
     revision: 1,
     publication: Publication { paper: "Landis 2002; Timonen and Westerholm 2010", section: "" },
-    params: &[AZIMUTHS, TILES, BITS_TO_NEAREST],
+    params: &[AZIMUTHS, TILES, BITS_TO_NEAREST, SCALED],
     guarantee: "closed form of the horizons, about the base normal",
     is_picture: true,
     shapes: |size, _| vec![Shape::slices("", size, 1, 3)],
     reach: |_| Reach::Everything,
     bake,
+};
+
+/// Place of the parameter `scaled`.
+const SCALED_PLACE: usize = 3;
+
+const SCALED: Param = Param {
+    name: "scaled",
+    summary: "1: as long as the part of the sky that is seen; 0: unit vectors",
+    unit: "",
+    min: 0.0,
+    max: 1.0,
+    default: 0.0,
+    integer: true,
 };
 
 /// The bent normal of every texel as three planes, row by row from the top: along `+u`, along `-v`, up.
@@ -48,6 +65,38 @@ pub const KIND: Kind = Kind {
 ///
 /// When the bake is cancelled.
 pub fn bent_normals(
+    map: &HeightMap,
+    metric: Metric,
+    azimuths: u32,
+    tiles: u32,
+    progress: &Progress,
+) -> Result<[Vec<f32>; 3], Cancelled> {
+    let mut planes = sums(map, metric, azimuths, tiles, progress)?;
+    let [x, y, z] = &mut planes;
+    x.par_iter_mut().zip(y).zip(z).for_each(|((x, y), z)| [*x, *y, *z] = unit([*x, *y, *z]));
+    Ok(planes)
+}
+
+/// The same, as long as the part of the sky that is seen: the integral of its directions over π.
+///
+/// # Errors
+///
+/// When the bake is cancelled.
+pub fn skies(
+    map: &HeightMap,
+    metric: Metric,
+    azimuths: u32,
+    tiles: u32,
+    progress: &Progress,
+) -> Result<[Vec<f32>; 3], Cancelled> {
+    let mut planes = sums(map, metric, azimuths, tiles, progress)?;
+    let part = 1.0 / azimuths as f32;
+    planes.iter_mut().for_each(|plane| plane.par_iter_mut().for_each(|value| *value *= part));
+    Ok(planes)
+}
+
+/// The sums of the azimuths' integrals.
+fn sums(
     map: &HeightMap,
     metric: Metric,
     azimuths: u32,
@@ -69,8 +118,6 @@ pub fn bent_normals(
             }
         })?;
     }
-    let [x, y, z] = &mut planes;
-    x.par_iter_mut().zip(y).zip(z).for_each(|((x, y), z)| [*x, *y, *z] = unit([*x, *y, *z]));
     Ok(planes)
 }
 
@@ -87,7 +134,8 @@ fn bake(
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
     let (azimuths, tiles, bits) = (settings.count(0), settings.count(1), settings.count(2));
-    let mut planes = bent_normals(source.map, source.metric, azimuths, tiles, progress)?;
+    let vectors = if settings.count(SCALED_PLACE) == 0 { bent_normals } else { skies };
+    let mut planes = vectors(source.map, source.metric, azimuths, tiles, progress)?;
     let channels = ["x", "y", "z"].map(|name| Channel {
         name,
         unit: "1",

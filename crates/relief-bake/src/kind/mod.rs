@@ -2,6 +2,7 @@
 //! holds what belongs to that kind alone; what several kinds share lies beside `kind`.
 
 pub mod bent_normal;
+pub mod bounce;
 pub mod cone;
 pub mod dilation_erosion;
 pub mod distance;
@@ -73,6 +74,7 @@ pub const KINDS: &[Kind] = &[
     occlusion::KIND,
     bent_normal::KIND,
     visibility::KIND,
+    bounce::KIND,
 ];
 
 /// The kind of that name.

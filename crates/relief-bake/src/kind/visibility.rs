@@ -36,7 +36,7 @@ mod rays;
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
-use relief_core::{HeightMap, Metric, Rounding};
+use relief_core::{HeightMap, Metric, Rounding, Wrap};
 
 pub use gather::Visibility;
 
@@ -45,7 +45,7 @@ use crate::azimuths::{self, Direction, unit_vector};
 use crate::sheared_lines::{Band, Plane, Rows};
 use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink};
 
-const ELEVATIONS: Param = Param {
+pub(super) const ELEVATIONS: Param = Param {
     name: "elevations",
     summary: "elevations in each azimuth, equally spaced in the squared sine",
     unit: "",
@@ -55,7 +55,7 @@ const ELEVATIONS: Param = Param {
     integer: true,
 };
 
-const TILES: Param =
+pub(super) const TILES: Param =
     Param { summary: "how far a ray is followed, in tiles", default: 4.0, ..azimuths::TILES };
 
 /// Rows of the map that one task puts in place together.
@@ -101,6 +101,15 @@ impl View<'_> {
                 (f64::from(row) + 0.5) / height + self.step_uv[1] * steps,
             ]
         })
+    }
+
+    /// The texel, counted row by row, that is nearest to what a texel sees in a map of that wrap; `None` for
+    /// the sky. The texel must be in the map.
+    pub fn seen(&self, column: u32, row: u32, wrap: Wrap) -> Option<usize> {
+        let [width, height] = self.size;
+        let index = |at: f64, side: u32| wrap.index((at * f64::from(side)).floor() as i64, side) as usize;
+        let [u, v] = self.hit(column, row)?;
+        Some(index(v, height) * width as usize + index(u, width))
     }
 }
 
@@ -216,8 +225,8 @@ fn bake(
 /// A texture coordinate inside of the map that stands for `at`.
 fn wrapped(map: &HeightMap, at: f64) -> f64 {
     match map.wrap() {
-        relief_core::Wrap::Repeat => at.rem_euclid(1.0),
-        relief_core::Wrap::Clamp => at.clamp(0.0, 1.0),
-        relief_core::Wrap::Mirror => 1.0 - (at.rem_euclid(2.0) - 1.0).abs(),
+        Wrap::Repeat => at.rem_euclid(1.0),
+        Wrap::Clamp => at.clamp(0.0, 1.0),
+        Wrap::Mirror => 1.0 - (at.rem_euclid(2.0) - 1.0).abs(),
     }
 }

@@ -217,7 +217,7 @@ pub struct SceneArguments {
         hide_short_help = true
     )]
     light_angle: Option<f64>,
-    /// Light from everywhere, linear red, green and blue [default: 0.12,0.12,0.12]
+    /// Colour of the ambient light, linear red, green and blue [default: 0.12,0.12,0.12]
     #[arg(
         long,
         value_name = "R,G,B",
@@ -226,7 +226,7 @@ pub struct SceneArguments {
         help_heading = "Camera and light",
         hide_short_help = true,
     )]
-    ambient: Option<[f64; 3]>,
+    ambient_color: Option<[f64; 3]>,
 
     /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software
     /// adapter [default: auto]
@@ -254,6 +254,11 @@ fn method_help() -> String {
 impl SceneArguments {
     /// The description: the flags over the scene file.
     pub fn spec(&self) -> Result<SceneSpec, Failure> {
+        if self.ambient_color.is_some() && self.stages.and_color().1.is_some() {
+            return Err(Failure::usage(
+                "--ambient and --ambient-color both give a colour: give --ambient a name, or leave one out",
+            ));
+        }
         match &self.scene {
             Some(path) => {
                 let scene = if is_input(path) { scene_of_input(path) } else { read_scene(path) };
@@ -286,6 +291,7 @@ impl SceneArguments {
 
     /// The flags as a description that overrides the scene file's.
     fn flags(&self) -> SceneSpec {
+        let (stages, color_of_ambient) = self.stages.and_color();
         let given = |flag: bool| flag.then_some(true);
         let surface = SurfaceSpec {
             height: self.height.clone(),
@@ -304,7 +310,7 @@ impl SceneArguments {
             tile: self.tile.map(|tile| tile.map(|count| count as f32)),
             tile_size: self.tile_size,
             method: self.method.clone(),
-            stages: self.stages.0.clone(),
+            stages,
             set: BTreeMap::from_iter(self.set.iter().cloned()),
             material: self.material.iter().cloned().reduce(|so_far, part| MaterialSpec {
                 diffuse: part.diffuse.or(so_far.diffuse),
@@ -332,7 +338,7 @@ impl SceneArguments {
             light: self.light.filter(|_| self.point_light.is_empty()),
             lights: (!self.point_light.is_empty()).then(lights),
             light_angle: self.light_angle,
-            ambient: self.ambient.map(colour),
+            ambient_color: self.ambient_color.or(color_of_ambient).map(colour),
             background: self.background.map(colour),
             backend: self.backend,
             sampling: self.sampling,

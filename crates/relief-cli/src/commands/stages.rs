@@ -4,11 +4,13 @@ use std::collections::BTreeMap;
 
 use clap::error::ErrorKind;
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches};
-use relief_shaders::{DETAIL, REFINE, SEARCH, SHADOW_SEARCH, STAGES, Stage};
+use relief_shaders::{AMBIENT, DETAIL, REFINE, SEARCH, SHADOW_SEARCH, STAGES, Stage};
+
+use crate::values;
 
 /// The variants that are asked for, by their stages' keys.
 #[derive(Clone, Debug, Default)]
-pub struct StageArguments(pub BTreeMap<String, String>);
+pub struct StageArguments(BTreeMap<String, String>);
 
 /// The stages with a choice, and their places.
 fn choosable() -> impl Iterator<Item = (usize, &'static Stage)> {
@@ -37,16 +39,45 @@ fn help(place: usize, stage: &Stage) -> String {
                 DETAIL => "footprint with several samples where the search can, else none",
                 _ => names[0],
             };
-            format!("{title}: {} [default: {default}]", names.join(", "))
+            let or_color = match place {
+                AMBIENT => ", or a colour, which is constant of that colour",
+                _ => "",
+            };
+            format!("{title}: {}{or_color} [default: {default}]", names.join(", "))
         }
+    }
+}
+
+/// The name of an ambient light; what has a comma is a colour.
+fn name_or_color(text: &str) -> Result<String, String> {
+    if text.contains(',') {
+        values::point(text)?;
+    }
+    Ok(text.to_owned())
+}
+
+impl StageArguments {
+    /// The variants, and the colour that is given in place of an ambient light's name.
+    pub fn and_color(&self) -> (BTreeMap<String, String>, Option<[f64; 3]>) {
+        let (mut stages, ambient) = (self.0.clone(), &STAGES[AMBIENT]);
+        let color = stages.get(ambient.key).and_then(|text| values::point(text).ok());
+        if color.is_some() {
+            stages.insert(ambient.key.to_owned(), ambient.entries[0].name.to_owned());
+        }
+        (stages, color)
     }
 }
 
 impl Args for StageArguments {
     fn augment_args(command: Command) -> Command {
         choosable().fold(command, |command, (place, stage)| {
-            let argument = Arg::new(stage.key).long(stage.key).value_name("NAME").help_heading("Method");
-            command.arg(argument.help(help(place, stage)))
+            let argument = Arg::new(stage.key).long(stage.key).help(help(place, stage));
+            command.arg(if place == AMBIENT {
+                let argument = argument.value_name("NAME|R,G,B").help_heading("Camera and light");
+                argument.value_parser(name_or_color).allow_hyphen_values(true)
+            } else {
+                argument.value_name("NAME").help_heading("Method")
+            })
         })
     }
 

@@ -58,12 +58,15 @@ pub fn picture(
     layers: bool,
 ) -> Result<TextureView, GpuError> {
     const BLANK: &[[f32; 4]] = &[[0.0; 4]];
-    let (size, levels, texels) = match picture {
-        Some(levels) => (levels.size(), levels.levels(), levels.finest().texels.as_slice()),
-        None => ([1, 1], 1, BLANK),
+    let (size, all, levels, texels) = match picture {
+        Some(levels) => (levels.size(), levels.layers(), levels.levels(), levels.finest()),
+        None => ([1, 1], 1, 1, BLANK),
     };
     let [width, height] = size;
-    if texels.is_empty() || texels.len() as u64 != u64::from(width) * u64::from(height) {
+    let area = u64::from(width) * u64::from(height);
+    // Of the finest level a single layer may be all that is ever read.
+    let finest = [1, all].into_iter().find(|layers| texels.len() as u64 == area * *layers as u64);
+    if texels.is_empty() || finest.is_none() {
         return Err(GpuError::WrongLength { what, width, height, given: texels.len() });
     }
     gpu.check_texture(what, size)?;
@@ -71,12 +74,12 @@ pub fn picture(
         Precision::F32 => TextureFormat::Rgba32Float,
         Precision::F16 => TextureFormat::Rgba16Float,
     };
-    let texture = texture(gpu, what, size, [1, levels], format);
+    let texture = texture(gpu, what, size, [all as u32, levels], format);
     upload_level(gpu, &texture, 0, size, &stored(texels.as_flattened(), precision))?;
     let (mut size, mut rest) = (size, picture.map_or(&[][..], Mipmaps::coarser));
     for level in 1..levels {
         size = coarser_size(size);
-        let (texels, after) = rest.split_at(size[0] as usize * size[1] as usize);
+        let (texels, after) = rest.split_at(size[0] as usize * size[1] as usize * all);
         upload_level(gpu, &texture, level, size, &stored(texels.as_flattened(), precision))?;
         rest = after;
     }
@@ -175,7 +178,7 @@ fn texture(
     })
 }
 
-/// Uploads all layers of a level, row by row, some rows at a time.
+/// Uploads the layers of a level from the first on, row by row, some rows at a time.
 fn upload_level(
     gpu: &Gpu,
     texture: &Texture,
@@ -183,8 +186,7 @@ fn upload_level(
     [width, height]: [u32; 2],
     texels: &[u8],
 ) -> Result<(), GpuError> {
-    let layers = texture.depth_or_array_layers();
-    let row_bytes = texels.len() / (height as usize * layers as usize);
+    let row_bytes = width as usize * texture.format().block_copy_size(None).unwrap_or(1) as usize;
     let rows = (STAGING_BYTES / row_bytes).max(1);
     let mut waiting = 0;
     for (layer, texels) in texels.chunks(row_bytes * height as usize).enumerate() {

@@ -205,7 +205,7 @@ impl SceneBuilder {
             checked_colour(colour).map_err(ValueProblem::from).map_err(problem(key))
         };
         let (ambient, background) =
-            (colour("ambient", self.ambient)?, colour("background", self.background)?);
+            (colour("ambient-color", self.ambient)?, colour("background", self.background)?);
         for surface in &self.surfaces {
             surface.selection().check().map_err(of_selection)?;
         }

@@ -6,7 +6,7 @@
 use super::keys::keys_of;
 use super::{SceneError, SceneSpec, SurfaceSpec};
 use relief_core::registry::UnknownName;
-use relief_shaders::STAGES;
+use relief_shaders::{AMBIENT, STAGES};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -21,6 +21,9 @@ const MAX_FILE_BYTES: u64 = 1 << 20;
 
 /// The key of the list of surfaces.
 const SURFACES: &str = "surfaces";
+
+/// The key of the ambient light's colour.
+const AMBIENT_COLOR: &str = "ambient-color";
 
 /// Reads a scene file and checks all that needs no other file. Relative paths in it start at the folder that
 /// it lies in.
@@ -92,6 +95,7 @@ fn parse(text: &str) -> Result<SceneSpec, Mistake> {
     let span = root.span();
     let mut root = root.into_inner();
     let surfaces = root.remove(SURFACES);
+    color_of_ambient(&mut root)?;
     let of_surface = |key: &str| key != "size" && keys_of::<SurfaceSpec>().contains(&key);
     let of_scene = |key: &str| keys_of::<SceneSpec>().contains(&key);
     check_keys(&root, |key| of_surface(key) || of_scene(key), &[keys_of::<SceneSpec>(), &[SURFACES]])?;
@@ -103,6 +107,24 @@ fn parse(text: &str) -> Result<SceneSpec, Mistake> {
         spec.surfaces = each_of(surfaces)?;
     }
     Ok(spec)
+}
+
+/// Numbers under the key of the stage `ambient` are the light's colour, which has a key of its own.
+fn color_of_ambient(root: &mut DeTable) -> Result<(), Mistake> {
+    let ambient = STAGES[AMBIENT].key;
+    let is_color = |value: &Spanned<DeValue>| matches!(value.get_ref(), DeValue::Array(_));
+    if !root.get(ambient).is_some_and(is_color) {
+        return Ok(());
+    }
+    let Some((key, value)) = root.remove_entry(ambient) else { return Ok(()) };
+    let at = key.span();
+    if root.contains_key(AMBIENT_COLOR) {
+        let what =
+            format!("{ambient} and {AMBIENT_COLOR} both give the colour of the ambient light: leave one out");
+        return Err(Mistake::Key { what, at });
+    }
+    root.insert(Spanned::new(at, AMBIENT_COLOR.into()), value);
+    Ok(())
 }
 
 /// The elements of `[[surfaces]]`.
@@ -160,8 +182,9 @@ fn line_at(text: &str, place: usize) -> usize {
 /// The line where a key has its value: of that surface, or of the scene itself.
 fn line_of(text: &str, surface: Option<usize>, key: &str) -> usize {
     let Ok(root) = DeTable::parse(text) else { return 1 };
+    let is_key = |name: &str| name == key || (key == AMBIENT_COLOR && name == STAGES[AMBIENT].key);
     let place = |table: &DeTable| {
-        let found = table.iter().find(|(name, _)| name.get_ref().as_ref() == key);
+        let found = table.iter().find(|(name, _)| is_key(name.get_ref().as_ref()));
         found.map(|(name, _)| name.span().start)
     };
     let of_surface = || {

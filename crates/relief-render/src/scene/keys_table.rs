@@ -129,7 +129,7 @@ pub fn keys() -> Vec<Key> {
         scene("light", Form::Numbers(3), "[-0.6, 0.6, -0.1]", "direction toward the only light"),
         scene("lights", Form::Lights, "", "all lights, in place of it"),
         scene("light-angle", Form::Number, "0.53", "diameter of lights far away in degrees, 0 to 90"),
-        scene("ambient", Form::Numbers(3), "[0.12, 0.12, 0.12]", "light from everywhere, linear"),
+        scene("ambient-color", Form::Numbers(3), "[0.12, 0.12, 0.12]", "light from all around, linear"),
         scene("background", Form::Numbers(3), "[0.05, 0.05, 0.05]", "linear colour beside the surfaces"),
         scene("backend", Form::Name(backends), "\"auto\"", "what computes the picture"),
         scene("sampling", Form::Name(samplings), "\"exact\"", "how textures are read"),
@@ -257,7 +257,7 @@ fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
             format!("[{}]", each.collect::<Vec<_>>().join(", "))
         }),
         "light-angle" => spec.light_angle.map(|angle| format!("{angle:?}")),
-        "ambient" => spec.ambient.map(|ambient| list(&ambient)),
+        "ambient-color" => spec.ambient_color.map(|color| list(&color)),
         "background" => spec.background.map(|background| list(&background)),
         "backend" => spec.backend.map(|backend| quoted(backend.name())),
         "sampling" => spec.sampling.map(|sampling| quoted(sampling.name())),

@@ -100,7 +100,7 @@ impl SceneSpec {
             .samples(self.samples.unwrap_or(DEFAULT_SAMPLES))
             .backend(self.backend.unwrap_or_default())
             .sampling(self.sampling.unwrap_or_default());
-        if let Some(ambient) = self.ambient {
+        if let Some(ambient) = self.ambient_color {
             builder = builder.ambient(ambient.into());
         }
         if let Some(background) = self.background {

@@ -22,14 +22,14 @@ const BYTES_PER_HEIGHT: u64 = 4 + 7;
 
 /// Memory that a texel of a height map takes more where levels of detail are seen: a third more of itself and
 /// of what is built on it, and the normals that are derived, with what is at hand then.
-const BYTES_OF_LEVELS: u64 = 13;
+const BYTES_OF_LEVELS: u64 = 23;
 
 /// Memory that a texel of a height map takes more while a map is baked, besides that map.
 const BYTES_AT_HAND: u64 = 5 * 4 + 6;
 
 /// Memory that a texel of a normal map takes: as read, and as the shaders take it with its coarser levels, of
 /// which reading sees the first part.
-const NORMAL_BYTES: [u64; 2] = [12, 16 + 6];
+const NORMAL_BYTES: [u64; 2] = [12, 16 + 11 + 8];
 
 /// Memory that a texel of a colour map takes, with its coarser levels.
 const COLOR_BYTES: u64 = 16 + 6;

@@ -56,9 +56,10 @@ pub struct SceneSpec {
     /// Diameter in degrees, 0 to 90, of lights infinitely far away that do not say their own. By default
     /// 0.53, as the sun's.
     pub light_angle: Option<f64>,
-    /// Irradiance from everywhere, linear red, green, blue. By default 0.12 each.
+    /// Radiance of the sky all around, linear red, green, blue: what a white surface reflects of it. By
+    /// default 0.12 each. In a scene file, numbers under the key `ambient` are it, too.
     #[serde(deserialize_with = "numbers")]
-    pub ambient: Option<[f32; 3]>,
+    pub ambient_color: Option<[f32; 3]>,
     /// Linear colour of pixels that show no surface. By default 0.05 each.
     #[serde(deserialize_with = "numbers")]
     pub background: Option<[f32; 3]>,
@@ -145,7 +146,7 @@ impl SceneSpec {
             light: over.light.or(self.light),
             lights: over.lights.or(self.lights),
             light_angle: over.light_angle.or(self.light_angle),
-            ambient: over.ambient.or(self.ambient),
+            ambient_color: over.ambient_color.or(self.ambient_color),
             background: over.background.or(self.background),
             backend: over.backend.or(self.backend),
             sampling: over.sampling.or(self.sampling),

@@ -82,7 +82,8 @@ lights = [
     { position = [1, 1, 1], color = [1, 0.5, 0.25], intensity = 2, radius = 0.25 },
 ]
 light-angle = 10
-ambient = [0.1, 0.1, 0.2]
+ambient = "bounce"
+ambient-color = [0.1, 0.1, 0.2]
 material = { diffuse = [0.5, 0.6, 0.7], specular = [0, 0, 0], shininess = 100 }
 background = [0, 0, 1]
 backend = "cpu"
@@ -124,6 +125,7 @@ fn every_key_is_read() {
             ("shade", "blinn-phong"),
             ("shadow", "soft"),
             ("shadow-search", "frustum"),
+            ("ambient", "bounce"),
         ]),
         set: settings.into_iter().collect(),
         material: Some(MaterialSpec {
@@ -167,7 +169,7 @@ fn every_key_is_read() {
             },
         ]),
         light_angle: Some(10.0),
-        ambient: Some([0.1, 0.1, 0.2]),
+        ambient_color: Some([0.1, 0.1, 0.2]),
         background: Some([0.0, 0.0, 1.0]),
         backend: Some(BackendChoice::Cpu),
         sampling: Some(Sampling::Fast),
@@ -221,7 +223,11 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         ("lights = [{}]", "lights"),
         ("lights = [{ direction = [0, 1, 0], position = [0, 1, 0] }]", "lights"),
         ("lights = [{ direction = [0, 1, 0], intensity = -1 }]", "lights"),
-        ("ambient = [0, nan, 0]", "ambient"),
+        ("ambient = [0, nan, 0]", "ambient-color"),
+        ("ambient-color = [0, -1, 0]", "ambient-color"),
+        ("ambient = 'oclusion'", "ambient"),
+        ("set.ambient.azimuths = 16\nambient = 'constant'", "set"),
+        ("set.ambient.azimuths = 300\nambient = 'occlusion'", "set"),
         ("background = [0, -1, 0]", "background"),
         ("material = { diffuse = [2, 0, 0] }", "material"),
         ("material = { shininess = 0 }", "material"),
@@ -390,6 +396,18 @@ fn files_that_are_no_scene_are_refused() {
 }
 
 #[test]
+fn ambient_light_is_a_name_or_a_colour() {
+    let color = read("ambient = [0.1, 0.2, 0.3]").expect("a colour");
+    assert_eq!((color.ambient_color, color.surface.stages.len()), (Some([0.1, 0.2, 0.3]), 0));
+    let both = read("ambient = 'occlusion'\nambient-color = [0.1, 0.2, 0.3]").expect("a name and a colour");
+    assert_eq!((both.ambient_color, both.surface.stages.len()), (color.ambient_color, 1));
+    assert_eq!(read(&both.to_toml()).expect("what was written"), both);
+    let error = read("ambient = [0, 0, 0]\nambient-color = [0, 0, 0]").expect_err("two colours");
+    assert!(error.to_string().contains("ambient-color"), "{error}");
+    assert!(read("[[surfaces]]\nambient = [0, 0, 0]").is_err());
+}
+
+#[test]
 fn what_is_said_later_wins() {
     let file = read(FULL).expect("a proper scene");
     assert_eq!(file.clone().overridden_by(SceneSpec::default()), file);
@@ -421,14 +439,15 @@ fn what_belongs_to_something_replaced_goes_with_it() {
     assert_eq!(both.bias, None);
 
     let both = with(SurfaceSpec { method: Some("parallax".into()), ..SurfaceSpec::default() });
-    let shadow = [("shade", "blinn-phong"), ("shadow", "soft"), ("shadow-search", "frustum")];
-    assert_eq!(both.stages, stages(shadow));
+    let others =
+        [("shade", "blinn-phong"), ("shadow", "soft"), ("shadow-search", "frustum"), ("ambient", "bounce")];
+    assert_eq!(both.stages, stages(others));
     assert!(both.set.is_empty());
 
     let set = [("refine.steps".to_owned(), 9.0)].into_iter().collect();
     let both = with(SurfaceSpec { stages: stages([("search", "cells")]), set, ..SurfaceSpec::default() });
-    let [shade, shadow, shadow_search] = shadow;
-    let named = stages([("search", "cells"), ("refine", "binary"), shade, shadow, shadow_search]);
+    let [shade, shadow, shadow_search, ambient] = others;
+    let named = stages([("search", "cells"), ("refine", "binary"), shade, shadow, shadow_search, ambient]);
     assert_eq!(both.stages, named);
     assert_eq!(both.set.into_iter().collect::<Vec<_>>(), [("refine.steps".to_owned(), 9.0)]);
 
@@ -518,7 +537,7 @@ fn missing_maps_and_too_large_ones_are_refused() {
 fn the_builder_refuses_what_is_impossible() {
     let key = |builder: SceneBuilder| builder.build().expect_err("an impossible scene").key;
     assert_eq!(key(Scene::builder(flat()).size(0, 1)), "size");
-    assert_eq!(key(Scene::builder(flat()).ambient(Vec3::splat(-1.0))), "ambient");
+    assert_eq!(key(Scene::builder(flat()).ambient(Vec3::splat(-1.0))), "ambient-color");
     assert_eq!(key(Scene::builder(flat()).background(Vec3::NAN)), "background");
     let light = Light::directional(DVec3::Y, Vec3::ONE).expect("a proper light");
     assert_eq!(key(Scene::builder(flat()).lights(vec![light; MAX_LIGHTS + 1])), "lights");

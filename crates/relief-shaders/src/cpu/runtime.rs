@@ -20,6 +20,8 @@ pub struct HeightTexture<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct ColorTexture<'a> {
     size: [u32; 2],
+    /// Layers of the levels after the finest.
+    layers: usize,
     texels: &'a [[f32; 4]],
     /// The levels that follow, one after the other.
     coarser: &'a [[f32; 4]],
@@ -105,21 +107,24 @@ impl<'a> HeightTexture<'a> {
 
 impl<'a> ColorTexture<'a> {
     /// A single black texel, for a map that the settings say is not there.
-    pub const BLANK: Self = Self { size: [1, 1], texels: &[[0.0; 4]], coarser: &[] };
+    pub const BLANK: Self = Self { size: [1, 1], layers: 1, texels: &[[0.0; 4]], coarser: &[] };
 
-    /// A texture of so many columns and rows. What `coarser` holds are the levels that follow, one after the
-    /// other, each with half the sides of the one before, rounded down but at least 1.
-    pub fn new(size: [u32; 2], texels: &'a [[f32; 4]], coarser: &'a [[f32; 4]]) -> Self {
-        Self { size, texels, coarser }
+    /// A texture of so many columns, rows and layers; where the finest level holds fewer layers, the others
+    /// are not read. What `coarser` holds are the levels that follow, one after the other, each with half the
+    /// sides of the one before, rounded down but at least 1.
+    pub fn new(size: [u32; 2], layers: usize, texels: &'a [[f32; 4]], coarser: &'a [[f32; 4]]) -> Self {
+        Self { size, layers, texels, coarser }
     }
 
     /// A texel of a level after the finest.
-    fn coarser_texel(&self, at: Vec2<i32>, level: i32) -> [f32; 4] {
+    fn coarser_texel(&self, at: Vec2<i32>, layer: i32, level: i32) -> [f32; 4] {
+        let area = |[width, height]: [u32; 2]| width as usize * height as usize;
         let (mut size, mut start) = (coarser_size(self.size), 0);
         for _ in 1..level {
-            start += size[0] as usize * size[1] as usize;
+            start += area(size) * self.layers;
             size = coarser_size(size);
         }
+        start += area(size) * layer as usize;
         let place = start as isize + at.y as isize * size[0] as isize + at.x as isize;
         self.coarser.get(place as usize).copied().unwrap_or([0.0; 4])
     }
@@ -150,11 +155,12 @@ impl Read for ColorTexture<'_> {
     type Component = f32;
 
     #[inline(always)]
-    fn read_texel(&self, at: Vec2<i32>, _layer: i32, _sample: i32, level: i32) -> Vec4<f32> {
-        let index = at.y as isize * self.size[0] as isize + at.x as isize;
+    fn read_texel(&self, at: Vec2<i32>, layer: i32, _sample: i32, level: i32) -> Vec4<f32> {
+        let [width, height] = self.size.map(|side| side as isize);
+        let index = (layer as isize * height + at.y as isize) * width + at.x as isize;
         let [x, y, z, w] = match level {
             0 => self.texels.get(index as usize).copied().unwrap_or([0.0; 4]),
-            _ => self.coarser_texel(at, level),
+            _ => self.coarser_texel(at, layer, level),
         };
         Vec4 { x, y, z, w }
     }

@@ -20,7 +20,7 @@ use relief_core::{HeightMap, MapFormat, Wrap};
 use relief_render::gpu::Prober;
 use relief_shaders::cpu::{PixelIn, PixelOut, Probe, Shared, write_all};
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{Selection, detail, refine, search, shadow};
+use relief_shaders::{Selection, ambient, detail, refine, search, shadow};
 use relief_tests::maps::{self, NamedMap};
 use relief_tests::rng::Rng;
 
@@ -249,8 +249,11 @@ fn pictures_agree() {
         (140, 120, "cone", "horizon", "footprint", Wrap::Repeat, false, true),
         (120, 140, "relaxed", "heuristic", "none", Wrap::Repeat, false, false),
     ];
-    for (width, height, method, shadow, detail, wrap, normal_map, two_sided) in cases {
+    let ambients = ambient::ENTRIES.iter().cycle();
+    for (case, ambient) in cases.into_iter().zip(ambients) {
+        let (width, height, method, shadow, detail, wrap, normal_map, two_sided) = case;
         let mut selection = Selection::method(method).expect("a method");
+        selection.choose("ambient", ambient.name).expect("an ambient light");
         selection.choose("shadow", shadow).expect("a shadow");
         selection.choose("detail", detail).expect("a detail");
         let variation = Variation { selection: &selection, wrap, normal_map, two_sided };

@@ -69,13 +69,14 @@ impl Picture {
         };
         let picture = |[width, height]: [u32; 2], texel: fn(f32) -> [f32; 4]| {
             let texels = (0..width * height).map(|at| texel(at as f32 / 7.0)).collect();
-            Arc::new(Mipmaps::of(Arc::new(relief_io::Picture { width, height, texels })))
+            Arc::new(relief_io::Picture { width, height, texels })
         };
-        let color = picture(COLORS, |x| [x.fract(), 1.0 - x.fract(), 0.5, 1.0]);
+        let color = Arc::new(Mipmaps::of(picture(COLORS, |x| [x.fract(), 1.0 - x.fract(), 0.5, 1.0])));
         let normals = if variation.normal_map {
-            Some(picture(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0]))
+            let normals = picture(NORMALS, |x| [x.sin() * 0.3, x.cos() * 0.3, 0.9, 0.0]);
+            Some(Arc::new(Mipmaps::of_normals(normals)))
         } else {
-            Mipmaps::of_normals(&map, Metric::UNIT).map(Arc::new).filter(|_| selection.has_levels())
+            Mipmaps::of_heights(&map, Metric::UNIT).map(Arc::new).filter(|_| selection.has_levels())
         };
         // Derived normals begin with the second level.
         let normal_levels =

@@ -51,16 +51,12 @@ impl Visibility {
         let [width, height] = [map.width(), map.height()];
         views(map, metric, directions, tiles, progress, &mut |view| {
             all.push(view.direction);
-            seen.extend((0..height).flat_map(|row| (0..width).map(move |column| (column, row))).map(
-                |(column, row)| {
-                    view.hit(column, row).map_or(SKY, |[u, v]| {
-                        let wrap = |at: f64, side: u32| {
-                            map.wrap().index((at * f64::from(side)).floor() as i64, side)
-                        };
-                        wrap(v, height) * width + wrap(u, width)
-                    })
-                },
-            ));
+            let texels = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
+            seen.extend(
+                texels.map(|(column, row)| {
+                    view.seen(column, row, map.wrap()).map_or(SKY, |texel| texel as u32)
+                }),
+            );
             Ok(())
         })?;
         Ok(Self { directions: all, seen, texels })

@@ -1,0 +1,125 @@
+//! Light that bounces: what every texel receives of a uniform sky, straight and from other texels.
+//!
+//! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed visibility*;
+//! Szirmay-Kalos and Umenhoffer 2008, section 6.2: paths of light are chained through what every texel sees in
+//! fixed directions (see [`visibility`](super::visibility)).
+//!
+//! # What is stored
+//!
+//! The irradiance about the base normal, over π times the sky's radiance, in `[0, 1]`: with 0 bounces the part
+//! of the sky that is seen, as [`occlusion`](super::occlusion) has it, and with each bounce what other texels
+//! throw back of theirs, all by the same albedo.
+//!
+//! # Accuracy
+//!
+//! A mean over the directions, in each of which the texel nearest to the first hit stands for it. So no energy
+//! is made and none is lost but what further bounces would bring, at most `albedo` to the power of
+//! `bounces + 1`: in a white furnace, with an albedo of 1, the values rise to 1 with the bounces.
+
+use rayon::prelude::*;
+use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, Metric, Rounding};
+
+use super::visibility::{self, ELEVATIONS};
+use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::azimuths::{AZIMUTHS, texture};
+use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink};
+
+/// The kind.
+pub const KIND: Kind = Kind {
+    name: "bounce",
+    summary: "the sky's light that a texel receives, straight and thrown back by other texels",
+    revision: 1,
+    publication: Publication {
+        paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
+        section: "6.2",
+    },
+    params: &[AZIMUTHS, ELEVATIONS, visibility::TILES, ALBEDO, BOUNCES, BITS_TO_NEAREST],
+    guarantee: "a mean over fixed directions, exact hits: no light is made or lost",
+    is_picture: true,
+    shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
+    reach: |_| Reach::Everything,
+    bake,
+};
+
+/// Place of the parameter `albedo`.
+const ALBEDO_PLACE: usize = 3;
+
+const ALBEDO: Param = Param {
+    name: "albedo",
+    summary: "the part of the light that every texel throws back",
+    unit: "",
+    min: 0.0,
+    max: 1.0,
+    default: 0.5,
+    integer: false,
+};
+
+const BOUNCES: Param = Param {
+    name: "bounces",
+    summary: "how often light is thrown back",
+    unit: "",
+    min: 0.0,
+    max: 256.0,
+    default: 4.0,
+    integer: true,
+};
+
+/// What every texel receives, row by row from the top, of a sky of radiance 1 after so many bounces off texels
+/// of that albedo. `azimuths` times `elevations` directions are looked along for each, within `tiles` tiles.
+///
+/// The working set is that of [`visibility::views`] and two maps of `f32`: what is seen is found again for each
+/// bounce.
+///
+/// # Errors
+///
+/// When there is not that much memory, or the bake is cancelled.
+pub fn light(
+    map: &HeightMap,
+    metric: Metric,
+    directions: [u32; 2],
+    tiles: u32,
+    (albedo, bounces): (f32, u32),
+    progress: &Progress,
+) -> Result<Vec<f32>, BakeError> {
+    let part = 1.0 / (directions[0] as f32 * directions[1] as f32);
+    let width = map.width() as usize;
+    let mut sent = vec![0.0f32; map.texels().len()];
+    let mut received = Vec::new();
+    for bounce in 0..=bounces {
+        let of_all = (bounces + 1) as f32;
+        let piece = progress.piece(bounce as f32 / of_all, (bounce + 1) as f32 / of_all);
+        received.clear();
+        received.resize(sent.len(), 0.0f32);
+        visibility::views(map, metric, directions, tiles, &piece, &mut |view| {
+            received.par_chunks_mut(width).enumerate().for_each(|(row, received)| {
+                for (column, received) in received.iter_mut().enumerate() {
+                    let seen = view.seen(column as u32, row as u32, map.wrap());
+                    *received += part * seen.map_or(1.0, |texel| sent[texel]);
+                }
+            });
+            Ok(())
+        })?;
+        sent.par_iter_mut().zip(&received).for_each(|(sent, received)| *sent = albedo * received);
+    }
+    Ok(received)
+}
+
+fn bake(
+    source: &BakeInput,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let [azimuths, elevations, tiles] = [0, 1, 2].map(|place| settings.count(place));
+    let (albedo, bounces, bits) = (settings.get(ALBEDO_PLACE), settings.count(4), settings.count(5));
+    let channels = [Channel { name: "light", unit: "1", range: [0.0, 1.0], rounding: Rounding::Nearest }];
+    let mut texture = texture(source, azimuths, 1, channels.to_vec());
+    texture.notes.push(("elevations", elevations.to_string()));
+    texture.notes.push(("albedo", albedo.to_string()));
+    texture.notes.push(("bounces", bounces.to_string()));
+    sink.begin(&texture)?;
+    let directions = [azimuths, elevations];
+    let mut light = light(source.map, source.metric, directions, tiles, (albedo, bounces), progress)?;
+    Ok(to_nearest(sink, &channels, bits, &mut [&mut light])?)
+}

@@ -1,0 +1,59 @@
+//! Registry entry of the ambient light `bounce`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Param, Publication};
+
+use super::{AZIMUTHS, scene_map};
+
+/// Light that bounces within the relief.
+pub const ENTRY: Entry = Entry {
+    name: "bounce",
+    summary: "the sky's light, and what the relief throws to itself of it, baked",
+    publication: Publication {
+        paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
+        section: "6.2",
+    },
+    maps: &[scene_map(
+        "bounce",
+        &[
+            ("azimuths", MapSetting::Param("azimuths")),
+            ("elevations", MapSetting::Param("elevations")),
+            ("albedo", MapSetting::Param("albedo")),
+            ("bounces", MapSetting::Param("bounces")),
+        ],
+    )],
+    params: &[
+        AZIMUTHS,
+        Param {
+            name: "elevations",
+            summary: "elevations of the directions in which light is gathered",
+            unit: "",
+            min: 1.0,
+            max: 64.0,
+            default: 4.0,
+            integer: true,
+        },
+        Param {
+            name: "albedo",
+            summary: "the part of the light that the relief throws back",
+            unit: "",
+            min: 0.0,
+            max: 1.0,
+            default: 0.5,
+            integer: false,
+        },
+        Param {
+            name: "bounces",
+            summary: "how often light is thrown back",
+            unit: "",
+            min: 0.0,
+            max: 256.0,
+            default: 4.0,
+            integer: true,
+        },
+    ],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "What a texel receives is a mean over fixed directions of what it sees there, about the base's \
+        normal. All of the relief throws back the same part; the colours that light takes on are not known.",
+};

@@ -1,0 +1,18 @@
+//! Registry entry of the ambient light `constant`.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+
+use crate::SURVEY;
+
+/// The same light everywhere.
+pub const ENTRY: Entry = Entry {
+    name: "constant",
+    summary: "the same light everywhere, as if the relief hid none of the sky",
+    publication: Publication { paper: SURVEY, section: "2.1" },
+    maps: &[],
+    params: &[],
+    states: &[],
+    guarantee: Guarantees::all(Guarantee::Approximate),
+    weakened: &[],
+    argument: "Right on ground as level as the base.",
+};
