@@ -167,8 +167,30 @@ impl Maps {
         surface: Metric,
         watch: &Watch,
     ) -> Result<Provided, MapsError> {
+        self.provide_except(selection, heights, surface, &|_| false, watch)
+    }
+
+    /// As [`Self::provide`], but for those maps that the caller builds himself, with the values that they are
+    /// baked with: a map that `built` names is neither baked nor looked for in the folder. It is provided all
+    /// the same where it is in memory, as one that was [inserted](Self::insert) is, and where maps are of
+    /// another format than 32-bit floats.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::provide`].
+    pub fn provide_except(
+        &mut self,
+        selection: &Selection,
+        heights: &HeightMap,
+        surface: Metric,
+        built: &dyn Fn(&MapNeed) -> bool,
+        watch: &Watch,
+    ) -> Result<Provided, MapsError> {
         let mut provided = Provided::default();
         for need in selection.map_needs() {
+            if self.format == MapFormat::F32 && built(&need) && !self.has(&need, heights, surface)? {
+                continue;
+            }
             let (map, account) = self.one(&need, heights, surface, watch)?;
             // One that several slots read came about once.
             if !provided.maps.iter().any(|(_, known)| Arc::ptr_eq(known, &map)) {
@@ -195,6 +217,16 @@ impl Maps {
             let layout = self.wanted(need, Metric::UNIT)?.layout(size)?;
             Ok(bytes.saturating_add(layout.bytes()))
         })
+    }
+
+    /// Whether that map is in memory. Heights are hashed only where one of its kind is.
+    fn has(&self, need: &MapNeed, heights: &HeightMap, surface: Metric) -> Result<bool, MapsError> {
+        if self.kept.iter().all(|map| map.identity().kind != need.input.kind) {
+            return Ok(false);
+        }
+        let wanted = self.wanted(need, surface)?;
+        let layout = wanted.layout([heights.width(), heights.height()])?;
+        Ok(self.remembered(&wanted.identity(heights), &layout).is_some())
     }
 
     fn wanted(&self, need: &MapNeed, surface: Metric) -> Result<WantedMap<'static>, MapsError> {

@@ -7,7 +7,7 @@ use relief_core::BakedMap;
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
 use relief_shaders::cpu::{Corner, Frame, Light as ShaderLight, SurfaceSettings, Triangle};
-use relief_shaders::{MAX_LIGHTS, MapSlot, SlotMaps};
+use relief_shaders::{MAX_LIGHTS, MapNeed, MapSlot, SlotMaps};
 
 use crate::camera::Camera;
 use crate::job::{Job, JobSurface};
@@ -35,6 +35,7 @@ pub struct Preparer {
 
 impl Preparer {
     /// Takes the baked maps that a scene's surfaces read from a provider, and says how these came about.
+    /// Those that `built` names the backend builds itself: see [`Maps::provide_except`].
     ///
     /// # Errors
     ///
@@ -43,13 +44,14 @@ impl Preparer {
         &mut self,
         scene: &Scene,
         maps: &mut Maps,
+        built: &dyn Fn(&MapNeed) -> bool,
         watch: &Watch,
     ) -> Result<Vec<Account>, MapsError> {
         let mut accounts = Vec::new();
         self.maps.clear();
         for surface in scene.surfaces() {
-            let provided =
-                maps.provide(surface.selection(), surface.height_map(), surface.metric(), watch)?;
+            let (selection, heights) = (surface.selection(), surface.height_map());
+            let provided = maps.provide_except(selection, heights, surface.metric(), built, watch)?;
             let (maps, of_surface) = provided.into_parts();
             self.maps.push(maps);
             accounts.extend(of_surface);

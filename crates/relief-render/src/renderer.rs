@@ -7,6 +7,8 @@ use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use relief_maps::{Account, Maps, MapsError, Watch};
+#[cfg(feature = "gpu")]
+use relief_shaders::MapNeed;
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::wgsl::Sampling;
 use web_time::Instant;
@@ -262,7 +264,14 @@ impl Renderer {
         maps: &mut Maps,
         watch: &Watch,
     ) -> Result<(Job, Vec<Account>, Instant), RenderError> {
-        let accounts = self.preparer.provide(scene, maps, watch)?;
+        let accounts = match &self.backend {
+            #[cfg(feature = "gpu")]
+            Backend::Gpu(renderer, sampling) => {
+                let built = |need: &MapNeed| renderer.builds(need, *sampling);
+                self.preparer.provide(scene, maps, &built, watch)?
+            }
+            Backend::Cpu(_) => self.preparer.provide(scene, maps, &|_| false, watch)?,
+        };
         let started = Instant::now();
         Ok((self.preparer.job(scene), accounts, started))
     }

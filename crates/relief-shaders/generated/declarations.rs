@@ -290,6 +290,12 @@ pub const MODULES: &[Module] = &[
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.
 "# },
+    Module { path: "roots/pyramid", head: r#"// A level of the pyramid of least and greatest heights, built on the GPU from the height map or from the
+// level before: to the bit what the kind `pyramid` bakes.
+//
+// Oh, Ki and Lee 2006, section 3.1. Heights are not negative, so that their bits are in the order of their
+// values. The bits are compared, because adapters may take the smallest floats for zeros.
+"# },
     Module { path: "roots/resolve", head: r#"// After each sample of some rows: its colour is added to those before. The last one leaves the pixel's colour
 // in the records.
 "# },
@@ -452,6 +458,20 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"@group(1) @binding(4) var picture: texture_storage_2d<rgba16float, write>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "finer_level",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(1) @binding(5) var finer_level: texture_2d<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
+        name: "pyramid_pass",
+        sampling: None,
+        uses: &["PyramidPass"],
+        text: r#"@group(1) @binding(6) var<uniform> pyramid_pass: PyramidPass;"#,
     },
     Declaration {
         module: "constants",
@@ -2645,6 +2665,24 @@ struct PassSettings {
 }"#,
     },
     Declaration {
+        module: "shared/settings",
+        name: "PyramidPass",
+        sampling: None,
+        uses: &[],
+        text: r#"// What a pass over a level of a pyramid reads.
+struct PyramidPass {
+    // Columns and rows of the height map, or of the level before without what it is padded with.
+    finer_size: vec2u,
+    // The column and the row that stand for those after the last.
+    beyond: vec2u,
+    // How many columns and rows besides its own two a node covers: 1 of texels where it is over dual cells,
+    // which reach to the next texels.
+    reach: u32,
+    // 1 where heights are read, which are their own extremes; 0 for the level before.
+    of_heights: u32,
+}"#,
+    },
+    Declaration {
         module: "shared/shadow_ray",
         name: "free_way",
         sampling: None,
@@ -4440,6 +4478,54 @@ fn probe_main(@builtin(global_invocation_id) id: vec3u) {
         hit.reads,
         mirrored_light(pixels[index], at, hit),
     );
+}"#,
+    },
+    Declaration {
+        module: "roots/pyramid",
+        name: "pyramid_vertex",
+        sampling: None,
+        uses: &[],
+        text: r#"// A triangle that covers the level.
+@vertex
+fn pyramid_vertex(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f {
+    return vec4f(select(-1.0, 3.0, vertex == 1u), select(-1.0, 3.0, vertex == 2u), 0.0, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "roots/pyramid",
+        name: "extreme_bits",
+        sampling: None,
+        uses: &["finer_level", "pyramid_pass"],
+        text: r#"// The bits of the least and the greatest height of a texel or node. A zero has no sign.
+fn extreme_bits(column: u32, row: u32) -> vec2u {
+    let texel = textureLoad(finer_level, vec2i(vec2u(column, row)), 0).xy;
+    let bits = bitcast<vec2u>(texel) & vec2u(0x7fffffffu, 0x7fffffffu);
+    return select(bits, bits.xx, pyramid_pass.of_heights == 1u);
+}"#,
+    },
+    Declaration {
+        module: "roots/pyramid",
+        name: "pyramid_fragment",
+        sampling: None,
+        uses: &["extreme_bits", "pyramid_pass"],
+        text: r#"@fragment
+fn pyramid_fragment(@builtin(position) position: vec4f) -> @location(0) vec2f {
+    let size = pyramid_pass.finer_size;
+    let first = 2u * vec2u(position.xy);
+    let second = min(first + vec2u(1u, 1u), size - vec2u(1u, 1u));
+    let after = second + vec2u(pyramid_pass.reach, pyramid_pass.reach);
+    let third = select(after, pyramid_pass.beyond, after >= size);
+    var least = 0xffffffffu;
+    var greatest = 0u;
+    for (var line = 0u; line < 2u + pyramid_pass.reach; line++) {
+        let row = select(select(first.y, second.y, line == 1u), third.y, line == 2u);
+        let a = extreme_bits(first.x, row);
+        let b = extreme_bits(second.x, row);
+        let c = extreme_bits(third.x, row);
+        least = min(min(least, a.x), min(b.x, c.x));
+        greatest = max(max(greatest, a.y), max(b.y, c.y));
+    }
+    return bitcast<vec2f>(vec2u(least, greatest));
 }"#,
     },
     Declaration {

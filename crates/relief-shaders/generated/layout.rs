@@ -382,3 +382,37 @@ impl Shared for Probe {
         }
     }
 }
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+/// What a pass over a level of a pyramid reads.
+pub struct PyramidPass {
+    /// Columns and rows of the height map, or of the level before without what it is padded with.
+    pub finer_size: rt::Vec2<u32>,
+    /// The column and the row that stand for those after the last.
+    pub beyond: rt::Vec2<u32>,
+    /// How many columns and rows besides its own two a node covers: 1 of texels where it is over dual cells,
+    /// which reach to the next texels.
+    pub reach: u32,
+    /// 1 where heights are read, which are their own extremes; 0 for the level before.
+    pub of_heights: u32,
+}
+
+impl Shared for PyramidPass {
+    const SIZE: usize = 24;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.finer_size.write(&mut bytes[0..]);
+        self.beyond.write(&mut bytes[8..]);
+        self.reach.write(&mut bytes[16..]);
+        self.of_heights.write(&mut bytes[20..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            finer_size: Shared::read(&bytes[0..]),
+            beyond: Shared::read(&bytes[8..]),
+            reach: Shared::read(&bytes[16..]),
+            of_heights: Shared::read(&bytes[20..]),
+        }
+    }
+}

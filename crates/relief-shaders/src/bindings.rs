@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 21] = [
+pub const BINDINGS: [Binding; 23] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -120,6 +120,20 @@ pub const BINDINGS: [Binding; 21] = [
     storage(2, 3, "sums", "vec4f", false, "the colours of every pixel's samples so far, added up"),
     storage(1, 3, "shown_records", "Record", true, "every pixel's record, to be shown"),
     Binding { group: 1, number: 4, name: "picture", kind: BindingKind::Picture, holds: "the linear picture" },
+    Binding {
+        group: 1,
+        number: 5,
+        name: "finer_level",
+        kind: BindingKind::Texture { layers: false, filtered: false },
+        holds: "heights, or the level of a pyramid before the one that is built",
+    },
+    Binding {
+        group: 1,
+        number: 6,
+        name: "pyramid_pass",
+        kind: BindingKind::Uniform("PyramidPass"),
+        holds: "what changes with the level of a pyramid",
+    },
 ];
 
 impl Binding {

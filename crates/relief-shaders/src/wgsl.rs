@@ -87,12 +87,15 @@ pub enum Root {
     Show,
     /// Runs the stages over a list of rays and writes every stage's result: `probe_main`.
     Probe,
+    /// Builds a level of a pyramid of heights: `pyramid_vertex`, `pyramid_fragment`. It binds nothing of
+    /// group 0.
+    Pyramid,
 }
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 6] =
-        [Root::Functions, Root::Trace, Root::Shade, Root::Resolve, Root::Show, Root::Probe];
+    pub const ALL: [Root; 7] =
+        [Root::Functions, Root::Trace, Root::Shade, Root::Resolve, Root::Show, Root::Probe, Root::Pyramid];
 
     /// The functions that it is assembled for.
     pub const fn functions(self) -> &'static [&'static str] {
@@ -103,6 +106,7 @@ impl Root {
             Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],
             Root::Probe => &["probe_main"],
+            Root::Pyramid => &["pyramid_vertex", "pyramid_fragment"],
         }
     }
 }

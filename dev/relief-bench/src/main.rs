@@ -1,5 +1,5 @@
-//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `detail`, `frame`, `probe`, `shadow`,
-//! `sheet` and `trace`.
+//! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `detail`, `frame`, `probe`, `pyramid`,
+//! `shadow`, `sheet` and `trace`.
 //! Results are kept in `docs/`.
 
 use std::process::ExitCode;
@@ -11,6 +11,7 @@ mod bake;
 mod detail;
 mod frame;
 mod probe;
+mod pyramid;
 mod samples;
 mod shadow;
 mod sheet;
@@ -39,6 +40,8 @@ enum Command {
     Frame(frame::Arguments),
     /// Attacks on the promises of baked maps: fails if one is broken
     Probe(probe::Arguments),
+    /// A pyramid of changed heights built on the GPU, beside one that is baked and uploaded
+    Pyramid(pyramid::Arguments),
     /// How near every shadow comes to rays of the exact search
     Shadow(shadow::Arguments),
     /// What a new user sees of every map in a folder
@@ -54,6 +57,7 @@ fn main() -> ExitCode {
         Command::Detail(arguments) => detail::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Frame(arguments) => frame::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Probe(arguments) => probe::run(&arguments),
+        Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),

@@ -96,3 +96,31 @@ fn a_cancelled_bake_is_an_error_and_keeps_nothing() {
     assert!(matches!(refused, Err(MapsError::Bake(BakeError::Cancelled(_)))), "{refused:?}");
     assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 0);
 }
+
+#[test]
+fn what_the_caller_builds_is_provided_only_where_it_is_in_memory_or_of_fewer_bits() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let maps = || Maps::with_cache(Cache::new(folder.path(), ByteSize(1 << 20)));
+    let selection = Selection::method("quadtree").expect("a method");
+    let provided_except = |maps: &mut Maps, kind: &str, heights: &HeightMap| {
+        let built = |need: &MapNeed| need.input.kind == kind;
+        let provided = maps.provide_except(&selection, heights, Metric::UNIT, &built, &Watch::none());
+        origins(&provided.expect("a bake"))
+    };
+    let files = || std::fs::read_dir(folder.path()).map_or(0, Iterator::count);
+    let before = {
+        maps();
+        files()
+    };
+    assert!(provided_except(&mut maps(), "pyramid", &heights(5)).is_empty());
+    assert_eq!(files(), before);
+    assert_eq!(provided_except(&mut maps(), "cone", &heights(5)), [Origin::Bake]);
+    // What the folder has is not read either.
+    assert!(provided_except(&mut maps(), "pyramid", &heights(5)).is_empty());
+    let mut own = Maps::in_memory();
+    own.insert(Arc::clone(&provided(&mut maps(), "quadtree", &heights(5)).maps()[0].1));
+    assert_eq!(provided_except(&mut own, "pyramid", &heights(5)), [Origin::Memory]);
+    assert!(provided_except(&mut own, "pyramid", &heights(7)).is_empty());
+    let mut fewer = Maps::in_memory().with_format(MapFormat::F16);
+    assert_eq!(provided_except(&mut fewer, "pyramid", &heights(5)), [Origin::Bake]);
+}

@@ -21,6 +21,7 @@ pub struct Gpu {
     /// What the driver reports outside of any call; nothing of a device that a caller keeps handlers of.
     troubles: Option<Arc<Mutex<Troubles>>>,
     uploaded: Arc<AtomicU64>,
+    built: Arc<AtomicU64>,
 }
 
 /// What the driver reported outside of any call.
@@ -89,6 +90,7 @@ impl Gpu {
             description: name.to_owned(),
             troubles: None,
             uploaded: Arc::default(),
+            built: Arc::default(),
         }
     }
 
@@ -120,6 +122,16 @@ impl Gpu {
     /// Counts bytes that are uploaded.
     pub(super) fn count(&self, bytes: usize) {
         self.uploaded.fetch_add(bytes as u64, Ordering::Relaxed);
+    }
+
+    /// Baked maps built here so far, by all clones.
+    pub(super) fn built(&self) -> u64 {
+        self.built.load(Ordering::Relaxed)
+    }
+
+    /// Counts a baked map that is built.
+    pub(super) fn count_built(&self) {
+        self.built.fetch_add(1, Ordering::Relaxed);
     }
 
     /// Runs commands and turns whatever the driver says of them into an error: lack of memory first, then a

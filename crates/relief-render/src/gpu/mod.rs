@@ -5,6 +5,9 @@
 //! second shades each pixel once. Rays are made from pixel and triangle, not from interpolated attributes, so
 //! that the picture differs from the CPU's only where the two disagree on which triangle covers a pixel, and
 //! by the rounding of the GPU's arithmetic.
+//!
+//! Pyramids of heights, which two searches read, are built on the GPU, too, and again when the heights
+//! change.
 
 mod adapter;
 mod device;
@@ -12,6 +15,7 @@ mod error;
 mod layouts;
 mod probe;
 mod programs;
+mod pyramid;
 mod renderer;
 mod resident;
 mod targets;

@@ -57,6 +57,7 @@ impl Prober {
             return Ok(probes);
         }
         let program = self.programs.probe(&self.gpu, &surface.selection, sampling).await?;
+        let builder = self.programs.pyramids(&self.gpu, std::slice::from_ref(surface), sampling).await?;
         let layouts = &self.programs.layouts;
         let maps = self
             .gpu
@@ -64,7 +65,12 @@ impl Prober {
                 let mut frame = Uniform::new::<Frame>(&self.gpu, "frame");
                 frame.set(&self.gpu, Frame::none());
                 let passes = Uniform::new::<PassSettings>(&self.gpu, "passes");
-                let common = Common { number: 0, frame: frame.resource(), passes: passes.resource() };
+                let common = Common {
+                    number: 0,
+                    frame: frame.resource(),
+                    passes: passes.resource(),
+                    builder: builder.as_ref(),
+                };
                 let mut resident = Resident::new(&self.gpu);
                 resident.maps(&self.gpu, surface, sampling, layouts.maps(sampling), &common)
             })

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 
 use relief_shaders::wgsl::{Root, Sampling, assemble};
-use relief_shaders::{STAGES, Selection};
+use relief_shaders::{MapSlot, STAGES, Selection};
 use wgpu::{
     BindGroupLayout, ColorTargetState, CompareFunction, ComputePipeline, ComputePipelineDescriptor,
     DepthStencilState, Device, Face, FragmentState, PipelineLayout, PipelineLayoutDescriptor, PrimitiveState,
@@ -13,7 +13,10 @@ use wgpu::{
 };
 
 use super::layouts::{layout, named, shared};
+use super::pyramid::{Builder, NODES, Source};
+use super::textures::Precision;
 use super::{Gpu, GpuError};
+use crate::job::JobSurface;
 
 /// Formats of what the first pass writes.
 pub const HIT: TextureFormat = TextureFormat::Rgba32Float;
@@ -47,6 +50,8 @@ pub struct Layouts {
     pub shown: BindGroupLayout,
     /// Group 1 of the probe: rays and results.
     pub rays: BindGroupLayout,
+    /// Group 1 of the passes that build pyramids: what is read.
+    pub pyramid: BindGroupLayout,
 }
 
 impl Layouts {
@@ -59,6 +64,7 @@ impl Layouts {
             traced: of("traced", &["traced_hit", "traced_what", "records", "sums"]),
             shown: of("shown", &["shown_records", "picture"]),
             rays: of("rays", &["pixels", "probes"]),
+            pyramid: of("pyramid", &["finer_level", "pyramid_pass"]),
         }
     }
 
@@ -82,6 +88,7 @@ pub struct Programs {
     /// The same for everything that is chosen.
     resolve: Kept<(), ComputePipeline>,
     show: Kept<(), ComputePipeline>,
+    pyramid: Kept<(), RenderPipeline>,
     compiled: u32,
 }
 
@@ -136,6 +143,7 @@ impl Programs {
             probe: Kept::new(),
             resolve: Kept::new(),
             show: Kept::new(),
+            pyramid: Kept::new(),
             compiled: 0,
         }
     }
@@ -157,7 +165,9 @@ impl Programs {
         let text = || assemble(selection, Root::Trace, sampling);
         let compile = |text: &str| {
             let cull_mode = (!two_sided).then_some(Face::Back);
-            raster(gpu.device(), text, Root::Trace, &groups.each_ref(), cull_mode)
+            let groups = groups.each_ref().map(Some);
+            let targets = [HIT, WHAT].map(|format| Some(ColorTargetState::from(format)));
+            raster(gpu.device(), text, Root::Trace, &groups, cull_mode, Some(nearest()), &targets)
         };
         let kept = &mut self.trace[usize::from(two_sided)];
         kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
@@ -194,6 +204,32 @@ impl Programs {
         self.show.get(gpu, &mut self.compiled, (), text, compile).await
     }
 
+    /// What builds the pyramids of some surfaces; none where all have the maps that they read, or where
+    /// heights do not lie on the GPU as they are.
+    pub async fn pyramids(
+        &mut self,
+        gpu: &Gpu,
+        surfaces: &[JobSurface],
+        sampling: Sampling,
+    ) -> Result<Option<Builder>, GpuError> {
+        let is_built = |surface: &JobSurface, slot| {
+            surface.maps.iter().all(|(of, _)| *of != slot) && Source::of(surface, slot).is_some()
+        };
+        let is_any = |surface: &JobSurface| MapSlot::ALL.iter().any(|slot| is_built(surface, *slot));
+        if Precision::of(gpu, sampling) != Precision::F32 || !surfaces.iter().any(is_any) {
+            return Ok(None);
+        }
+        let layout = self.layouts.pyramid.clone();
+        let text = || assemble(&Selection::default(), Root::Pyramid, Sampling::Exact);
+        let compile = |text: &str| {
+            // The program binds none of group 0, of which the maps are that it builds.
+            let targets = [Some(ColorTargetState::from(NODES))];
+            raster(gpu.device(), text, Root::Pyramid, &[None, Some(&layout)], None, None, &targets)
+        };
+        let program = self.pyramid.get(gpu, &mut self.compiled, (), text, compile).await?;
+        Ok(Some(Builder { program, layout }))
+    }
+
     /// The program that runs the stages over rays.
     pub async fn probe(
         &mut self,
@@ -213,11 +249,10 @@ fn module(device: &Device, label: &str, text: &str) -> ShaderModule {
     device.create_shader_module(ShaderModuleDescriptor { label: Some(label), source })
 }
 
-fn pipeline_layout(device: &Device, label: &str, groups: &[&BindGroupLayout]) -> PipelineLayout {
-    let groups: Vec<Option<&BindGroupLayout>> = groups.iter().map(|group| Some(*group)).collect();
+fn pipeline_layout(device: &Device, label: &str, groups: &[Option<&BindGroupLayout>]) -> PipelineLayout {
     device.create_pipeline_layout(&PipelineLayoutDescriptor {
         label: Some(label),
-        bind_group_layouts: &groups,
+        bind_group_layouts: groups,
         immediate_size: 0,
     })
 }
@@ -231,14 +266,16 @@ fn label(root: Root) -> &'static str {
         Root::Resolve => "resolve",
         Root::Show => "show",
         Root::Probe => "probe",
+        Root::Pyramid => "pyramid",
     }
 }
 
 fn compute(device: &Device, text: &str, root: Root, groups: &[&BindGroupLayout]) -> ComputePipeline {
     let label = label(root);
+    let groups: Vec<Option<&BindGroupLayout>> = groups.iter().map(|group| Some(*group)).collect();
     device.create_compute_pipeline(&ComputePipelineDescriptor {
         label: Some(label),
-        layout: Some(&pipeline_layout(device, label, groups)),
+        layout: Some(&pipeline_layout(device, label, &groups)),
         module: &module(device, label, text),
         entry_point: root.functions().first().copied(),
         compilation_options: Default::default(),
@@ -246,17 +283,29 @@ fn compute(device: &Device, text: &str, root: Root, groups: &[&BindGroupLayout])
     })
 }
 
+/// Strictly nearer is seen: of two triangles at the same depth the first counts, as on the CPU.
+fn nearest() -> DepthStencilState {
+    DepthStencilState {
+        format: DEPTH,
+        depth_write_enabled: Some(true),
+        depth_compare: Some(CompareFunction::Less),
+        stencil: Default::default(),
+        bias: Default::default(),
+    }
+}
+
 fn raster(
     device: &Device,
     text: &str,
     root: Root,
-    groups: &[&BindGroupLayout],
+    groups: &[Option<&BindGroupLayout>],
     cull_mode: Option<Face>,
+    depth_stencil: Option<DepthStencilState>,
+    targets: &[Option<ColorTargetState>],
 ) -> RenderPipeline {
     let label = label(root);
     let module = module(device, label, text);
     let [vertex, fragment] = [0, 1].map(|place| root.functions().get(place).copied());
-    let target = |format: TextureFormat| Some(ColorTargetState::from(format));
     device.create_render_pipeline(&RenderPipelineDescriptor {
         label: Some(label),
         layout: Some(&pipeline_layout(device, label, groups)),
@@ -267,20 +316,13 @@ fn raster(
             buffers: &[],
         },
         primitive: PrimitiveState { cull_mode, ..Default::default() },
-        depth_stencil: Some(DepthStencilState {
-            format: DEPTH,
-            depth_write_enabled: Some(true),
-            // Strictly nearer: of two triangles at the same depth the first counts, as on the CPU.
-            depth_compare: Some(CompareFunction::Less),
-            stencil: Default::default(),
-            bias: Default::default(),
-        }),
+        depth_stencil,
         multisample: Default::default(),
         fragment: Some(FragmentState {
             module: &module,
             entry_point: fragment,
             compilation_options: Default::default(),
-            targets: &[target(HIT), target(WHAT)],
+            targets,
         }),
         multiview_mask: None,
         cache: None,

@@ -3,6 +3,7 @@
 
 use std::ops::ControlFlow;
 
+use relief_shaders::MapNeed;
 use relief_shaders::cpu::{Frame, PixelOut, Record, Shared, Triangle, read_all};
 use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
 use wgpu::{
@@ -13,8 +14,9 @@ use wgpu::{
 use super::programs::Programs;
 use super::resident::{Common, Resident, Uniform};
 use super::targets::{self, Band, Pass, Targets};
+use super::textures::Precision;
 use super::wait::block_on;
-use super::{Gpu, GpuError};
+use super::{Gpu, GpuError, pyramid};
 use crate::job::{Job, JobSurface, Rendering};
 use crate::samples::{Sample, samples};
 
@@ -39,6 +41,8 @@ pub struct Work {
     pub uploaded: u64,
     /// Programs compiled.
     pub compiled: u32,
+    /// Baked maps built on the GPU.
+    pub built: u64,
 }
 
 /// A surface ready to be drawn.
@@ -68,6 +72,12 @@ impl GpuRenderer {
     /// The GPU.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
+    }
+
+    /// Whether this renderer builds a map itself for a surface that needs it and has none, to the bit as the
+    /// CPU bakes it: pyramids of heights, where these lie on the GPU in 32-bit floats.
+    pub fn builds(&self, need: &MapNeed, sampling: Sampling) -> bool {
+        Precision::of(&self.gpu, sampling) == Precision::F32 && pyramid::over(need).is_some()
     }
 
     /// What the last picture took besides the drawing.
@@ -201,12 +211,17 @@ impl GpuRenderer {
     }
 
     fn work_so_far(&self) -> Work {
-        Work { uploaded: self.gpu.uploaded(), compiled: self.programs.compiled() }
+        let (uploaded, built) = (self.gpu.uploaded(), self.gpu.built());
+        Work { uploaded, compiled: self.programs.compiled(), built }
     }
 
     fn work_since(&self, before: Work) -> Work {
         let now = self.work_so_far();
-        Work { uploaded: now.uploaded - before.uploaded, compiled: now.compiled - before.compiled }
+        Work {
+            uploaded: now.uploaded - before.uploaded,
+            compiled: now.compiled - before.compiled,
+            built: now.built - before.built,
+        }
     }
 
     fn targets(&mut self) -> Result<&mut Targets, GpuError> {
@@ -232,6 +247,7 @@ impl GpuRenderer {
             let trace = self.programs.trace(&gpu, selection, sampling, *two_sided).await?;
             programs.push((trace, self.programs.shade(&gpu, selection, sampling).await?));
         }
+        let builder = self.programs.pyramids(&gpu, &job.surfaces, sampling).await?;
         let Self { frame, surfaces, targets, generation, .. } = self;
         let layouts = &self.programs.layouts;
         let uploaded = gpu
@@ -248,8 +264,12 @@ impl GpuRenderer {
                 frame.set(&gpu, job.frame);
                 surfaces.truncate(job.surfaces.len());
                 surfaces.resize_with(job.surfaces.len(), || Resident::new(&gpu));
-                let common =
-                    Common { number: *generation, frame: frame.resource(), passes: targets.passes() };
+                let common = Common {
+                    number: *generation,
+                    frame: frame.resource(),
+                    passes: targets.passes(),
+                    builder: builder.as_ref(),
+                };
                 let each = job.surfaces.iter().zip(surfaces.iter_mut()).map(|(surface, resident)| {
                     let maps = resident.maps(&gpu, surface, sampling, layouts.maps(sampling), &common)?;
                     let mesh = resident.mesh(&gpu, &surface.triangles, &layouts.mesh)?;

@@ -1,5 +1,5 @@
-//! What of a surface lies on the GPU. A part is uploaded when it is another one than before: by its address,
-//! or of settings by their bytes.
+//! What of a surface lies on the GPU. A part is uploaded, or built there, when it is another one than before:
+//! by its address, or of settings by their bytes.
 
 use std::sync::Arc;
 
@@ -10,8 +10,9 @@ use relief_shaders::wgsl::Sampling;
 use wgpu::{BindGroup, BindGroupLayout, BindingResource, Buffer, BufferUsages, Sampler, TextureView};
 
 use super::layouts::group;
+use super::pyramid::Builder;
 use super::textures::{self, Precision};
-use super::{Gpu, GpuError};
+use super::{Gpu, GpuError, pyramid};
 use crate::job::JobSurface;
 use crate::mipmaps::Mipmaps;
 
@@ -47,15 +48,44 @@ impl Uniform {
 /// A map on the GPU, and what it was made from.
 #[derive(Debug)]
 struct Held<T> {
-    of: Option<Arc<T>>,
+    of: Option<T>,
     view: TextureView,
 }
 
+/// What the map of a slot is made from.
+#[derive(Clone, Debug)]
+enum SlotSource {
+    /// It is uploaded.
+    Baked(Arc<BakedMap>),
+    /// It is built here.
+    Pyramid(pyramid::Source),
+}
+
+impl SlotSource {
+    /// What a slot of a surface reads, if anything.
+    fn of(surface: &JobSurface, slot: MapSlot, builder: Option<&Builder>) -> Option<Self> {
+        let given = surface.maps.iter().find(|(of, _)| *of == slot);
+        let built = || pyramid::Source::of(surface, slot).filter(|_| builder.is_some());
+        match given {
+            Some((_, map)) => Some(Self::Baked(Arc::clone(map))),
+            None => built().map(Self::Pyramid),
+        }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Baked(a), Self::Baked(b)) => Arc::ptr_eq(a, b),
+            (Self::Pyramid(a), Self::Pyramid(b)) => a.is_same(b),
+            _ => false,
+        }
+    }
+}
+
 /// Holds another map where it is another one. True when it is.
-fn hold<T>(
+fn hold<T: Clone>(
     held: &mut Option<Held<T>>,
-    of: Option<&Arc<T>>,
-    is_same: impl Fn(&Arc<T>, &Arc<T>) -> bool,
+    of: Option<&T>,
+    is_same: impl Fn(&T, &T) -> bool,
     upload: impl FnOnce() -> Result<TextureView, GpuError>,
 ) -> Result<bool, GpuError> {
     let is_held = |held: &Held<T>| match (&held.of, of) {
@@ -77,12 +107,12 @@ fn hold<T>(
 pub struct Resident {
     settings: Uniform,
     precision: Option<Precision>,
-    heights: Option<Held<HeightMap>>,
+    heights: Option<Held<Arc<HeightMap>>>,
     /// How many levels of the height map are there.
     height_levels: u32,
-    color: Option<Held<Mipmaps>>,
-    normals: Option<Held<Mipmaps>>,
-    slots: [Option<Held<BakedMap>>; MapSlot::ALL.len()],
+    color: Option<Held<Arc<Mipmaps>>>,
+    normals: Option<Held<Arc<Mipmaps>>>,
+    slots: [Option<Held<SlotSource>>; MapSlot::ALL.len()],
     sampler: Option<(Wrap, Sampler)>,
     mesh: Option<(Arc<[Triangle]>, BindGroup)>,
     /// Group 0, with what it was made for. None where a part has changed.
@@ -94,6 +124,8 @@ pub struct Common<'a> {
     pub number: u64,
     pub frame: BindingResource<'a>,
     pub passes: BindingResource<'a>,
+    /// What builds pyramids, where there are any to build.
+    pub builder: Option<&'a Builder>,
 }
 
 impl Resident {
@@ -123,7 +155,7 @@ impl Resident {
         common: &Common,
     ) -> Result<BindGroup, GpuError> {
         self.settings.set(gpu, surface.settings);
-        let changed = self.hold_all(gpu, surface, sampling)?;
+        let changed = self.hold_all(gpu, surface, sampling, common.builder)?;
         if let Some((of, number, group)) = &self.maps
             && !changed
             && (*of, *number) == (sampling, common.number)
@@ -155,10 +187,15 @@ impl Resident {
         Ok(group)
     }
 
-    /// Uploads the maps that are not there. True when one was another one.
-    fn hold_all(&mut self, gpu: &Gpu, surface: &JobSurface, sampling: Sampling) -> Result<bool, GpuError> {
-        let halves = sampling == Sampling::Fast && !gpu.filters_f32();
-        let precision = if halves { Precision::F16 } else { Precision::F32 };
+    /// Uploads and builds the maps that are not there. True when one was another one.
+    fn hold_all(
+        &mut self,
+        gpu: &Gpu,
+        surface: &JobSurface,
+        sampling: Sampling,
+        builder: Option<&Builder>,
+    ) -> Result<bool, GpuError> {
+        let precision = Precision::of(gpu, sampling);
         if self.precision != Some(precision) {
             (self.heights, self.color, self.normals) = (None, None, None);
             self.precision = Some(precision);
@@ -183,14 +220,22 @@ impl Resident {
             textures::picture(gpu, "normal map", surface.normal_map.as_deref(), precision, true)
         })?;
         for (place, slot) in MapSlot::ALL.into_iter().enumerate() {
-            let map = surface.maps.iter().find(|(of, _)| *of == slot).map(|(_, map)| map);
+            let of = SlotSource::of(surface, slot, builder);
             // The searches of view and shadow read the same map as a rule: it is there once.
             let (before, rest) = self.slots.split_at_mut(place);
-            let is_same =
-                |held: &&Held<BakedMap>| held.of.as_ref().zip(map).is_some_and(|(a, b)| Arc::ptr_eq(a, b));
+            let is_same = |held: &&Held<SlotSource>| {
+                held.of.as_ref().zip(of.as_ref()).is_some_and(|(a, b)| a.is_same(b))
+            };
             let shared = before.iter().flatten().find(is_same).map(|held| held.view.clone());
-            let upload = || textures::baked(gpu, slot, map.map(|map| &**map));
-            changed |= hold(&mut rest[0], map, Arc::ptr_eq, || shared.map_or_else(upload, Ok))?;
+            let heights = self.heights.as_ref().map(|held| &held.view);
+            let make = || match (&of, builder, heights) {
+                (Some(SlotSource::Pyramid(source)), Some(builder), Some(heights)) => {
+                    Ok(textures::view(&builder.build(gpu, slot.name(), source, heights)?, true))
+                }
+                (Some(SlotSource::Baked(map)), ..) => textures::baked(gpu, slot, Some(map)),
+                _ => textures::baked(gpu, slot, None),
+            };
+            changed |= hold(&mut rest[0], of.as_ref(), SlotSource::is_same, || shared.map_or_else(make, Ok))?;
         }
         let wrap = surface.height_map.wrap();
         if self.sampler.as_ref().is_none_or(|(of, _)| *of != wrap) {

@@ -22,7 +22,7 @@ use crate::{Renderer, cpu::CpuRenderer};
 
 /// A software GPU of the test's own. Without one the test says that it skips, unless the environment variable
 /// `RELIEF_REQUIRE_GPU` is 1: then it fails.
-fn software() -> Option<Gpu> {
+pub(super) fn software() -> Option<Gpu> {
     match Gpu::new(AdapterChoice::Software) {
         Ok(gpu) => Some(gpu),
         Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
@@ -36,7 +36,7 @@ fn software() -> Option<Gpu> {
 }
 
 /// The same opened by the caller, with exactly those limits and no feature.
-fn own(limits: Limits) -> Option<Gpu> {
+pub(super) fn own(limits: Limits) -> Option<Gpu> {
     software()?;
     let adapter = block_on(AdapterChoice::Software.find()).expect("there is one");
     let descriptor = DeviceDescriptor {
@@ -188,7 +188,7 @@ fn a_real_gpu_is_hardware_or_there_is_none() {
     }
 }
 
-fn hills(width: u32, height: u32, wrap: Wrap) -> Arc<HeightMap> {
+pub(super) fn hills(width: u32, height: u32, wrap: Wrap) -> Arc<HeightMap> {
     let texel = |i: u32, j: u32| ((i * 5 + j * 3) % 23) as f32 / 22.0;
     let map = HeightMap::from_fn(width, height, wrap, texel).expect("a valid map");
     Arc::new(map.with_displacement(0.06, -0.05).expect("proper numbers"))
@@ -200,7 +200,7 @@ fn mesh(mesh: Result<Mesh, crate::mesh::MeshError>, placement: Placement) -> Arc
 
 /// Three surfaces that pass through each other, of two maps and three methods, one of them seen from both
 /// sides.
-fn three_surfaces() -> Vec<Surface> {
+pub(super) fn three_surfaces() -> Vec<Surface> {
     let (one, other) = (hills(37, 21, Wrap::Repeat), hills(16, 24, Wrap::Mirror));
     let leaning = Placement { rotation_degrees: [70.0, 20.0, 0.0].into(), ..Placement::default() };
     let small = Placement { position_m: [0.2, 0.05, 0.1].into(), size: 0.8, ..Placement::default() };
@@ -213,7 +213,7 @@ fn three_surfaces() -> Vec<Surface> {
     ]
 }
 
-fn scene(surfaces: Vec<Surface>) -> Scene {
+pub(super) fn scene(surfaces: Vec<Surface>) -> Scene {
     let eye = DVec3::new(0.6, 0.9, 1.1);
     let camera = Camera::new(eye, DVec3::ZERO, 40.0).expect("a proper camera");
     let mut builder = Scene::builder(surfaces[0].clone()).size(90, 70).samples(1).camera(camera);
@@ -221,7 +221,7 @@ fn scene(surfaces: Vec<Surface>) -> Scene {
     builder.build().expect("a proper scene")
 }
 
-fn rendered(renderer: &mut Renderer, scene: &Scene, maps: &mut Maps) -> Rendering {
+pub(super) fn rendered(renderer: &mut Renderer, scene: &Scene, maps: &mut Maps) -> Rendering {
     renderer.render(scene, maps, &|_, _| ()).expect("a picture").rendering
 }
 
@@ -368,7 +368,7 @@ fn a_picture_that_stays_on_the_gpu_has_the_colours_that_are_read_back() {
     let Some(gpu) = software() else { return };
     let (mut maps, mut preparer) = (Maps::in_memory(), crate::prepare::Preparer::default());
     let scene = scene(three_surfaces()).to_builder().size(300, 1000).build().expect("a proper scene");
-    preparer.provide(&scene, &mut maps, &relief_maps::Watch::none()).expect("a bake");
+    preparer.provide(&scene, &mut maps, &|_| false, &relief_maps::Watch::none()).expect("a bake");
     let job = preparer.job(&scene);
     let mut renderer = GpuRenderer::new(gpu.clone());
     let expected = renderer.render(&job, Sampling::Exact, &|_| ()).expect("a picture");
@@ -432,7 +432,7 @@ fn the_cpu_keeps_its_hierarchies_as_long_as_they_are_needed() {
     let scene = scene(exact.collect());
     let mut renderer = CpuRenderer::new();
     let mut jobs = || {
-        preparer.provide(&scene, &mut maps, &relief_maps::Watch::none()).expect("a bake");
+        preparer.provide(&scene, &mut maps, &|_| false, &relief_maps::Watch::none()).expect("a bake");
         preparer.job(&scene)
     };
     let first = renderer.render(&jobs(), &|_| ());

@@ -6,6 +6,7 @@ use relief_core::area_mean::coarser_size;
 use relief_core::encoding::half;
 use relief_core::{BakedMap, HeightMap, MapTexels, Rounding, Wrap};
 use relief_shaders::MapSlot;
+use relief_shaders::wgsl::Sampling;
 use wgpu::{
     AddressMode, Extent3d, FilterMode, Sampler, SamplerDescriptor, TexelCopyBufferLayout,
     TexelCopyTextureInfo, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
@@ -26,6 +27,13 @@ pub enum Precision {
     F32,
     /// As 16-bit floats, which every GPU can filter.
     F16,
+}
+
+impl Precision {
+    /// That of maps which are read so.
+    pub fn of(gpu: &Gpu, sampling: Sampling) -> Self {
+        if sampling == Sampling::Fast && !gpu.filters_f32() { Precision::F16 } else { Precision::F32 }
+    }
 }
 
 /// The height map with so many of its levels.
@@ -154,7 +162,8 @@ fn flat(
     Ok(texture)
 }
 
-fn view(texture: &Texture, layers: bool) -> TextureView {
+/// All of a texture, of layers or of the only one.
+pub fn view(texture: &Texture, layers: bool) -> TextureView {
     let dimension = if layers { TextureViewDimension::D2Array } else { TextureViewDimension::D2 };
     texture.create_view(&TextureViewDescriptor { dimension: Some(dimension), ..Default::default() })
 }

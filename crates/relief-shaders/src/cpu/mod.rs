@@ -25,7 +25,7 @@ pub use generated::{
     Choice, Corner, Entered, Found, Frame, Hit, Light, LightRay, MapSettings, Path, PixelIn, PixelOut,
     SurfaceSettings,
 };
-pub use layout::{PassSettings, Probe, Record, Triangle};
+pub use layout::{PassSettings, Probe, PyramidPass, Record, Triangle};
 pub use method_tracer::MethodTracer;
 /// A vector, as shaders have it.
 pub use naga_rust_rt::{Vec2, Vec3, Vec4};

@@ -6,7 +6,7 @@ use relief_shaders::bindings::{BINDINGS, BindingKind};
 pub fn module() -> String {
     let mut text = String::from(
         "import package::shared::records::{Probe, Record, Triangle};\n\
-         import package::shared::settings::{Frame, PassSettings, SurfaceSettings};\n\
+         import package::shared::settings::{Frame, PassSettings, PyramidPass, SurfaceSettings};\n\
          import package::shared::types::PixelIn;\n\n",
     );
     for binding in &BINDINGS {

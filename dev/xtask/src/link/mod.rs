@@ -20,7 +20,8 @@ mod rust;
 mod wesl_link;
 
 /// The roots of what GPUs run, whose declarations are held to what the linker makes of them.
-const GPU_ROOTS: [&str; 5] = ["roots/trace", "roots/shade", "roots/resolve", "roots/show", "roots/probe"];
+const GPU_ROOTS: [&str; 6] =
+    ["roots/trace", "roots/shade", "roots/resolve", "roots/show", "roots/probe", "roots/pyramid"];
 
 /// The module whose functions are translated to Rust, in exact sampling, and which of them.
 const CPU_ROOT: (&str, &[&str]) =

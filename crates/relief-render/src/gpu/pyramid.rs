@@ -1,0 +1,218 @@
+//! Pyramids of least and greatest heights, built on the GPU from the heights that lie there, instead of being
+//! baked on the CPU and uploaded (Oh, Ki and Lee 2006, section 3.1).
+//!
+//! A pyramid has the bits of the map of the kind `pyramid` that the CPU bakes in 32-bit floats, but that a
+//! zero in it is never negative. It is built level by level, each in a pass that reads the one before.
+
+use std::sync::Arc;
+
+use relief_bake::WantedMap;
+use relief_bake::kind::pyramid::KIND;
+use relief_core::registry::MapLevels;
+use relief_core::{HeightMap, MapFormat, MapLayout, Metric};
+use relief_shaders::cpu::{PyramidPass, Shared, write_all};
+use relief_shaders::{MapNeed, MapSlot};
+use wgpu::{
+    BindGroup, BindGroupLayout, BindingResource, Buffer, BufferBinding, BufferSize, BufferUsages, Color,
+    CommandEncoder, Extent3d, LoadOp, Operations, RenderPassColorAttachment, RenderPassDescriptor,
+    RenderPipeline, StoreOp, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
+    TextureView, TextureViewDescriptor, TextureViewDimension,
+};
+
+use super::layouts::group;
+use super::{Gpu, GpuError};
+use crate::job::JobSurface;
+
+/// How the least and the greatest height of a node are stored. Every device renders to it.
+pub const NODES: TextureFormat = TextureFormat::Rg32Float;
+
+/// The levels of the kind's texture that are built: the finest is the heights' own.
+const LEVELS: MapLevels = MapLevels::ChainFrom(1);
+
+/// What the extremes are taken over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// Dual cells, which bounds the surface.
+    Cells,
+    /// Texels, as published.
+    Texels,
+}
+
+/// What a pyramid is built from.
+#[derive(Clone, Debug)]
+pub struct Source {
+    pub heights: Arc<HeightMap>,
+    pub over: Over,
+}
+
+impl Source {
+    /// What is built for a slot of a surface that has no map for it; none where nothing is.
+    pub fn of(surface: &JobSurface, slot: MapSlot) -> Option<Self> {
+        let needs = surface.selection.map_needs();
+        let over = needs.iter().find(|need| need.slot == slot).and_then(over)?;
+        Some(Self { heights: Arc::clone(&surface.height_map), over })
+    }
+
+    /// Whether the other gives the same pyramid.
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.over == other.over
+            && self.heights.wrap() == other.heights.wrap()
+            && self.heights.shares_texels(&other.heights)
+    }
+}
+
+/// What a needed map is taken over where it is a pyramid that can be built; none for every other map.
+pub fn over(need: &MapNeed) -> Option<Over> {
+    if need.input.kind != KIND.name || !need.input.texture.is_empty() || need.input.levels != LEVELS {
+        return None;
+    }
+    match need.settings.as_slice() {
+        [] => Some(Over::Cells),
+        [("over", value)] if *value == 0.0 => Some(Over::Cells),
+        [("over", value)] if *value == 1.0 => Some(Over::Texels),
+        _ => None,
+    }
+}
+
+/// The program that builds levels, and what it binds.
+#[derive(Clone, Debug)]
+pub struct Builder {
+    pub program: RenderPipeline,
+    pub layout: BindGroupLayout,
+}
+
+impl Builder {
+    /// The pyramid of heights that lie on the GPU as 32-bit floats. Nothing is waited for.
+    ///
+    /// # Errors
+    ///
+    /// When it is larger than the adapter's textures may be.
+    pub fn build(
+        &self,
+        gpu: &Gpu,
+        label: &str,
+        source: &Source,
+        heights: &TextureView,
+    ) -> Result<Texture, GpuError> {
+        let map = &source.heights;
+        let size = [map.width(), map.height()];
+        let MapLayout { size: padded, levels, .. } = layout(size)?;
+        gpu.check_texture("baked map", padded)?;
+        let texture = empty(gpu, label, padded, levels);
+        let passes = passes(source, size, levels);
+        let (settings, stride) = uniforms(gpu, &passes);
+        let mut encoder = gpu.device().create_command_encoder(&Default::default());
+        let mut finer = heights.clone();
+        for (level, pass) in (0u32..).zip(&passes) {
+            let bytes = BufferSize::new(PyramidPass::SIZE as u64);
+            let settings =
+                BufferBinding { buffer: &settings, offset: u64::from(level) * stride, size: bytes };
+            let bound = [
+                ("finer_level", BindingResource::TextureView(&finer)),
+                ("pyramid_pass", BindingResource::Buffer(settings)),
+            ];
+            let read = group(gpu.device(), label, &self.layout, &bound);
+            let nodes = level_view(&texture, level);
+            self.draw(&mut encoder, &read, &nodes, half([pass.finer_size.x, pass.finer_size.y]));
+            finer = nodes;
+        }
+        gpu.queue().submit([encoder.finish()]);
+        gpu.count_built();
+        Ok(texture)
+    }
+
+    /// Draws a level that has so many columns and rows; what it is padded with is zeros.
+    fn draw(&self, encoder: &mut CommandEncoder, read: &BindGroup, nodes: &TextureView, size: [u32; 2]) {
+        let ops = Operations { load: LoadOp::Clear(Color::TRANSPARENT), store: StoreOp::Store };
+        let target = RenderPassColorAttachment { view: nodes, depth_slice: None, resolve_target: None, ops };
+        let mut drawn = encoder.begin_render_pass(&RenderPassDescriptor {
+            label: Some("pyramid"),
+            color_attachments: &[Some(target)],
+            depth_stencil_attachment: None,
+            timestamp_writes: None,
+            occlusion_query_set: None,
+            multiview_mask: None,
+        });
+        drawn.set_scissor_rect(0, 0, size[0], size[1]);
+        drawn.set_pipeline(&self.program);
+        drawn.set_bind_group(1, read, &[]);
+        drawn.draw(0..3, 0..1);
+    }
+}
+
+/// The shape of the pyramid of a map of so many columns and rows: that of the one that the CPU bakes.
+fn layout(size: [u32; 2]) -> Result<MapLayout, GpuError> {
+    let wanted = WantedMap {
+        kind: &KIND,
+        texture: "",
+        settings: KIND.defaults(),
+        metric: Metric::UNIT,
+        levels: LEVELS,
+        format: MapFormat::F32,
+    };
+    wanted.layout(size).map_err(|error| GpuError::Refused(error.to_string()))
+}
+
+fn half(size: [u32; 2]) -> [u32; 2] {
+    size.map(|side| side.div_ceil(2))
+}
+
+/// What each level's pass reads.
+fn passes(source: &Source, size: [u32; 2], levels: u32) -> Vec<PyramidPass> {
+    let wrap = source.heights.wrap();
+    let mut finer = size;
+    let of_level = |level| {
+        let of_heights = level == 0;
+        let reach = u32::from(of_heights && source.over == Over::Cells);
+        let beyond = finer.map(|side| wrap.index(i64::from(side), side));
+        let pass = PyramidPass {
+            finer_size: finer.into(),
+            beyond: beyond.into(),
+            reach,
+            of_heights: u32::from(of_heights),
+        };
+        finer = half(finer);
+        pass
+    };
+    (0..levels).map(of_level).collect()
+}
+
+/// A buffer of all passes' settings, and how many bytes each is after the one before.
+fn uniforms(gpu: &Gpu, passes: &[PyramidPass]) -> (Buffer, u64) {
+    let alignment = gpu.device().limits().min_uniform_buffer_offset_alignment as usize;
+    let stride = PyramidPass::SIZE.next_multiple_of(alignment);
+    let mut bytes = vec![0; passes.len() * stride];
+    for (place, pass) in bytes.chunks_mut(stride).zip(passes) {
+        place[..PyramidPass::SIZE].copy_from_slice(&write_all(&[*pass]));
+    }
+    let buffer =
+        gpu.buffer("pyramid passes", bytes.len() as u64, BufferUsages::UNIFORM | BufferUsages::COPY_DST);
+    gpu.write(&buffer, 0, &bytes);
+    (buffer, stride as u64)
+}
+
+/// A texture of nodes that are not drawn yet. It can be copied from, to be looked at.
+fn empty(gpu: &Gpu, label: &str, [width, height]: [u32; 2], levels: u32) -> Texture {
+    gpu.device().create_texture(&TextureDescriptor {
+        label: Some(label),
+        size: Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: levels,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: NODES,
+        usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
+
+fn level_view(texture: &Texture, level: u32) -> TextureView {
+    texture.create_view(&TextureViewDescriptor {
+        dimension: Some(TextureViewDimension::D2),
+        base_mip_level: level,
+        mip_level_count: Some(1),
+        ..Default::default()
+    })
+}
+
+#[cfg(test)]
+mod tests;
