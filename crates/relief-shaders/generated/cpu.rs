@@ -418,8 +418,8 @@ pub struct SeenNormals {
     pub length: f32,
     /// 1 where they differ. What follows is known only then, in tangent space.
     pub differ: u32,
-    /// The one in the middle and its slope, and how normals and slopes change in a deviation along two axes: the
-    /// others are APART of them beside it, two on each axis.
+    /// The one in the middle and its slope, and how normals and slopes change in a deviation along two axes:
+    /// the others are APART of them beside it, two on each axis.
     pub middle: rt::Vec3<f32>,
     pub along: rt::Vec3<f32>,
     pub across: rt::Vec3<f32>,

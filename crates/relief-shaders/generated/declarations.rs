@@ -282,8 +282,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "ambient/constant", head: r#"// The same light everywhere.
 "# },
-    Module { path: "ambient/occlusion", head: r#"// Ambient occlusion: of the light from all around arrives what the horizons leave of the sky, about the base's
-// normal.
+    Module { path: "ambient/occlusion", head: r#"// Ambient occlusion: of the light from all around arrives what the horizons leave of the sky, about the
+// base's normal.
 //
 // Zhukov, Iones and Kronin 1998; horizons as in Szirmay-Kalos and Umenhoffer 2008, section 6.1.
 "# },
@@ -1855,8 +1855,8 @@ struct SeenNormals {
     length: f32,
     // 1 where they differ. What follows is known only then, in tangent space.
     differ: u32,
-    // The one in the middle and its slope, and how normals and slopes change in a deviation along two axes: the
-    // others are APART of them beside it, two on each axis.
+    // The one in the middle and its slope, and how normals and slopes change in a deviation along two axes:
+    // the others are APART of them beside it, two on each axis.
     middle: vec3f,
     along: vec3f,
     across: vec3f,

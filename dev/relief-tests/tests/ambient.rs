@@ -80,7 +80,8 @@ fn truth(map: &HeightMap) -> Vec<f32> {
 #[test]
 fn what_knows_more_of_the_sky_is_nearer_to_the_truth() {
     // On smooth ground all of the sky that is seen lies before the surface: bent normals are right there.
-    for (name, bent, occluded) in [("ground", 0.01, 0.03), ("cobbles", 0.05, 0.09), ("bricks", 0.05, 0.09)] {
+    for (name, bent, occluded) in [("ground", 0.001, 0.001), ("cobbles", 0.01, 0.03), ("bricks", 0.01, 0.03)]
+    {
         let map = map(name, 48);
         let truth = truth(&map);
         let [constant, occlusion, bent_normal] = ["constant", "occlusion", "bent-normal"].map(|ambient| {
@@ -116,7 +117,7 @@ fn a_white_furnace_is_white() {
         // A relief that swallows light is no furnace.
         let [none, half] = [0.0, 0.5].map(|albedo| shown(&settings(albedo, 8.0)));
         let darkest = none.iter().copied().fold(1.0, f32::min);
-        assert!(darkest < 0.8, "{name}: {darkest}");
+        assert!(darkest < 0.9, "{name}: {darkest}");
         assert!(none.iter().zip(&half).zip(&furnace).all(|((none, half), all)| none <= half && half <= all));
     }
 }

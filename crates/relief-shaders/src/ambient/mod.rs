@@ -1,5 +1,5 @@
-//! Light from all around: what of a uniform sky's light a hit reflects. A new one is a `.wesl` and a `.rs` file
-//! here and its name in the list below; the first is what is run where nothing is said.
+//! Light from all around: what of a uniform sky's light a hit reflects. A new one is a `.wesl` and a `.rs`
+//! file here and its name in the list below; the first is what is run where nothing is said.
 
 use relief_core::registry::{Entry, MapInput, MapMetric, MapSetting, Param};
 
