@@ -35,8 +35,8 @@ const FIXED: u64 = 32 * MIB;
 /// What reading, rendering with the exact tracer, and rendering without it may take a texel, with levels of
 /// detail.
 const READ_BYTES: u64 = 8;
-const EXACT_BYTES: u64 = 11 + 23;
-const METHOD_BYTES: u64 = 8 + 23;
+const EXACT_BYTES: u64 = 11 + 16;
+const METHOD_BYTES: u64 = 8 + 16;
 
 /// What a normal map may take a texel to become heights: it counts as much against `--max-memory`.
 const INTEGRATION_BYTES: u64 = 32;

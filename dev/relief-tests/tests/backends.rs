@@ -1,4 +1,4 @@
-//! The two backends give the same picture: every method on three scenes.
+//! The two backends give the same picture: every method, every shadow and every ambient light on three scenes.
 //!
 //! Both run the same shaders on the same rays, but for `exact`, which the CPU answers with the core's fast
 //! tracer. What may differ is which of two neighbouring triangles a pixel on their edge belongs to, and hits
@@ -12,8 +12,10 @@ use common::has_adapter;
 use relief_maps::Maps;
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_render::{Rendered, render};
-use relief_shaders::METHODS;
 use relief_shaders::cpu::PixelOut;
+use relief_shaders::{METHODS, ambient, shadow};
+
+const SCENES: [&str; 3] = ["jacksboro.toml", "bricks.toml", "cobbles.toml"];
 
 const SIZE: [u32; 2] = [160, 120];
 
@@ -26,10 +28,14 @@ const SAME_CODE: f64 = 0.999;
 /// The same for `exact`.
 const OTHER_CODE: f64 = 0.995;
 
-/// A shipped scene with another method.
-fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {
+/// Colours that differ by less in every channel are the same.
+const SAME_COLOR: f32 = 1e-5;
+
+/// A shipped scene with another method, and variants of stages by their keys.
+fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoice) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(file);
-    let surface = SurfaceSpec { method: Some(method.to_owned()), ..SurfaceSpec::default() };
+    let stages = stages.iter().map(|(key, name)| ((*key).to_owned(), (*name).to_owned())).collect();
+    let surface = SurfaceSpec { method: Some(method.to_owned()), stages, ..SurfaceSpec::default() };
     let over = SceneSpec {
         backend: Some(backend),
         size: Some(SIZE),
@@ -40,7 +46,7 @@ fn scene(file: &str, method: &str, backend: BackendChoice) -> Scene {
 }
 
 fn picture(file: &str, method: &str, backend: BackendChoice) -> Rendered {
-    render(&scene(file, method, backend), &mut Maps::in_memory(), &|_, _| {}).expect("a picture")
+    render(&scene(file, method, &[], backend), &mut Maps::in_memory(), &|_, _| {}).expect("a picture")
 }
 
 /// How two renderings of the same scene differ.
@@ -82,12 +88,12 @@ fn every_method_gives_the_same_picture_on_both_backends() {
     if !has_adapter() {
         return;
     }
-    for file in ["jacksboro.toml", "bricks.toml", "cobbles.toml"] {
+    for file in SCENES {
         for method in METHODS {
             let cpu = picture(file, method.name, BackendChoice::Cpu);
             let gpu = picture(file, method.name, BackendChoice::Gpu);
             assert_eq!((cpu.made.backend, gpu.made.backend), ("cpu", "gpu"));
-            let map = scene(file, method.name, BackendChoice::Cpu);
+            let map = scene(file, method.name, &[], BackendChoice::Cpu);
             let map = map.surfaces()[0].height_map();
             let size = [map.width(), map.height()];
             let comparison = Comparison::new(&cpu.rendering.pixels, &gpu.rendering.pixels, size);
@@ -100,27 +106,38 @@ fn every_method_gives_the_same_picture_on_both_backends() {
     }
 }
 
+/// The share of the covered pixels that have the same colour in both.
+fn same_colors(one: &[PixelOut], other: &[PixelOut]) -> f64 {
+    let covered = one.iter().zip(other).filter(|(a, b)| a.hit == 1 || b.hit == 1);
+    let same = covered.clone().filter(|(a, b)| {
+        let apart = [a.color.x - b.color.x, a.color.y - b.color.y, a.color.z - b.color.z];
+        a.hit == b.hit && apart.iter().all(|part| part.abs() <= SAME_COLOR)
+    });
+    same.count() as f64 / covered.count().max(1) as f64
+}
+
 #[test]
-fn shading_agrees() {
+fn every_shadow_and_every_ambient_light_gives_the_same_colours() {
     if !has_adapter() {
         return;
     }
-    for file in ["jacksboro.toml", "cobbles.toml"] {
-        let cpu = picture(file, "occlusion", BackendChoice::Cpu);
-        let gpu = picture(file, "occlusion", BackendChoice::Gpu);
-        let worst = cpu
-            .rendering
-            .pixels
-            .iter()
-            .zip(&gpu.rendering.pixels)
-            // Where the hits have the same bits, so must the light that shading makes of them, to rounding.
-            .filter(|(a, b)| a.hit == 1 && a.t == b.t && a.uv == b.uv && a.position == b.position)
-            .map(|(a, b)| {
-                let apart = [a.color.x - b.color.x, a.color.y - b.color.y, a.color.z - b.color.z];
-                apart.into_iter().fold(0.0, |worst: f32, part| worst.max(part.abs()))
-            })
-            .fold(0.0, f32::max);
-        assert!(worst <= 1e-5, "{file}: colours differ by {worst}");
+    let pixels = |file: &str, stages: &[(&str, &str)], backend| {
+        let scene = scene(file, "cone", stages, backend);
+        render(&scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture").rendering.pixels
+    };
+    for file in SCENES {
+        let mut before = Vec::new();
+        for (shadow, ambient) in shadow::ENTRIES.iter().zip(ambient::ENTRIES.iter().cycle()) {
+            let stages = [("shadow", shadow.name), ("ambient", ambient.name)];
+            let [cpu, gpu] =
+                [BackendChoice::Cpu, BackendChoice::Gpu].map(|backend| pixels(file, &stages, backend));
+            let share = same_colors(&cpu, &gpu);
+            println!("{file} {} {}: {share:.5}", shadow.name, ambient.name);
+            assert!(share >= SAME_CODE, "{file} {} {}: {share}", shadow.name, ambient.name);
+            // Others have other colours.
+            assert!(same_colors(&cpu, &before) < SAME_CODE, "{file} {} {}", shadow.name, ambient.name);
+            before = cpu;
+        }
     }
 }
 

@@ -22,7 +22,7 @@ const BYTES_PER_HEIGHT: u64 = 4 + 7;
 
 /// Memory that a texel of a height map takes more where levels of detail are seen: a third more of itself and
 /// of what is built on it, and the normals that are derived, with what is at hand then.
-const BYTES_OF_LEVELS: u64 = 23;
+const BYTES_OF_LEVELS: u64 = 16;
 
 /// Memory that a texel of a height map takes more while a map is baked, besides that map.
 const BYTES_AT_HAND: u64 = 5 * 4 + 6;
