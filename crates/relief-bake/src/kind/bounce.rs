@@ -2,7 +2,7 @@
 //!
 //! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed visibility*;
 //! Szirmay-Kalos and Umenhoffer 2008, section 6.2: paths of light are chained through what every texel sees in
-//! fixed directions (see [`visibility`](super::visibility)).
+//! fixed directions (see [`visibility`]).
 //!
 //! # What is stored
 //!
