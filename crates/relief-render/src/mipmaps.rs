@@ -7,15 +7,15 @@ use relief_core::area_mean::{coarser, coarser_of, coarser_size, level_count};
 use relief_core::{HeightMap, Metric};
 use relief_io::Picture;
 
-/// The least part of a normal that stands upright when slopes are made of it: they are 20 at most, as steep as
-/// 87 degrees.
+/// The least part of a normal that stands upright when slopes are made of it: they are 20 at most, as steep
+/// as 87 degrees.
 const LEAST_UPRIGHT: f32 = 0.05;
 
 /// A colour or normal map, with coarser levels or without.
 ///
-/// Normal maps have two layers in their coarser levels. Of the normals `n` and the slopes `s` (of which `n` is
-/// `(-sx, -sy, 1) nz`) in a texel's area they are the means `(nx, ny, nz, sx)` and
-/// `(sx² nz, sx sy nz, sy² nz, sy)`, from which follows what an eye at the side sees of them.
+/// Normal maps have two layers in their coarser levels. Of the normals `n` and the slopes `s` (of which `n`
+/// is `(-sx, -sy, 1) nz`) in a texel's area they are the means `(nx, ny, nz, sx)` and `(sx² nz, sx sy nz,
+/// sy² nz, sy)`, from which follows what an eye at the side sees of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mipmaps {
     size: [u32; 2],
@@ -38,11 +38,11 @@ fn moments(normal: [f32; 3]) -> [f32; 8] {
     [x, y, z, along_x, xx, xy, yy, along_y]
 }
 
-/// The levels from one on, in two layers each.
-fn in_layers(mut level: Vec<[f32; 8]>, mut size: [u32; 2]) -> Vec<[f32; 4]> {
+/// The levels from one on, each in layers of four channels.
+fn chain<const N: usize>(mut level: Vec<[f32; N]>, mut size: [u32; 2]) -> Vec<[f32; 4]> {
     let mut levels = Vec::new();
     loop {
-        for layer in [0, 1] {
+        for layer in 0..N / 4 {
             levels.extend(level.iter().map(|texel| texel.as_chunks::<4>().0[layer]));
         }
         if size == [1, 1] {
@@ -63,34 +63,22 @@ impl Mipmaps {
     /// A colour map with all coarser levels. One that has not as many texels as its sides say stays as it is:
     /// what is to be done with it the backends say.
     pub fn of(picture: Arc<Picture>) -> Self {
-        let mut size = [picture.width, picture.height];
-        if !is_whole(&picture) {
-            return Self::finest_only(picture);
-        }
-        let mut levels: Vec<[f32; 4]> = Vec::new();
-        let mut before = None;
-        while size != [1, 1] {
-            let finer: &[[f32; 4]] = before.map_or(&picture.texels, |start: usize| &levels[start..]);
-            let next = coarser(finer, size);
-            before = Some(levels.len());
-            levels.extend(next);
-            size = coarser_size(size);
-        }
-        Self { levels, ..Self::finest_only(picture) }
+        Self::with_levels(picture, |texel| texel)
     }
 
     /// A tangent-space normal map with all coarser levels; a malformed one as [`Mipmaps::of`] has it.
     pub fn of_normals(picture: Arc<Picture>) -> Self {
+        Self::with_levels(picture, |[x, y, z, _]| moments([x, y, z]))
+    }
+
+    /// A picture with the means of what is made of its texels, in layers of four channels.
+    fn with_levels<const N: usize>(picture: Arc<Picture>, of: impl Fn([f32; 4]) -> [f32; N] + Sync) -> Self {
         let size = [picture.width, picture.height];
         if !is_whole(&picture) || size == [1, 1] {
             return Self::finest_only(picture);
         }
-        let normal = |at: usize| {
-            let [x, y, z, _] = picture.texels[at];
-            moments([x, y, z])
-        };
-        let levels = in_layers(coarser_of(normal, size), coarser_size(size));
-        Self { layers: 2, levels, ..Self::finest_only(picture) }
+        let levels = chain(coarser_of(|at| of(picture.texels[at]), size), coarser_size(size));
+        Self { layers: N / 4, levels, ..Self::finest_only(picture) }
     }
 
     /// The normals of a height map in tangent space, `y` along falling `v`, from the map's second level on;
@@ -105,7 +93,7 @@ impl Mipmaps {
         let second = coarser_of(|at| moments(std::array::from_fn(|part| planes[part][at])), size);
         drop(planes);
         let size = coarser_size(size);
-        Some(Self { size, layers: 2, finest: None, levels: in_layers(second, size) })
+        Some(Self { size, layers: 2, finest: None, levels: chain(second, size) })
     }
 
     /// Columns and rows of the finest level.

@@ -4035,25 +4035,25 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return ((middle_1 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
-    pub(crate) fn one_normal(&self, normal_6: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_normal(rt::into(normal_6)))
+    pub(crate) fn means_of_one(&self, n_6: impl rt::Into<rt::Vec3<f32>>) -> Normals {
+        rt::into(self.v_means_of_one(rt::into(n_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_one_normal(&self, normal_6: rt::Vec3<f32>) -> SeenNormals {
-        let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        return <SeenNormals>::new(normal_6, rt::Scalar(1f32), rt::Scalar(0u32), none, none, none, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts);
-    }
-    pub(crate) fn single_normal(&self, n_6: impl rt::Into<rt::Vec3<f32>>) -> Normals {
-        rt::into(self.v_single_normal(rt::into(n_6)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_single_normal(&self, n_6: rt::Vec3<f32>) -> Normals {
+    fn v_means_of_one(&self, n_6: rt::Vec3<f32>) -> Normals {
         let upright = n_6.z().max(rt::Scalar(0.05f32));
         let slope_5 = (<rt::Vec2<f32>>::from_scalars((-n_6.x()), (-n_6.y())) / rt::Vec2::splat_from_scalar(upright));
         let square_1 = ((slope_5 * slope_5) * upright);
         return <Normals>::new(<rt::Vec4<f32>>::new_31(n_6, slope_5.x()), <rt::Vec4<f32>>::from_scalars(square_1.x(), ((slope_5.x() * slope_5.y()) * upright), square_1.y(), slope_5.y()));
+    }
+    pub(crate) fn one_seen(&self, normal_6: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_one_seen(&self, normal_6: rt::Vec3<f32>) -> SeenNormals {
+        let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
+        let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <SeenNormals>::new(normal_6, rt::Scalar(1f32), rt::Scalar(0u32), none, none, none, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts);
     }
     pub(crate) fn to_tangent_space(
         &self,
@@ -4090,7 +4090,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(level_16.elementwise_eq(rt::Scalar(0u32))) {
             let _e5 = self.v_finest_normal(at_20, uv_12);
             let _e6 = self.v_to_tangent_space(at_20, _e5);
-            let _e7 = self.v_single_normal(_e6);
+            let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
@@ -4185,7 +4185,7 @@ impl<'g> Resources<'g> {
         let _e27 = local_32;
         if rt::Scalar::into_branch_condition(_e27) {
             let _e28 = self.v_finest_normal(at_22, uv_13);
-            let _e29 = self.v_one_normal(_e28);
+            let _e29 = self.v_one_seen(_e28);
             return _e29;
         }
         let _e31 = self.v_normals_of_level(at_22, uv_13, rt::Scalar(_e16.fine));

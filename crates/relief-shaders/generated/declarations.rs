@@ -45,15 +45,10 @@ pub const MODULES: &[Module] = &[
 // recovered from what the GPU makes of them, and their values computed here, so that these have the same bits
 // everywhere.
 "# },
-    Module { path: "shared/normal", head: r#"// The mesostructure's normal, in the world.
+    Module { path: "shared/normal", head: r#"// The mesostructure's normal in the finest level, in the world, and tangent space.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 2.1, equation 9: derivatives of the height by central
 // differences over two texels, or a tangent-space normal map.
-//
-// Where several texels lie in a pixel's footprint, their normals are known by means over the area. An eye at
-// the side sees more of what faces it (Becker and Max 1993), and what faces away from a light gets none. For
-// both, five normals stand for all of them: they have the same means, and weights as five slopes of a normal
-// distribution have (a cubature of third degree).
 "# },
     Module { path: "shared/numbered", head: r#"// The base triangles of a surface, by their number.
 "# },
@@ -63,6 +58,13 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/records", head: r#"// What the host and the GPU exchange in buffers besides the settings. The Rust side of these structs is
 // written by the linker.
+"# },
+    Module { path: "shared/seen_normals", head: r#"// The normals within a pixel's footprint, as an eye sees them.
+//
+// Where several texels lie in a footprint, their normals are known by means over the area. An eye at the side
+// sees more of what faces it (Becker and Max 1993), and what faces away from a light gets none. For both, five
+// normals stand for all of them: they have the same means, and weights as five slopes of a normal distribution
+// have (a cubature of third degree).
 "# },
     Module { path: "shared/settings", head: r#"// What is the same for all pixels: of a picture, of a surface in it, and of a pass over some of its rows.
 "# },
@@ -1770,108 +1772,6 @@ fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
     },
     Declaration {
         module: "shared/normal",
-        name: "LEAST_UPRIGHT",
-        sampling: None,
-        uses: &[],
-        text: r#"// The least upright part of a normal of which slopes are made; the least deviation of slopes that counts, and
-// the least part of an area that is seen.
-const LEAST_UPRIGHT = 0.05;"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "LEAST_DEVIATION",
-        sampling: None,
-        uses: &[],
-        text: r#"const LEAST_DEVIATION = 0.0001;"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "LEAST_SEEN",
-        sampling: None,
-        uses: &[],
-        text: r#"const LEAST_SEEN = 0.001;"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "MOST",
-        sampling: None,
-        uses: &[],
-        text: r#"const MOST = 1000000.0;"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "LEAST_WIDTH",
-        sampling: None,
-        uses: &[],
-        text: r#"// The least part of a footprint in which normals are taken together.
-const LEAST_WIDTH = 0.5;"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "APART",
-        sampling: None,
-        uses: &[],
-        text: r#"// How many deviations four of the five slopes are away from their mean, and the parts of the area that have
-// the mean slope and each of the others.
-const APART = 1.7320508;"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "MIDDLE",
-        sampling: None,
-        uses: &[],
-        text: r#"const MIDDLE = 0.33333334;"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "OUTER",
-        sampling: None,
-        uses: &[],
-        text: r#"const OUTER = 0.16666667;"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "Normals",
-        sampling: None,
-        uses: &[],
-        text: r#"// The means of the normals n and the slopes s in an area, in tangent space. n is (-sx, -sy, 1) nz.
-struct Normals {
-    // nx, ny, nz, sx
-    first: vec4f,
-    // sx² nz, sx sy nz, sy² nz, sy
-    second: vec4f,
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "SeenNormals",
-        sampling: None,
-        uses: &[],
-        text: r#"// The normals within a footprint as an eye sees them.
-struct SeenNormals {
-    // The direction of their mean, in the world.
-    normal: vec3f,
-    // The length of their mean: 1 where all are the same.
-    length: f32,
-    // 1 where they differ. What follows is known only then, in tangent space.
-    differ: u32,
-    // The one in the middle and its slope, and how normals and slopes change in a deviation along two axes:
-    // the others are APART of them beside it, two on each axis.
-    middle: vec3f,
-    along: vec3f,
-    across: vec3f,
-    slope: vec2f,
-    slope_along: vec2f,
-    slope_across: vec2f,
-    // The squared cosine between the base's normal and the view.
-    upright: f32,
-    // What is seen of a slope for each of them, beside what is seen of all.
-    middle_seen: f32,
-    others_seen: vec4f,
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
         name: "normal_from_height",
         sampling: None,
         uses: &["Entered", "height_at", "height_size", "surface_settings"],
@@ -1906,7 +1806,7 @@ fn from_tangent_space(at: Entered, n: vec3f) -> vec3f {
         name: "to_tangent_space",
         sampling: None,
         uses: &["Entered"],
-        text: r#"// The direction to the eye in tangent space.
+        text: r#"// A vector of the world, in tangent space.
 fn to_tangent_space(at: Entered, v: vec3f) -> vec3f {
     let along_u = normalize(at.tangent);
     let along_v = normalize(at.bitangent);
@@ -1924,198 +1824,6 @@ fn finest_normal(at: Entered, uv: vec2f) -> vec3f {
         return normalize(from_tangent_space(at, normal_at(uv, 0, 0u).xyz));
     }
     return normal_from_height(at, uv);
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "one_normal",
-        sampling: None,
-        uses: &["SeenNormals"],
-        text: r#"// A single normal, as every eye sees it.
-fn one_normal(normal: vec3f) -> SeenNormals {
-    let nothing = vec2f(0.0, 0.0);
-    let none = vec3f(0.0, 0.0, 0.0);
-    let parts = vec4f(0.0, 0.0, 0.0, 0.0);
-    return SeenNormals(normal, 1.0, 0u, none, none, none, nothing, nothing, nothing, 1.0, 0.0, parts);
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "single_normal",
-        sampling: None,
-        uses: &["LEAST_UPRIGHT", "Normals"],
-        text: r#"// What is known of a single normal.
-fn single_normal(n: vec3f) -> Normals {
-    let upright = max(n.z, LEAST_UPRIGHT);
-    let slope = vec2f(-n.x, -n.y) / upright;
-    let square = slope * slope * upright;
-    return Normals(
-        vec4f(n, slope.x),
-        vec4f(square.x, slope.x * slope.y * upright, square.y, slope.y),
-    );
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "normals_of_level",
-        sampling: None,
-        uses: &["Entered", "Normals", "finest_normal", "normal_at", "single_normal", "surface_settings", "to_tangent_space"],
-        text: r#"// The normals in the texels of a level.
-fn normals_of_level(at: Entered, uv: vec2f, level: u32) -> Normals {
-    if (level == 0u) {
-        return single_normal(to_tangent_space(at, finest_normal(at, uv)));
-    }
-    if (surface_settings.has_normal == 1u) {
-        return Normals(normal_at(uv, 0, level), normal_at(uv, 1, level));
-    }
-    // Derived normals hold for tiles of other lengths: where a tile is longer, slopes are as much flatter.
-    let tile = surface_settings.normal_tile_m;
-    let x = tile.x * dot(normalize(at.tangent), at.tangent) / dot(at.tangent, at.tangent);
-    let y = tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent);
-    let first = normal_at(uv, 0, level - 1u);
-    let second = normal_at(uv, 1, level - 1u);
-    // As long as it was.
-    let flatter = vec3f(first.x * x, first.y * y, first.z);
-    let n = flatter * sqrt(dot(first.xyz, first.xyz) / dot(flatter, flatter));
-    return Normals(
-        vec4f(n, first.w * x),
-        vec4f(second.x * x * x, second.y * x * y, second.z * y * y, second.w * y),
-    );
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "facing_four",
-        sampling: None,
-        uses: &["APART"],
-        text: r#"// The greater of 0 and what four of five have that are beside `middle` by this along the axes.
-fn facing_four(middle: f32, along: f32, across: f32) -> vec4f {
-    let x = along * APART;
-    let y = across * APART;
-    return max(vec4f(middle + x, middle - x, middle + y, middle - y), vec4f(0.0, 0.0, 0.0, 0.0));
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "mean_of_five",
-        sampling: None,
-        uses: &["MIDDLE", "OUTER"],
-        text: r#"// The mean of five, of which the sum of four is given. Constants are factors of sums, not of what is added:
-// compilers make these of those.
-fn mean_of_five(middle: f32, four: f32) -> f32 {
-    return middle * MIDDLE + four * OUTER;
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "sum_of_four",
-        sampling: None,
-        uses: &[],
-        text: r#"fn sum_of_four(four: vec4f) -> f32 {
-    return (four.x + four.y) + (four.z + four.w);
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "seen_normals",
-        sampling: None,
-        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "sum_of_four", "to_tangent_space"],
-        text: r#"// The normals of an area as an eye in direction `view` sees them. A part of the area with slope s covers as
-// much of its view as v - s, that is vz - (vx sx + vy sy), and nothing where that is below 0.
-fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
-    let first = normals.first;
-    let second = normals.second;
-    let slope = vec2f(first.w, second.w);
-    // How slopes spread: their covariance, by its root in triangular form.
-    let upright = max(first.z, LEAST_UPRIGHT);
-    let x = first.x / upright;
-    let y = first.y / upright;
-    let a = max(sqrt(max(second.x / upright - x * x, 0.0)), LEAST_DEVIATION);
-    let b = (second.y / upright - x * y) / a;
-    // Never less than 0 but for rounding. (Said here so that compilers keep the order of the sum.)
-    let spread = max(second.z / upright - y * y, 0.0);
-    let d = max(sqrt(max(spread - b * b, 0.0)), LEAST_DEVIATION);
-    // How normals go with them: means of n times s, less the product of the means.
-    let with_x = -vec3f(second.x, second.y, first.x) - first.xyz * slope.x;
-    let with_y = -vec3f(second.y, second.z, first.y) - first.xyz * slope.y;
-    let along = with_x / a;
-    let across = (with_y - along * b) / d;
-
-    let v = to_tangent_space(at, view);
-    let middle = v.z - dot(v.xy, slope);
-    let four = facing_four(middle, -(v.x * a + v.y * b), -(v.y * d));
-    let one = max(middle, 0.0);
-    let all = max(mean_of_five(one, sum_of_four(four)), LEAST_SEEN);
-    let aside = along * ((four.x - four.y) / all) + across * ((four.z - four.w) / all);
-    let mean = from_tangent_space(at, first.xyz + aside * (APART * OUTER));
-    return SeenNormals(
-        normalize(mean),
-        min(length(mean), 1.0),
-        1u,
-        first.xyz,
-        along,
-        across,
-        slope,
-        vec2f(a, b),
-        vec2f(0.0, d),
-        max(v.z, 0.0) * max(v.z, 0.0),
-        one / all,
-        four / all,
-    );
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "seen_cosine",
-        sampling: None,
-        uses: &["Entered", "LEAST_SEEN", "MOST", "SeenNormals", "facing_four", "mean_of_five", "sum_of_four", "surface_settings", "to_tangent_space"],
-        text: r#"// The mean cosine between the normals that are seen and a light's direction, 0 for those that face away.
-// Where the relief casts shadows, less of it is lit: as much light falls on all parts as on the base. What
-// is seen from the side lies high, and less of it is in shadow.
-fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
-    if (seen.differ == 0u) {
-        return max(dot(seen.normal, toward), 0.0);
-    }
-    let l = to_tangent_space(at, toward);
-    let middle = dot(seen.middle, l);
-    let four = facing_four(middle, dot(seen.along, l), dot(seen.across, l));
-    // Bounds that nothing reaches: compilers would add these products in another order.
-    let one = min(seen.middle_seen * max(middle, 0.0), MOST);
-    let others = min(dot(seen.others_seen, four), MOST);
-    let cosine = mean_of_five(one, others);
-    if (surface_settings.has_shadows == 1u) {
-        let falls = l.z - dot(l.xy, seen.slope);
-        let facing = facing_four(falls, -dot(l.xy, seen.slope_along), -dot(l.xy, seen.slope_across));
-        let all = mean_of_five(max(falls, 0.0), sum_of_four(facing));
-        let lit = max(falls, 0.0) / max(all, LEAST_SEEN);
-        return cosine * (1.0 - (1.0 - lit) * seen.upright);
-    }
-    return cosine;
-}"#,
-    },
-    Declaration {
-        module: "shared/normal",
-        name: "mesostructure_normals",
-        sampling: None,
-        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "levels_of", "normals_of_level", "one_normal", "seen_normals", "surface_settings"],
-        text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
-fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
-    // At the side the traced level shows by itself which of its parts face the eye: only what is finer than
-    // it is left to be weighed.
-    let upright = dot(at.normal, view);
-    let texels = at.footprint * surface_settings.normal_texels * max(upright, LEAST_WIDTH);
-    let levels = levels_of(texels, surface_settings.normal_levels);
-    if (levels.fine == 0u && !(levels.part > 0.0)) {
-        return one_normal(finest_normal(at, uv));
-    }
-    let fine = normals_of_level(at, uv, levels.fine);
-    if (!(levels.part > 0.0)) {
-        return seen_normals(at, fine, view);
-    }
-    let coarse = normals_of_level(at, uv, levels.fine + 1u);
-    let first = fine.first + (coarse.first - fine.first) * levels.part;
-    let second = fine.second + (coarse.second - fine.second) * levels.part;
-    return seen_normals(at, Normals(first, second), view);
 }"#,
     },
     Declaration {
@@ -2315,8 +2023,8 @@ fn trace(path: Path) -> Hit {
         name: "reflected_light",
         sampling: None,
         uses: &["Entered", "Hit", "MAX_LIGHTS", "SeenNormals", "ambient_stage", "frame", "seen_cosine", "shade_stage", "surface_settings", "toward_light"],
-        text: r#"// The light that a hit reflects along `view`, toward the eye, in linear RGB: of the light from all around, and
-// light by light what the shading makes of it, as far as it arrives.
+        text: r#"// The light that a hit reflects along `view`, toward the eye, in linear RGB: of the light from all around,
+// and light by light what the shading makes of it, as far as it arrives.
 fn reflected_light(
     position: vec3f,
     at: Entered,
@@ -2529,6 +2237,301 @@ struct Probe {
     reads: u32,
     // The part of `mirrored_light` that arrives at the hit.
     lit: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "LEAST_UPRIGHT",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least upright part of a normal of which slopes are made; the least deviation of slopes that counts, and
+// the least part of an area that is seen.
+const LEAST_UPRIGHT = 0.05;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "LEAST_DEVIATION",
+        sampling: None,
+        uses: &[],
+        text: r#"const LEAST_DEVIATION = 0.0001;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "LEAST_SEEN",
+        sampling: None,
+        uses: &[],
+        text: r#"const LEAST_SEEN = 0.001;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "MOST",
+        sampling: None,
+        uses: &[],
+        text: r#"// More than what is seen of normals times a cosine can be.
+const MOST = 1000000.0;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "LEAST_WIDTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least part of a footprint in which normals are taken together.
+const LEAST_WIDTH = 0.5;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "APART",
+        sampling: None,
+        uses: &[],
+        text: r#"// How many deviations four of the five slopes are away from their mean, and the parts of the area that have
+// the mean slope and each of the others.
+const APART = 1.7320508;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "MIDDLE",
+        sampling: None,
+        uses: &[],
+        text: r#"const MIDDLE = 0.33333334;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "OUTER",
+        sampling: None,
+        uses: &[],
+        text: r#"const OUTER = 0.16666667;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "Normals",
+        sampling: None,
+        uses: &[],
+        text: r#"// The means of the normals n and the slopes s in an area, in tangent space. n is (-sx, -sy, 1) nz.
+struct Normals {
+    // nx, ny, nz, sx
+    first: vec4f,
+    // sx² nz, sx sy nz, sy² nz, sy
+    second: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "SeenNormals",
+        sampling: None,
+        uses: &[],
+        text: r#"// The normals within a footprint as an eye sees them.
+struct SeenNormals {
+    // The direction of their mean, in the world.
+    normal: vec3f,
+    // The length of their mean: 1 where all are the same.
+    length: f32,
+    // 1 where they differ. What follows is known only then, in tangent space.
+    differ: u32,
+    // The one in the middle and its slope, and how normals and slopes change in a deviation along two axes:
+    // the others are APART of them beside it, two on each axis.
+    middle: vec3f,
+    along: vec3f,
+    across: vec3f,
+    slope: vec2f,
+    slope_along: vec2f,
+    slope_across: vec2f,
+    // The squared cosine between the base's normal and the view.
+    upright: f32,
+    // What is seen of a slope for each of them, beside what is seen of all.
+    middle_seen: f32,
+    others_seen: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "one_seen",
+        sampling: None,
+        uses: &["SeenNormals"],
+        text: r#"// A single normal, as every eye sees it.
+fn one_seen(normal: vec3f) -> SeenNormals {
+    let nothing = vec2f(0.0, 0.0);
+    let none = vec3f(0.0, 0.0, 0.0);
+    let parts = vec4f(0.0, 0.0, 0.0, 0.0);
+    return SeenNormals(normal, 1.0, 0u, none, none, none, nothing, nothing, nothing, 1.0, 0.0, parts);
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "means_of_one",
+        sampling: None,
+        uses: &["LEAST_UPRIGHT", "Normals"],
+        text: r#"// The means of one normal.
+fn means_of_one(n: vec3f) -> Normals {
+    let upright = max(n.z, LEAST_UPRIGHT);
+    let slope = vec2f(-n.x, -n.y) / upright;
+    let square = slope * slope * upright;
+    return Normals(
+        vec4f(n, slope.x),
+        vec4f(square.x, slope.x * slope.y * upright, square.y, slope.y),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "normals_of_level",
+        sampling: None,
+        uses: &["Entered", "Normals", "finest_normal", "means_of_one", "normal_at", "surface_settings", "to_tangent_space"],
+        text: r#"// The normals in the texels of a level.
+fn normals_of_level(at: Entered, uv: vec2f, level: u32) -> Normals {
+    if (level == 0u) {
+        return means_of_one(to_tangent_space(at, finest_normal(at, uv)));
+    }
+    if (surface_settings.has_normal == 1u) {
+        return Normals(normal_at(uv, 0, level), normal_at(uv, 1, level));
+    }
+    // Derived normals hold for tiles of other lengths: where a tile is longer, slopes are as much flatter.
+    let tile = surface_settings.normal_tile_m;
+    let x = tile.x * dot(normalize(at.tangent), at.tangent) / dot(at.tangent, at.tangent);
+    let y = tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent);
+    let first = normal_at(uv, 0, level - 1u);
+    let second = normal_at(uv, 1, level - 1u);
+    // As long as it was.
+    let flatter = vec3f(first.x * x, first.y * y, first.z);
+    let n = flatter * sqrt(dot(first.xyz, first.xyz) / dot(flatter, flatter));
+    return Normals(
+        vec4f(n, first.w * x),
+        vec4f(second.x * x * x, second.y * x * y, second.z * y * y, second.w * y),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "facing_four",
+        sampling: None,
+        uses: &["APART"],
+        text: r#"// The greater of 0 and what four of five have that are beside `middle` by this along the axes.
+fn facing_four(middle: f32, along: f32, across: f32) -> vec4f {
+    let x = along * APART;
+    let y = across * APART;
+    return max(vec4f(middle + x, middle - x, middle + y, middle - y), vec4f(0.0, 0.0, 0.0, 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "mean_of_five",
+        sampling: None,
+        uses: &["MIDDLE", "OUTER"],
+        text: r#"// The mean of five, of which the sum of four is given. Constants are factors of sums, not of what is added:
+// compilers make these of those.
+fn mean_of_five(middle: f32, four: f32) -> f32 {
+    return middle * MIDDLE + four * OUTER;
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "sum_of_four",
+        sampling: None,
+        uses: &[],
+        text: r#"fn sum_of_four(four: vec4f) -> f32 {
+    return (four.x + four.y) + (four.z + four.w);
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "seen_normals",
+        sampling: None,
+        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "sum_of_four", "to_tangent_space"],
+        text: r#"// The normals of an area as an eye in direction `view` sees them. A part of the area with slope s covers as
+// much of its view as v - s, that is vz - (vx sx + vy sy), and nothing where that is below 0.
+fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
+    let first = normals.first;
+    let second = normals.second;
+    let slope = vec2f(first.w, second.w);
+    // How slopes spread: their covariance, by its root in triangular form.
+    let upright = max(first.z, LEAST_UPRIGHT);
+    let x = first.x / upright;
+    let y = first.y / upright;
+    let a = max(sqrt(max(second.x / upright - x * x, 0.0)), LEAST_DEVIATION);
+    let b = (second.y / upright - x * y) / a;
+    // Below 0 for rounding alone.
+    let spread = max(second.z / upright - y * y, 0.0);
+    let d = max(sqrt(max(spread - b * b, 0.0)), LEAST_DEVIATION);
+    // How normals go with them: means of n times s, less the product of the means.
+    let with_x = -vec3f(second.x, second.y, first.x) - first.xyz * slope.x;
+    let with_y = -vec3f(second.y, second.z, first.y) - first.xyz * slope.y;
+    let along = with_x / a;
+    let across = (with_y - along * b) / d;
+
+    let v = to_tangent_space(at, view);
+    let middle = v.z - dot(v.xy, slope);
+    let four = facing_four(middle, -(v.x * a + v.y * b), -(v.y * d));
+    let one = max(middle, 0.0);
+    let all = max(mean_of_five(one, sum_of_four(four)), LEAST_SEEN);
+    let aside = along * ((four.x - four.y) / all) + across * ((four.z - four.w) / all);
+    let mean = from_tangent_space(at, first.xyz + aside * (APART * OUTER));
+    return SeenNormals(
+        normalize(mean),
+        min(length(mean), 1.0),
+        1u,
+        first.xyz,
+        along,
+        across,
+        slope,
+        vec2f(a, b),
+        vec2f(0.0, d),
+        max(v.z, 0.0) * max(v.z, 0.0),
+        one / all,
+        four / all,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "seen_cosine",
+        sampling: None,
+        uses: &["Entered", "LEAST_SEEN", "MOST", "SeenNormals", "facing_four", "mean_of_five", "sum_of_four", "surface_settings", "to_tangent_space"],
+        text: r#"// The mean cosine between the normals that are seen and a light's direction, 0 for those that face away.
+// Where the relief casts shadows, less of it is lit: as much light falls on all parts as on the base. What
+// is seen from the side lies high, and less of it is in shadow.
+fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
+    if (seen.differ == 0u) {
+        return max(dot(seen.normal, toward), 0.0);
+    }
+    let l = to_tangent_space(at, toward);
+    let middle = dot(seen.middle, l);
+    let four = facing_four(middle, dot(seen.along, l), dot(seen.across, l));
+    // Bounds that nothing reaches: compilers would add these products in another order.
+    let one = min(seen.middle_seen * max(middle, 0.0), MOST);
+    let others = min(dot(seen.others_seen, four), MOST);
+    let cosine = mean_of_five(one, others);
+    if (surface_settings.has_shadows == 1u) {
+        let falls = l.z - dot(l.xy, seen.slope);
+        let facing = facing_four(falls, -dot(l.xy, seen.slope_along), -dot(l.xy, seen.slope_across));
+        let all = mean_of_five(max(falls, 0.0), sum_of_four(facing));
+        let lit = max(falls, 0.0) / max(all, LEAST_SEEN);
+        return cosine * (1.0 - (1.0 - lit) * seen.upright);
+    }
+    return cosine;
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "mesostructure_normals",
+        sampling: None,
+        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "levels_of", "normals_of_level", "one_seen", "seen_normals", "surface_settings"],
+        text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
+fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
+    // At the side the traced level shows by itself which of its parts face the eye: only what is finer than
+    // it is left to be weighed.
+    let upright = dot(at.normal, view);
+    let texels = at.footprint * surface_settings.normal_texels * max(upright, LEAST_WIDTH);
+    let levels = levels_of(texels, surface_settings.normal_levels);
+    if (levels.fine == 0u && !(levels.part > 0.0)) {
+        return one_seen(finest_normal(at, uv));
+    }
+    let fine = normals_of_level(at, uv, levels.fine);
+    if (!(levels.part > 0.0)) {
+        return seen_normals(at, fine, view);
+    }
+    let coarse = normals_of_level(at, uv, levels.fine + 1u);
+    let first = fine.first + (coarse.first - fine.first) * levels.part;
+    let second = fine.second + (coarse.second - fine.second) * levels.part;
+    return seen_normals(at, Normals(first, second), view);
 }"#,
     },
     Declaration {

@@ -20,6 +20,7 @@ mod light_ray;
 mod maps;
 mod methods;
 pub mod refine;
+mod scene_maps;
 pub mod search;
 mod selection;
 pub mod shade;

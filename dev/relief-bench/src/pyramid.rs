@@ -72,8 +72,9 @@ pub fn run(arguments: &Arguments) -> Result<(), String> {
         ]);
     }
     println!(
-        "From a changed height map to a picture of {SIDE}x{SIDE} pixels, {} changes of each, medians with the \
-         least and the greatest. On {}, bakes on {} threads. Both pictures are the same to the bit.\n\n{table}",
+        "From a changed height map to a picture of {SIDE}x{SIDE} pixels, {} changes of each, medians with \
+         the least and the greatest. On {}, bakes on {} threads. Both pictures are the same to the bit.\n\n\
+         {table}",
         arguments.rounds,
         gpu.description(),
         rayon::current_num_threads(),

@@ -54,8 +54,8 @@ fn in_white_sky(surface: Surface, view: View) -> Vec<PixelOut> {
     pixels(&scene.backend(BackendChoice::Cpu).build().expect("a scene"))
 }
 
-/// What a white surface of a map on the plane reflects of a sky of radiance 1: pictures with hard shadows under
-/// lights that are spread evenly over the sky.
+/// What a white surface of a map on the plane reflects of a sky of radiance 1: pictures with hard shadows
+/// under lights that are spread evenly over the sky.
 fn truth(map: &HeightMap) -> Vec<f32> {
     let surface = surface(map, Builtin::Plane, &[("shadow", "ray")], &[]);
     let (mut renderer, mut maps) = (Renderer::on_cpu(), Maps::in_memory());

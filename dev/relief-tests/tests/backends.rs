@@ -1,4 +1,5 @@
-//! The two backends give the same picture: every method, every shadow and every ambient light on three scenes.
+//! The two backends give the same picture: every method, every shadow and every ambient light on three
+//! scenes.
 //!
 //! Both run the same shaders on the same rays, but for `exact`, which the CPU answers with the core's fast
 //! tracer. What may differ is which of two neighbouring triangles a pixel on their edge belongs to, and hits

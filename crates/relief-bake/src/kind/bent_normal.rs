@@ -14,8 +14,8 @@
 //! * upward: `∫ from H to π/2 of sin e cos e de = cos² H / 2`.
 //!
 //! With `scaled` it is not a unit vector but the integral itself over π: its `z` is the
-//! [`occlusion`](super::occlusion), and its product with the relief's normal the part of a uniform sky's light
-//! that arrives there, where all of the sky that is seen lies before that normal.
+//! [`occlusion`](super::occlusion), and its product with the relief's normal the part of a uniform sky's
+//! light that arrives there, where all of the sky that is seen lies before that normal.
 //!
 //! # Accuracy
 //!

@@ -1,19 +1,19 @@
 //! Light that bounces: what every texel receives of a uniform sky, straight and from other texels.
 //!
 //! Heidrich, Daubert, Kautz and Seidel 2000, *Illuminating micro geometry based on precomputed visibility*;
-//! Szirmay-Kalos and Umenhoffer 2008, section 6.2: paths of light are chained through what every texel sees in
-//! fixed directions (see [`visibility`]).
+//! Szirmay-Kalos and Umenhoffer 2008, section 6.2: paths of light are chained through what every texel sees
+//! in fixed directions (see [`visibility`]).
 //!
 //! # What is stored
 //!
-//! The irradiance about the base normal, over π times the sky's radiance, in `[0, 1]`: with 0 bounces the part
-//! of the sky that is seen, as [`occlusion`](super::occlusion) has it, and with each bounce what other texels
-//! throw back of theirs, all by the same albedo.
+//! The irradiance about the base normal, over π times the sky's radiance, in `[0, 1]`: with 0 bounces the
+//! part of the sky that is seen, as [`occlusion`](super::occlusion) has it, and with each bounce what other
+//! texels throw back of theirs, all by the same albedo.
 //!
 //! # Accuracy
 //!
-//! A mean over the directions, in each of which the texel nearest to the first hit stands for it. So no energy
-//! is made and none is lost but what further bounces would bring, at most `albedo` to the power of
+//! A mean over the directions, in each of which the texel nearest to the first hit stands for it. So no
+//! energy is made and none is lost but what further bounces would bring, at most `albedo` to the power of
 //! `bounces + 1`: in a white furnace, with an albedo of 1, the values rise to 1 with the bounces.
 
 use rayon::prelude::*;
@@ -65,11 +65,12 @@ const BOUNCES: Param = Param {
     integer: true,
 };
 
-/// What every texel receives, row by row from the top, of a sky of radiance 1 after so many bounces off texels
-/// of that albedo. `azimuths` times `elevations` directions are looked along for each, within `tiles` tiles.
+/// What every texel receives, row by row from the top, of a sky of radiance 1 after so many bounces off
+/// texels of that albedo. `azimuths` times `elevations` directions are looked along for each, within `tiles`
+/// tiles.
 ///
-/// The working set is that of [`visibility::views`] and two maps of `f32`: what is seen is found again for each
-/// bounce.
+/// The working set is that of [`visibility::views`] and two maps of `f32`: what is seen is found again for
+/// each bounce.
 ///
 /// # Errors
 ///

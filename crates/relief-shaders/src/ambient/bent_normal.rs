@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Publication};
 
-use super::{AZIMUTHS, scene_map};
+use crate::scene_maps::{AZIMUTHS, scene_map};
 
 /// Bent normals.
 pub const ENTRY: Entry = Entry {

@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Param, Publication};
 
-use super::{AZIMUTHS, scene_map};
+use crate::scene_maps::{AZIMUTHS, ELEVATIONS, scene_map};
 
 /// Light that bounces within the relief.
 pub const ENTRY: Entry = Entry {
@@ -23,15 +23,7 @@ pub const ENTRY: Entry = Entry {
     )],
     params: &[
         AZIMUTHS,
-        Param {
-            name: "elevations",
-            summary: "elevations of the directions in which light is gathered",
-            unit: "",
-            min: 1.0,
-            max: 64.0,
-            default: 4.0,
-            integer: true,
-        },
+        ELEVATIONS,
         Param {
             name: "albedo",
             summary: "the part of the light that the relief throws back",

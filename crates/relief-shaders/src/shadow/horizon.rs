@@ -1,27 +1,16 @@
 //! Registry entry of the shadow `horizon`.
 
-use relief_core::registry::{
-    Entry, Guarantee, Guarantees, MapInput, MapMetric, MapSetting, Param, Publication,
-};
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Publication};
+
+use crate::scene_maps::{AZIMUTHS, scene_map};
 
 /// Horizons, baked for some azimuths.
 pub const ENTRY: Entry = Entry {
     name: "horizon",
     summary: "horizons baked for some azimuths, interpolated: as fast for any light and any disc",
     publication: Publication { paper: "Max 1988; Szirmay-Kalos and Umenhoffer 2008", section: "6.1" },
-    maps: &[MapInput {
-        metric: MapMetric::Scene,
-        ..MapInput::new("horizon", "").with(&[("azimuths", MapSetting::Param("azimuths"))])
-    }],
-    params: &[Param {
-        name: "azimuths",
-        summary: "azimuths that are baked",
-        unit: "",
-        min: 4.0,
-        max: 256.0,
-        default: 16.0,
-        integer: true,
-    }],
+    maps: &[scene_map("horizon", &[("azimuths", MapSetting::Param("azimuths"))])],
+    params: &[AZIMUTHS],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],

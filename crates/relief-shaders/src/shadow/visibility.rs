@@ -1,8 +1,8 @@
 //! Registry entry of the shadow `visibility`.
 
-use relief_core::registry::{
-    Entry, Guarantee, Guarantees, MapInput, MapMetric, MapSetting, Param, Publication,
-};
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapSetting, Param, Publication};
+
+use crate::scene_maps::{AZIMUTHS, ELEVATIONS, scene_map};
 
 /// Precomputed visibility.
 pub const ENTRY: Entry = Entry {
@@ -12,31 +12,16 @@ pub const ENTRY: Entry = Entry {
         paper: "Heidrich et al. 2000; Szirmay-Kalos and Umenhoffer 2008",
         section: "6.2",
     },
-    maps: &[MapInput {
-        metric: MapMetric::Scene,
-        ..MapInput::new("visibility", "").with(&[
-            ("azimuths", MapSetting::Param("azimuths")),
-            ("elevations", MapSetting::Param("elevations")),
-        ])
-    }],
+    maps: &[scene_map(
+        "visibility",
+        &[("azimuths", MapSetting::Param("azimuths")), ("elevations", MapSetting::Param("elevations"))],
+    )],
     params: &[
+        Param { summary: "azimuths of the directions", ..AZIMUTHS },
         Param {
-            name: "azimuths",
-            summary: "azimuths of the directions",
-            unit: "",
-            min: 4.0,
-            max: 256.0,
-            default: 16.0,
-            integer: true,
-        },
-        Param {
-            name: "elevations",
             summary: "elevations of the directions, at most 256 directions in all",
-            unit: "",
-            min: 1.0,
-            max: 64.0,
             default: 8.0,
-            integer: true,
+            ..ELEVATIONS
         },
         Param {
             name: "directions",
