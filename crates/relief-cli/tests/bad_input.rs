@@ -89,6 +89,15 @@ fn wrong_command_lines_are_refused_with_the_flag_named() {
         ("--detail none --set detail.anisotropy=2", &["--set", "none"]),
         ("--detail footprint --search pyramid --refine patch", &["--search", "footprint", "none"]),
         ("--detail footprint --shadow-search pyramid", &["--shadow-search", "footprint", "none"]),
+        ("--ambient environmnt", &["--ambient", "environment"]),
+        ("--ambient environment --set ambient.intensity=-1", &["ambient.intensity", "0"]),
+        ("--environment a.exr --ambient bounce", &["--environment", "--ambient environment"]),
+        ("--transmission 1 --ambient constant", &["--transmission", "--ambient environment"]),
+        ("--transmission 1.5", &["--transmission", "0 to 1"]),
+        ("--transmission nan", &["--transmission"]),
+        ("--ior 0.9 --ambient environment", &["--ior", "1 to 4"]),
+        ("--ior nan --ambient environment", &["--ior"]),
+        ("--ior 2", &["--ior", "--ambient environment"]),
         ("--light-angle -1", &["--light-angle", "90"]),
         ("--light-angle 90.5", &["--light-angle", "90"]),
         ("--light-angle nan", &["--light-angle"]),
@@ -128,6 +137,8 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
     folder.write("folder.png/inside", []);
     let colour = image::RgbImage::from_fn(8, 8, |x, y| image::Rgb([x as u8, y as u8, 7]));
     folder.write("colour.png", encoded(&colour.into(), ImageFormat::Png));
+    let one = image::RgbImage::from_pixel(1, 1, image::Rgb([7; 3]));
+    folder.write("one.png", encoded(&one.into(), ImageFormat::Png));
     for (name, value) in [("nan", f32::NAN), ("inf", f32::INFINITY), ("minus", f32::NEG_INFINITY)] {
         let mut texels = vec![0.5; 64];
         texels[9] = value;
@@ -158,6 +169,11 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
         ("--height map.png --color missing.png", &["missing.png"]),
         ("--height map.png --color text.png", &["text.png"]),
         ("--height map.png --color nan.exr", &["nan.exr"]),
+        ("--height map.png --environment missing.exr", &["missing.exr"]),
+        ("--height map.png --environment text.png", &["text.png"]),
+        ("--height map.png --environment nan.exr", &["nan.exr", "finite"]),
+        ("--height map.png --environment colour.png", &["colour.png", "8x8", "twice as wide as high"]),
+        ("--height map.png --environment one.png", &["one.png", "1x1", "twice as wide as high"]),
         ("--height map.png --normal missing.png", &["missing.png"]),
         ("--height map.png --normal map.png", &["map.png", "normal"]),
         ("--height map.png --max-memory 0", &["--max-memory"]),

@@ -42,8 +42,8 @@ pub struct JobSurface {
     /// The normal map, if any; or where there is none, normals derived from the height map's second level on,
     /// if these are read.
     pub normal_map: Option<Arc<Mipmaps>>,
-    /// The baked maps that the selection reads. A GPU renderer builds a pyramid of the heights itself where
-    /// it is not among them.
+    /// The baked maps that the selection reads, and the surroundings where they are seen. A GPU renderer
+    /// builds a pyramid of the heights itself where it is not among them.
     pub maps: Vec<(MapSlot, Arc<BakedMap>)>,
     /// Whether back faces are rendered, turned over.
     pub two_sided: bool,

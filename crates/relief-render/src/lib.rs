@@ -5,6 +5,7 @@
 
 pub mod camera;
 pub mod cpu;
+pub mod environment;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod job;

@@ -2,19 +2,26 @@
 
 use glam::Vec3;
 
+/// The greatest index of refraction, that of germanium. A vacuum has the least, 1.
+pub const MAX_IOR: f32 = 4.0;
+
 /// The greatest shininess. It is a whole number so that shaders can raise to it by multiplication alone, with
 /// the same bits everywhere; beyond this a highlight is smaller than a pixel.
 pub const MAX_SHININESS: u32 = 1024;
 
-/// A Blinn-Phong material: under irradiance `E` from direction `L`, seen from `V`, with `h` half-way between,
+/// A Blinn-Phong material that may be transparent: under irradiance `E` from direction `L`, seen from `V`, with `h` half-way between,
 /// `E (diffuse (N·L) + specular (N·h)^shininess)`.
 ///
-/// Colours are linear, red, green, blue, each part from 0 to 1.
+/// Colours are linear, red, green, blue, each part from 0 to 1. Of a transparent one a part of the light that
+/// enters is refracted in place of being scattered; what is seen by it, and how much is reflected of the
+/// surroundings, the ambient light `environment` says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     diffuse: Vec3,
     specular: Vec3,
     shininess: u32,
+    transmission: f32,
+    ior: f32,
 }
 
 /// Why there is no such material.
@@ -31,6 +38,12 @@ pub enum MaterialError {
     /// The shininess is out of range.
     #[error("the shininess is {0}: it must be a whole number from 1 to {MAX_SHININESS}")]
     BadShininess(u32),
+    /// The transmission is out of range.
+    #[error("the transmission is {0}: it must be from 0 to 1")]
+    BadTransmission(f32),
+    /// The index of refraction is out of range.
+    #[error("the index of refraction is {0}: it must be from 1 to {MAX_IOR}")]
+    BadIor(f32),
 }
 
 impl Material {
@@ -49,7 +62,23 @@ impl Material {
         if !(1..=MAX_SHININESS).contains(&shininess) {
             return Err(MaterialError::BadShininess(shininess));
         }
-        Ok(Self { diffuse, specular, shininess })
+        Ok(Self { diffuse, specular, shininess, ..Self::default() })
+    }
+
+    /// The same with a part of the light that is refracted, not scattered, from 0 to 1 (by default 0), and an
+    /// index of refraction, from 1 to [`MAX_IOR`] (by default 1.5, as of glass).
+    ///
+    /// # Errors
+    ///
+    /// When one of them is out of range.
+    pub fn with_transmission(self, transmission: f32, ior: f32) -> Result<Self, MaterialError> {
+        if !(0.0..=1.0).contains(&transmission) {
+            return Err(MaterialError::BadTransmission(transmission));
+        }
+        if !(1.0..=MAX_IOR).contains(&ior) {
+            return Err(MaterialError::BadIor(ior));
+        }
+        Ok(Self { transmission, ior, ..self })
     }
 
     /// The part of the light that is scattered in all directions.
@@ -66,12 +95,23 @@ impl Material {
     pub fn shininess(&self) -> u32 {
         self.shininess
     }
+
+    /// The part of the light that is refracted, not scattered.
+    pub fn transmission(&self) -> f32 {
+        self.transmission
+    }
+
+    /// The index of refraction.
+    pub fn ior(&self) -> f32 {
+        self.ior
+    }
 }
 
 impl Default for Material {
     /// Grey with a faint, broad highlight, so that the default light leaves room for brighter slopes.
     fn default() -> Self {
-        Self { diffuse: Vec3::splat(0.4), specular: Vec3::splat(0.1), shininess: 32 }
+        let (diffuse, specular) = (Vec3::splat(0.4), Vec3::splat(0.1));
+        Self { diffuse, specular, shininess: 32, transmission: 0.0, ior: 1.5 }
     }
 }
 
@@ -108,7 +148,17 @@ mod tests {
                 Err(MaterialError::BadShininess(shininess))
             );
         }
-        let Material { diffuse, specular, shininess } = Material::default();
-        assert!(Material::new(diffuse, specular, shininess).is_ok());
+        let Material { diffuse, specular, shininess, transmission, ior } = Material::default();
+        let default = Material::new(diffuse, specular, shininess);
+        assert_eq!(default.and_then(|own| own.with_transmission(transmission, ior)), Ok(Material::default()));
+        for transmission in [-0.1, 1.1, f32::INFINITY] {
+            let error = Material::default().with_transmission(transmission, 1.5);
+            assert_eq!(error, Err(MaterialError::BadTransmission(transmission)));
+        }
+        for ior in [0.9, 4.5, f32::INFINITY] {
+            assert_eq!(Material::default().with_transmission(0.0, ior), Err(MaterialError::BadIor(ior)));
+        }
+        assert!(Material::default().with_transmission(f32::NAN, 1.5).is_err());
+        assert!(Material::default().with_transmission(0.5, f32::NAN).is_err());
     }
 }

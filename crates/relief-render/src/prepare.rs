@@ -10,6 +10,7 @@ use relief_shaders::cpu::{Corner, Frame, Light as ShaderLight, SurfaceSettings, 
 use relief_shaders::{MAX_LIGHTS, MapNeed, MapSlot, SlotMaps};
 
 use crate::camera::Camera;
+use crate::environment::Environment;
 use crate::job::{Job, JobSurface};
 use crate::kept::kept;
 use crate::light::Light;
@@ -64,6 +65,7 @@ impl Preparer {
         let (mut triangles, mut pictures) = (Vec::new(), Pictures::default());
         let none = Vec::new();
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
+        let environment = || scene.environment().map_or_else(Environment::sky, Arc::clone);
         let surfaces = scene.surfaces().iter().zip(maps).map(|(surface, maps)| {
             let of_surface = kept(&mut triangles, &self.triangles, surface.mesh(), || {
                 let mesh = surface.mesh();
@@ -76,6 +78,10 @@ impl Preparer {
                 None if levels => pictures.derived(surface, &self.pictures),
                 None => None,
             };
+            let mut maps = maps.clone();
+            if surface.selection().sees_environment() {
+                maps.push((MapSlot::Environment, Arc::clone(environment().map())));
+            }
             let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
             JobSurface {
                 settings: surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref()),
@@ -84,7 +90,7 @@ impl Preparer {
                 height_map: Arc::clone(surface.height_map()),
                 color,
                 normal_map,
-                maps: maps.clone(),
+                maps,
                 two_sided: surface.two_sided(),
             }
         });
@@ -182,6 +188,8 @@ fn surface_settings(
         shininess: material.shininess(),
         has_color: u32::from(surface.color().is_some()),
         has_normal: u32::from(surface.normal_map().is_some()),
+        transmission: material.transmission(),
+        ior: material.ior(),
         ..SurfaceSettings::tracing(height, surface.selection(), maps)
     }
 }

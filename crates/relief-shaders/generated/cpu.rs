@@ -140,6 +140,21 @@ impl Entered {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A place on a face of the cube, from -1 to 1 from edge to edge.
+pub struct FacePlace {
+    pub face: i32,
+    pub place: rt::Vec2<f32>,
+}
+impl FacePlace {
+    pub fn new(
+        face: impl rt::Into<i32>,
+        place: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Self {
+        Self { face: rt::into(face), place: rt::into(place) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// What a search knows. `status` is one of FOUND_*.
 pub struct Found {
     pub status: u32,
@@ -482,6 +497,13 @@ pub struct SurfaceSettings {
     pub has_shadows: u32,
     pub scale_m: f32,
     pub bias_m: f32,
+    /// The part of the light that is refracted where it enters the surface, not scattered, and the index of
+    /// refraction.
+    pub transmission: f32,
+    pub ior: f32,
+    /// Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
+    pub environment_side: u32,
+    pub environment_levels: u32,
 }
 impl SurfaceSettings {
     pub fn new(
@@ -505,8 +527,12 @@ impl SurfaceSettings {
         has_shadows: impl rt::Into<u32>,
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
+        transmission: impl rt::Into<f32>,
+        ior: impl rt::Into<f32>,
+        environment_side: impl rt::Into<u32>,
+        environment_levels: impl rt::Into<u32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), transmission: rt::into(transmission), ior: rt::into(ior), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -563,6 +589,8 @@ pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_AMBIENT: rt::Scalar<u32> = rt::Scalar(3u32);
 #[allow(non_upper_case_globals)]
+pub const SLOT_ENVIRONMENT: rt::Scalar<u32> = rt::Scalar(4u32);
+#[allow(non_upper_case_globals)]
 pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
@@ -582,6 +610,8 @@ pub(crate) struct Resources<'g> {
     pub(crate) ambient_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(2)"]
     pub(crate) color_map: rt::ColorTexture<'g>,
+    #[doc = "group(0) binding(9)"]
+    pub(crate) environment_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(10)"]
     pub(crate) frame: Frame,
     #[doc = "group(0) binding(1)"]
@@ -880,71 +910,296 @@ impl<'g> Resources<'g> {
         let _e8 = self.frame.ambient;
         return (_e8.xyz() * color_3);
     }
-    pub(crate) fn ambient_occlusion(
+    pub(crate) fn levels_of(
+        &self,
+        footprint: impl rt::Into<rt::Scalar<f32>>,
+        count: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Levels {
+        rt::into(self.v_levels_of(rt::into(footprint), rt::into(count)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_levels_of(
+        &self,
+        footprint: rt::Scalar<f32>,
+        count: rt::Scalar<u32>,
+    ) -> Levels {
+        let mut texels: rt::Scalar<f32>;
+        let mut level_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut local_1: rt::Scalar<bool>;
+        let mut local_2: rt::Scalar<bool>;
+
+        texels = footprint;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e5 = texels;
+                if rt::Scalar::into_branch_condition(_e5.elementwise_ge(rt::Scalar(2f32))) {
+                    let _e10 = level_4;
+                    local_1 = (_e10 + rt::Scalar(1u32)).elementwise_lt(count);
+                } else {
+                    local_1 = rt::Scalar(false);
+                }
+                let _e15 = local_1;
+                if rt::Scalar::into_branch_condition(_e15) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e16 = texels;
+                    texels = (_e16 * rt::Scalar(0.5f32));
+                    let _e19 = level_4;
+                    level_4 = (_e19 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e22 = texels;
+        if rt::Scalar::into_branch_condition(_e22.elementwise_gt(rt::Scalar(1f32))) {
+            let _e27 = level_4;
+            local_2 = (_e27 + rt::Scalar(1u32)).elementwise_lt(count);
+        } else {
+            local_2 = rt::Scalar(false);
+        }
+        let _e32 = local_2;
+        if rt::Scalar::into_branch_condition(_e32) {
+            let _e33 = level_4;
+            let _e34 = texels;
+            return <Levels>::new(_e33, (_e34 - rt::Scalar(1f32)));
+        }
+        let _e38 = level_4;
+        return <Levels>::new(_e38, rt::Scalar(0f32));
+    }
+    pub(crate) fn face_place(&self, d: impl rt::Into<rt::Vec3<f32>>) -> FacePlace {
+        rt::into(self.v_face_place(rt::into(d)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_face_place(&self, d: rt::Vec3<f32>) -> FacePlace {
+        let mut local_3: rt::Scalar<bool>;
+
+        let size = d.abs();
+        if rt::Scalar::into_branch_condition(size.x().elementwise_ge(size.y())) {
+            local_3 = size.x().elementwise_ge(size.z());
+        } else {
+            local_3 = rt::Scalar(false);
+        }
+        let _e11 = local_3;
+        if rt::Scalar::into_branch_condition(_e11) {
+            if rt::Scalar::into_branch_condition(d.x().elementwise_gt(rt::Scalar(0f32))) {
+                return <FacePlace>::new(rt::Scalar(0i32), (<rt::Vec2<f32>>::from_scalars((-d.z()), (-d.y())) / rt::Vec2::splat_from_scalar(size.x())));
+            }
+            return <FacePlace>::new(rt::Scalar(1i32), (<rt::Vec2<f32>>::from_scalars(d.z(), (-d.y())) / rt::Vec2::splat_from_scalar(size.x())));
+        }
+        if rt::Scalar::into_branch_condition(size.y().elementwise_ge(size.z())) {
+            if rt::Scalar::into_branch_condition(d.y().elementwise_gt(rt::Scalar(0f32))) {
+                return <FacePlace>::new(rt::Scalar(2i32), (<rt::Vec2<f32>>::from_scalars(d.x(), d.z()) / rt::Vec2::splat_from_scalar(size.y())));
+            }
+            return <FacePlace>::new(rt::Scalar(3i32), (<rt::Vec2<f32>>::from_scalars(d.x(), (-d.z())) / rt::Vec2::splat_from_scalar(size.y())));
+        }
+        if rt::Scalar::into_branch_condition(d.z().elementwise_gt(rt::Scalar(0f32))) {
+            return <FacePlace>::new(rt::Scalar(4i32), (<rt::Vec2<f32>>::from_scalars(d.x(), (-d.y())) / rt::Vec2::splat_from_scalar(size.z())));
+        }
+        return <FacePlace>::new(rt::Scalar(5i32), (<rt::Vec2<f32>>::from_scalars((-d.x()), (-d.y())) / rt::Vec2::splat_from_scalar(size.z())));
+    }
+    pub(crate) fn environment_texel(
+        &self,
+        place_1: impl rt::Into<rt::Vec2<i32>>,
+        face: impl rt::Into<rt::Scalar<i32>>,
+        level_5: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_environment_texel(rt::into(place_1), rt::into(face), rt::into(level_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_environment_texel(
+        &self,
+        place_1: rt::Vec2<i32>,
+        face: rt::Scalar<i32>,
+        level_5: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.environment_map), place_1, rt::Scalar::into_inner(face), 0i32, rt::Scalar::into_inner(level_5));
+        let _e8 = self.surface_settings.maps[4usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
+    }
+    pub(crate) fn environment_of_level(
+        &self,
+        direction: impl rt::Into<rt::Vec3<f32>>,
+        level_6: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_environment_of_level(rt::into(direction), rt::into(level_6)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_environment_of_level(
+        &self,
+        direction: rt::Vec3<f32>,
+        level_6: rt::Scalar<u32>,
+    ) -> rt::Vec3<f32> {
+        let _e2 = self.v_face_place(direction);
+        let _e5 = rt::Scalar(self.surface_settings.environment_side);
+        let last_1 = ((_e5 >> level_6).cast_elem_as_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
+        let point_3 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_1.cast_elem_as_f32()));
+        let most_2 = (last_1 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
+        let corner_1 = point_3.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
+        let texel_4 = corner_1.cast_elem_as_i32();
+        let k_12 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_12);
+        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_12);
+        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_12);
+        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_12);
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_3 - corner_1));
+        return _e55.xyz();
+    }
+    pub(crate) fn environment_in_lobe(
+        &self,
+        direction_1: impl rt::Into<rt::Vec3<f32>>,
+        deviation: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_environment_in_lobe(rt::into(direction_1), rt::into(deviation)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_environment_in_lobe(
+        &self,
+        direction_1: rt::Vec3<f32>,
+        deviation: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = rt::Scalar(self.surface_settings.environment_side);
+        let width = (deviation * (rt::Scalar(0.07654656f32) * _e4.cast_elem_as_f32()));
+        let _e11 = rt::Scalar(self.surface_settings.environment_levels);
+        let _e12 = self.v_levels_of(width, _e11);
+        let _e14 = self.v_environment_of_level(direction_1, rt::Scalar(_e12.fine));
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e12.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e21 = self.v_environment_of_level(direction_1, (rt::Scalar(_e12.fine) + rt::Scalar(1u32)));
+            return (_e14 + ((_e21 - _e14) * rt::Scalar(_e12.part)));
+        }
+        return _e14;
+    }
+    pub(crate) fn environment_on(&self, normal_3: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_environment_on(rt::into(normal_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_environment_on(&self, normal_3: rt::Vec3<f32>) -> rt::Vec3<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.environment_levels);
+        let _e6 = self.v_environment_of_level(normal_3, (_e3 - rt::Scalar(1u32)));
+        return _e6;
+    }
+    pub(crate) fn ambient_environment(
         &self,
         at_4: Entered,
         hit_3: Hit,
-        normal_3: impl rt::Into<rt::Vec3<f32>>,
+        normal_4: impl rt::Into<rt::Vec3<f32>>,
         view_3: impl rt::Into<rt::Vec3<f32>>,
         color_4: impl rt::Into<rt::Vec3<f32>>,
         params_3: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_occlusion(at_4, hit_3, rt::into(normal_3), rt::into(view_3), rt::into(color_4), rt::into(params_3)))
+        rt::into(self.v_ambient_environment(at_4, hit_3, rt::into(normal_4), rt::into(view_3), rt::into(color_4), rt::into(params_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_ambient_occlusion(
+    fn v_ambient_environment(
         &self,
         at_4: Entered,
         hit_3: Hit,
-        normal_3: rt::Vec3<f32>,
+        normal_4: rt::Vec3<f32>,
         view_3: rt::Vec3<f32>,
         color_4: rt::Vec3<f32>,
         params_3: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e8 = self.frame.ambient;
-        let _e14 = self.v_ambient_texel_between(hit_3.uv, rt::Scalar(at_4.path.level));
-        return ((_e8.xyz() * color_4) * _e14.x());
+        let mut light: rt::Vec3<f32>;
+
+        let mean_2 = normal_4.length();
+        let n_7 = normal_4.normalize();
+        let cosine_2 = n_7.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let ior = rt::Scalar(self.surface_settings.ior);
+        let eta = (rt::Scalar(1f32) / ior);
+        let inside = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_2 * cosine_2)))).max(rt::Scalar(0f32)).sqrt();
+        let across_1 = ((cosine_2 - (ior * inside)) / (cosine_2 + (ior * inside)).max(rt::Scalar(0.000001f32)));
+        let along_1 = (((ior * cosine_2) - inside) / ((ior * cosine_2) + inside).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_1);
+        let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
+        let _e47 = rt::Scalar(self.surface_settings.shininess);
+        let lean = ((rt::Scalar(2f32) / (_e47.cast_elem_as_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
+        let mirrored = ((n_7 * (rt::Scalar(2f32) * cosine_2)) - view_3);
+        let _e67 = self.v_environment_in_lobe(mirrored, (rt::Scalar(2f32) * lean));
+        light = (_e67 * reflected);
+        let transmission = rt::Scalar(self.surface_settings.transmission);
+        let _e73 = light;
+        let _e74 = self.v_environment_on(n_7);
+        light = (_e73 + ((_e74 * color_4) * (rt::Scalar(1f32) - reflected)));
+        if rt::Scalar::into_branch_condition(transmission.elementwise_gt(rt::Scalar(0f32))) {
+            let refracted = ((n_7 * ((eta * cosine_2) - inside)) - (view_3 * eta));
+            let _e90 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta) * lean));
+            let _e91 = light;
+            light = (_e91 + (_e90 * (transmission * (rt::Scalar(1f32) - reflected))));
+        }
+        let _e97 = light;
+        return (_e97 * params_3.x());
     }
-    pub(crate) fn ambient_stage(
+    pub(crate) fn ambient_occlusion(
         &self,
         at_5: Entered,
         hit_4: Hit,
-        normal_4: impl rt::Into<rt::Vec3<f32>>,
+        normal_5: impl rt::Into<rt::Vec3<f32>>,
         view_4: impl rt::Into<rt::Vec3<f32>>,
         color_5: impl rt::Into<rt::Vec3<f32>>,
+        params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_stage(at_5, hit_4, rt::into(normal_4), rt::into(view_4), rt::into(color_5)))
+        rt::into(self.v_ambient_occlusion(at_5, hit_4, rt::into(normal_5), rt::into(view_4), rt::into(color_5), rt::into(params_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ambient_occlusion(
+        &self,
+        at_5: Entered,
+        hit_4: Hit,
+        normal_5: rt::Vec3<f32>,
+        view_4: rt::Vec3<f32>,
+        color_5: rt::Vec3<f32>,
+        params_4: rt::Vec4<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e8 = self.frame.ambient;
+        let _e14 = self.v_ambient_texel_between(hit_4.uv, rt::Scalar(at_5.path.level));
+        return ((_e8.xyz() * color_5) * _e14.x());
+    }
+    pub(crate) fn ambient_stage(
+        &self,
+        at_6: Entered,
+        hit_5: Hit,
+        normal_6: impl rt::Into<rt::Vec3<f32>>,
+        view_5: impl rt::Into<rt::Vec3<f32>>,
+        color_6: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ambient_stage(at_6, hit_5, rt::into(normal_6), rt::into(view_5), rt::into(color_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_stage(
         &self,
-        at_5: Entered,
-        hit_4: Hit,
-        normal_4: rt::Vec3<f32>,
-        view_4: rt::Vec3<f32>,
-        color_5: rt::Vec3<f32>,
+        at_6: Entered,
+        hit_5: Hit,
+        normal_6: rt::Vec3<f32>,
+        view_5: rt::Vec3<f32>,
+        color_6: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e9 = rt::Scalar(self.surface_settings.choices[7usize].number);
         match rt::Scalar::into_inner(_e9) {
             0u32 => {
                 let _e14 = self.surface_settings.choices[7usize].params;
-                let _e15 = self.v_ambient_constant(at_5, hit_4, normal_4, view_4, color_5, _e14);
+                let _e15 = self.v_ambient_constant(at_6, hit_5, normal_6, view_5, color_6, _e14);
                 return _e15;
             }
             1u32 => {
                 let _e20 = self.surface_settings.choices[7usize].params;
-                let _e21 = self.v_ambient_occlusion(at_5, hit_4, normal_4, view_4, color_5, _e20);
+                let _e21 = self.v_ambient_occlusion(at_6, hit_5, normal_6, view_5, color_6, _e20);
                 return _e21;
             }
             2u32 => {
                 let _e26 = self.surface_settings.choices[7usize].params;
-                let _e27 = self.v_ambient_bent_normal(at_5, hit_4, normal_4, view_4, color_5, _e26);
+                let _e27 = self.v_ambient_bent_normal(at_6, hit_5, normal_6, view_5, color_6, _e26);
                 return _e27;
             }
-            _ => {
+            3u32 => {
                 let _e32 = self.surface_settings.choices[7usize].params;
-                let _e33 = self.v_ambient_bounce(at_5, hit_4, normal_4, view_4, color_5, _e32);
+                let _e33 = self.v_ambient_bounce(at_6, hit_5, normal_6, view_5, color_6, _e32);
                 return _e33;
+            }
+            _ => {
+                let _e38 = self.surface_settings.choices[7usize].params;
+                let _e39 = self.v_ambient_environment(at_6, hit_5, normal_6, view_5, color_6, _e38);
+                return _e39;
             }
         }
     }
@@ -980,57 +1235,57 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (path.h.x() + (t * (path.h.y() + (t * path.h.z()))));
     }
-    pub(crate) fn height_size(&self, level_4: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_height_size(rt::into(level_4)))
+    pub(crate) fn height_size(&self, level_7: impl rt::Into<rt::Scalar<u32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_height_size(rt::into(level_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_size(&self, level_4: rt::Scalar<u32>) -> rt::Vec2<f32> {
-        let _e1 = self.v_height_texels(level_4);
+    fn v_height_size(&self, level_7: rt::Scalar<u32>) -> rt::Vec2<f32> {
+        let _e1 = self.v_height_texels(level_7);
         return _e1.cast_elem_as_f32();
     }
     pub(crate) fn height_cell(
         &self,
         cell: impl rt::Into<rt::Vec2<i32>>,
-        level_5: impl rt::Into<rt::Scalar<u32>>,
+        level_8: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_5)))
+        rt::into(self.v_height_cell(rt::into(cell), rt::into(level_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_cell(
         &self,
         cell: rt::Vec2<i32>,
-        level_5: rt::Scalar<u32>,
+        level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e2 = self.v_height_texels(level_5);
-        let k_12 = level_5.cast_elem_as_i32();
+        let _e2 = self.v_height_texels(level_8);
+        let k_13 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_12));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_12));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_12));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_12));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_13));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_13));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_13));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_13));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
         &self,
         uv_2: impl rt::Into<rt::Vec2<f32>>,
-        level_6: impl rt::Into<rt::Scalar<u32>>,
+        level_9: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_height_at(rt::into(uv_2), rt::into(level_6)))
+        rt::into(self.v_height_at(rt::into(uv_2), rt::into(level_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_at(
         &self,
         uv_2: rt::Vec2<f32>,
-        level_6: rt::Scalar<u32>,
+        level_9: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_height_size(level_6);
-        let point_3 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_3);
-        let f = (point_3 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_6);
+        let _e2 = self.v_height_size(level_9);
+        let point_4 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_4);
+        let f = (point_4 - _e8);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
         return (top_2 + ((bottom_1 - top_2) * f.y()));
@@ -1085,15 +1340,15 @@ impl<'g> Resources<'g> {
         far: rt::Scalar<f32>,
         reads: rt::Scalar<u32>,
     ) -> Found {
-        let mut local_1: rt::Scalar<bool>;
+        let mut local_4: rt::Scalar<bool>;
 
         let _e4 = self.v_path_gap(path_3, near);
         if rt::Scalar::into_branch_condition(near.elementwise_eq(rt::Scalar(0f32))) {
-            local_1 = _e4.elementwise_lt(rt::Scalar(0f32));
+            local_4 = _e4.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_1 = rt::Scalar(false);
+            local_4 = rt::Scalar(false);
         }
-        let _e12 = local_1;
+        let _e12 = local_4;
         if rt::Scalar::into_branch_condition(_e12) {
             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (reads + rt::Scalar(1u32)));
         }
@@ -1146,10 +1401,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_38 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_39 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_38.x())) + (by * at_38.y())) + ((twist * at_38.x()) * at_38.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_38.x() * grid_1.step.y()) + (at_38.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_39.x())) + (by * at_39.y())) + ((twist * at_39.x()) * at_39.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_39.x() * grid_1.step.y()) + (at_39.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -1230,105 +1485,48 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn climb(
         &self,
-        at_6: Entered,
-        direction: impl rt::Into<rt::Vec3<f32>>,
+        at_7: Entered,
+        direction_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_climb(at_6, rt::into(direction)))
+        rt::into(self.v_climb(at_7, rt::into(direction_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_climb(
         &self,
-        at_6: Entered,
-        direction: rt::Vec3<f32>,
+        at_7: Entered,
+        direction_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let metric = at_6.path.metric;
-        let td = at_6.tangent.dot(direction);
-        let bd = at_6.bitangent.dot(direction);
+        let metric = at_7.path.metric;
+        let td = at_7.tangent.dot(direction_2);
+        let bd = at_7.bitangent.dot(direction_2);
         let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
         let duv = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
         let _e30 = self.v_traced_scale_m();
-        return <rt::Vec3<f32>>::new_21(duv, (at_6.normal.dot(direction) / _e30));
+        return <rt::Vec3<f32>>::new_21(duv, (at_7.normal.dot(direction_2) / _e30));
     }
     pub(crate) fn color_at(
         &self,
         uv_3: impl rt::Into<rt::Vec2<f32>>,
-        level_7: impl rt::Into<rt::Scalar<u32>>,
+        level_10: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_7)))
+        rt::into(self.v_color_at(rt::into(uv_3), rt::into(level_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_color_at(
         &self,
         uv_3: rt::Vec2<f32>,
-        level_7: rt::Scalar<u32>,
+        level_10: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.surface_settings.color_size;
-        let _e5 = self.v_level_texels(_e4, level_7);
+        let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_13 = level_7.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_13));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_13));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_13));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_13));
+        let k_14 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_14));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_14));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_14));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_14));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
-    }
-    pub(crate) fn levels_of(
-        &self,
-        footprint: impl rt::Into<rt::Scalar<f32>>,
-        count: impl rt::Into<rt::Scalar<u32>>,
-    ) -> Levels {
-        rt::into(self.v_levels_of(rt::into(footprint), rt::into(count)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_levels_of(
-        &self,
-        footprint: rt::Scalar<f32>,
-        count: rt::Scalar<u32>,
-    ) -> Levels {
-        let mut texels: rt::Scalar<f32>;
-        let mut level_8: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_2: rt::Scalar<bool>;
-        let mut local_3: rt::Scalar<bool>;
-
-        texels = footprint;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e5 = texels;
-                if rt::Scalar::into_branch_condition(_e5.elementwise_ge(rt::Scalar(2f32))) {
-                    let _e10 = level_8;
-                    local_2 = (_e10 + rt::Scalar(1u32)).elementwise_lt(count);
-                } else {
-                    local_2 = rt::Scalar(false);
-                }
-                let _e15 = local_2;
-                if rt::Scalar::into_branch_condition(_e15) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e16 = texels;
-                    texels = (_e16 * rt::Scalar(0.5f32));
-                    let _e19 = level_8;
-                    level_8 = (_e19 + rt::Scalar(1u32));
-                }
-            }
-        }
-        let _e22 = texels;
-        if rt::Scalar::into_branch_condition(_e22.elementwise_gt(rt::Scalar(1f32))) {
-            let _e27 = level_8;
-            local_3 = (_e27 + rt::Scalar(1u32)).elementwise_lt(count);
-        } else {
-            local_3 = rt::Scalar(false);
-        }
-        let _e32 = local_3;
-        if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = level_8;
-            let _e34 = texels;
-            return <Levels>::new(_e33, (_e34 - rt::Scalar(1f32)));
-        }
-        let _e38 = level_8;
-        return <Levels>::new(_e38, rt::Scalar(0f32));
     }
     pub(crate) fn color_or_white(
         &self,
@@ -1372,27 +1570,27 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_texel(
         &self,
         path_6: Path,
-        place_1: impl rt::Into<rt::Vec2<i32>>,
+        place_2: impl rt::Into<rt::Vec2<i32>>,
         layer_1: impl rt::Into<rt::Scalar<i32>>,
-        level_9: impl rt::Into<rt::Scalar<i32>>,
+        level_11: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel(path_6, rt::into(place_1), rt::into(layer_1), rt::into(level_9)))
+        rt::into(self.v_search_texel(path_6, rt::into(place_2), rt::into(layer_1), rt::into(level_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel(
         &self,
         path_6: Path,
-        place_1: rt::Vec2<i32>,
+        place_2: rt::Vec2<i32>,
         layer_1: rt::Scalar<i32>,
-        level_9: rt::Scalar<i32>,
+        level_11: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_6.ray).elementwise_eq(RAY_SHADOW)) {
-            let texel_4 = rt::texture::Read::read_texel((&self.shadow_search_map), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_9));
+            let texel_5 = rt::texture::Read::read_texel((&self.shadow_search_map), place_2, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
             let _e12 = self.surface_settings.maps[1usize];
-            let _e13 = self.v_decoded(texel_4, _e12);
+            let _e13 = self.v_decoded(texel_5, _e12);
             return _e13;
         }
-        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_1, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_9));
+        let _e15 = rt::texture::Read::read_texel((&self.search_map), place_2, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
         let _e19 = self.surface_settings.maps[0usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
@@ -1411,9 +1609,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_7.level));
-        let place_3 = texel_1.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(place_3.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_3.y(), _e3.y());
+        let place_4 = texel_1.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(place_4.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_4.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -1439,99 +1637,99 @@ impl<'g> Resources<'g> {
     pub(crate) fn footprint_axis(
         &self,
         pixel: PixelIn,
-        at_7: Entered,
-        normal_5: impl rt::Into<rt::Vec3<f32>>,
+        at_8: Entered,
+        normal_7: impl rt::Into<rt::Vec3<f32>>,
         t_6: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
-        direction_1: impl rt::Into<rt::Vec3<f32>>,
+        direction_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel, at_7, rt::into(normal_5), rt::into(t_6), rt::into(origin), rt::into(direction_1)))
+        rt::into(self.v_footprint_axis(pixel, at_8, rt::into(normal_7), rt::into(t_6), rt::into(origin), rt::into(direction_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_axis(
         &self,
         pixel: PixelIn,
-        at_7: Entered,
-        normal_5: rt::Vec3<f32>,
+        at_8: Entered,
+        normal_7: rt::Vec3<f32>,
         t_6: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
-        direction_1: rt::Vec3<f32>,
+        direction_3: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
-        let aside = (origin + (direction_1 * t_6));
-        let along_1 = (normal_5.dot(aside) / normal_5.dot(pixel.direction));
-        let _e15 = self.v_climb(at_7, (aside - (pixel.direction * along_1)));
+        let aside = (origin + (direction_3 * t_6));
+        let along_2 = (normal_7.dot(aside) / normal_7.dot(pixel.direction));
+        let _e15 = self.v_climb(at_8, (aside - (pixel.direction * along_2)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
     pub(crate) fn detail_footprint(
         &self,
         pixel_1: PixelIn,
-        at_8: Entered,
-        params_4: impl rt::Into<rt::Vec4<f32>>,
+        at_9: Entered,
+        params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_1, at_8, rt::into(params_4)))
+        rt::into(self.v_detail_footprint(pixel_1, at_9, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_footprint(
         &self,
         pixel_1: PixelIn,
-        at_8: Entered,
-        params_4: rt::Vec4<f32>,
+        at_9: Entered,
+        params_5: rt::Vec4<f32>,
     ) -> Detail {
         let a_2 = pixel_1.a.position;
-        let normal_9 = (pixel_1.b.position - a_2).cross((pixel_1.c.position - a_2));
-        let t_26 = (normal_9.dot((a_2 - pixel_1.origin)) / normal_9.dot(pixel_1.direction));
+        let normal_11 = (pixel_1.b.position - a_2).cross((pixel_1.c.position - a_2));
+        let t_26 = (normal_11.dot((a_2 - pixel_1.origin)) / normal_11.dot(pixel_1.direction));
         let _e20 = self.frame.eye_right;
         let _e24 = self.frame.right;
-        let _e26 = self.v_footprint_axis(pixel_1, at_8, normal_9, t_26, _e20.xyz(), _e24.xyz());
+        let _e26 = self.v_footprint_axis(pixel_1, at_9, normal_11, t_26, _e20.xyz(), _e24.xyz());
         let _e29 = self.frame.eye_down;
         let _e33 = self.frame.down;
-        let _e35 = self.v_footprint_axis(pixel_1, at_8, normal_9, t_26, _e29.xyz(), _e33.xyz());
+        let _e35 = self.v_footprint_axis(pixel_1, at_9, normal_11, t_26, _e29.xyz(), _e33.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e26, _e35);
         let sum_1 = both.dot(both);
         let area_1 = ((_e26.x() * _e35.y()) - (_e26.y() * _e35.x()));
         let apart = ((sum_1 - (rt::Scalar(2f32) * area_1)) * (sum_1 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
         let longer = (rt::Scalar(0.5f32) * (sum_1 + apart));
         let shorter = ((area_1 * area_1) / longer);
-        let squared_1 = shorter.max((longer / (params_4.x() * params_4.x())));
+        let squared_1 = shorter.max((longer / (params_5.x() * params_5.x())));
         let _e68 = rt::Scalar(self.frame.sample_width);
         let footprint_2 = (squared_1.sqrt() * _e68);
         let _e74 = rt::Scalar(self.surface_settings.height_levels);
-        let _e75 = self.v_levels_of((footprint_2 / params_4.y()), _e74);
+        let _e75 = self.v_levels_of((footprint_2 / params_5.y()), _e74);
         return <Detail>::new(rt::Scalar(_e75.fine), footprint_2);
     }
     pub(crate) fn detail_none(
         &self,
         pixel_2: PixelIn,
-        at_9: Entered,
-        params_5: impl rt::Into<rt::Vec4<f32>>,
+        at_10: Entered,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_2, at_9, rt::into(params_5)))
+        rt::into(self.v_detail_none(pixel_2, at_10, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_none(
         &self,
         pixel_2: PixelIn,
-        at_9: Entered,
-        params_5: rt::Vec4<f32>,
+        at_10: Entered,
+        params_6: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_3: PixelIn, at_10: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_3, at_10))
+    pub(crate) fn detail_stage(&self, pixel_3: PixelIn, at_11: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_3, at_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_3: PixelIn, at_10: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_3: PixelIn, at_11: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[1usize].params;
-                let _e12 = self.v_detail_none(pixel_3, at_10, _e11);
+                let _e12 = self.v_detail_none(pixel_3, at_11, _e11);
                 return _e12;
             }
             _ => {
                 let _e17 = self.surface_settings.choices[1usize].params;
-                let _e18 = self.v_detail_footprint(pixel_3, at_10, _e17);
+                let _e18 = self.v_detail_footprint(pixel_3, at_11, _e17);
                 return _e18;
             }
         }
@@ -1553,11 +1751,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_8.level));
         let _e5 = self.v_texels_around(uv_5, _e4);
-        let level_19 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_2, level_19);
-        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_2, level_19);
-        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_2, level_19);
-        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_2, level_19);
+        let level_21 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_2, level_21);
+        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_2, level_21);
+        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_2, level_21);
+        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_2, level_21);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
@@ -1578,13 +1776,13 @@ impl<'g> Resources<'g> {
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_4 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_2 = place_4.floor();
+        let place_5 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_2 = place_5.floor();
         let _e13 = self.v_search_texel_between(path_9, uv_6, below_2.cast_elem_as_i32());
         let lower = _e13.x();
         let _e21 = self.v_search_texel_between(path_9, uv_6, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_4 - below_2)));
+        return (lower + ((upper - lower) * (place_5 - below_2)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -1610,15 +1808,15 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_4: rt::Scalar<bool>;
+        let mut local_5: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_4 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_5 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_4 = rt::Scalar(true);
+                local_5 = rt::Scalar(true);
             }
-            let _e13 = local_4;
+            let _e13 = local_5;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
@@ -1631,18 +1829,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn surface_plane(
         &self,
         pixel_4: PixelIn,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_4, rt::into(params_6)))
+        rt::into(self.v_surface_plane(pixel_4, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
         pixel_4: PixelIn,
-        params_6: rt::Vec4<f32>,
+        params_7: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_5: rt::Scalar<bool>;
+        let mut local_6: rt::Scalar<bool>;
         let mut enter: rt::Scalar<f32>;
         let mut leave_3: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
@@ -1650,34 +1848,34 @@ impl<'g> Resources<'g> {
         let a_4 = pixel_4.a.position;
         let e1_ = (pixel_4.b.position - a_4);
         let e2_ = (pixel_4.c.position - a_4);
-        let n_7 = e1_.cross(e2_);
-        let nn = n_7.dot(n_7);
-        let toward_3 = n_7.dot(pixel_4.direction);
-        let distance = (n_7.dot((a_4 - pixel_4.origin)) / toward_3);
-        let point_4 = (pixel_4.origin + (pixel_4.direction * distance));
-        let from_a = (point_4 - a_4);
-        let wb = (from_a.cross(e2_).dot(n_7) / nn);
-        let wc = (e1_.cross(from_a).dot(n_7) / nn);
+        let n_8 = e1_.cross(e2_);
+        let nn = n_8.dot(n_8);
+        let toward_3 = n_8.dot(pixel_4.direction);
+        let distance = (n_8.dot((a_4 - pixel_4.origin)) / toward_3);
+        let point_5 = (pixel_4.origin + (pixel_4.direction * distance));
+        let from_a = (point_5 - a_4);
+        let wb = (from_a.cross(e2_).dot(n_8) / nn);
+        let wc = (e1_.cross(from_a).dot(n_8) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
         let uv_15 = (((pixel_4.a.uv * wa) + (pixel_4.b.uv * wb)) + (pixel_4.c.uv * wc));
         let tangent_1 = (((pixel_4.a.tangent * wa) + (pixel_4.b.tangent * wb)) + (pixel_4.c.tangent * wc));
         let bitangent = (((pixel_4.a.bitangent * wa) + (pixel_4.b.bitangent * wb)) + (pixel_4.c.bitangent * wc));
-        let normal_10 = ((((pixel_4.a.normal * wa) + (pixel_4.b.normal * wb)) + (pixel_4.c.normal * wc)).normalize() * rt::Scalar(pixel_4.side));
-        let along_2 = pixel_4.direction.length();
-        let direction_2 = (pixel_4.direction / rt::Vec3::splat_from_scalar(along_2));
+        let normal_12 = ((((pixel_4.a.normal * wa) + (pixel_4.b.normal * wb)) + (pixel_4.c.normal * wc)).normalize() * rt::Scalar(pixel_4.side));
+        let along_3 = pixel_4.direction.length();
+        let direction_4 = (pixel_4.direction / rt::Vec3::splat_from_scalar(along_3));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
-        let td_1 = tangent_1.dot(direction_2);
-        let bd_1 = bitangent.dot(direction_2);
+        let td_1 = tangent_1.dot(direction_4);
+        let bd_1 = bitangent.dot(direction_4);
         let area_2 = ((tt * bb) - (tb * tb));
-        let descent = (rt::Scalar(0f32) - normal_10.dot(direction_2));
+        let descent = (rt::Scalar(0f32) - normal_12.dot(direction_4));
         if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_5 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
+            local_6 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_5 = rt::Scalar(true);
+            local_6 = rt::Scalar(true);
         }
-        let _e107 = local_5;
+        let _e107 = local_6;
         if rt::Scalar::into_branch_condition(_e107) {
             valid = rt::Scalar(0u32);
         }
@@ -1685,7 +1883,7 @@ impl<'g> Resources<'g> {
         let _e118 = self.v_traced_scale_m();
         let _e119 = self.v_base_height();
         let slope_4 = ((rt::Scalar(0f32) - descent) / _e118);
-        let eye = ((rt::Scalar(0f32) - distance) * along_2);
+        let eye = ((rt::Scalar(0f32) - distance) * along_3);
         let top_3 = (((_e119 - rt::Scalar(1f32)) * _e118) / descent);
         enter = top_3.max(eye);
         leave_3 = ((_e119 * _e118) / descent);
@@ -1722,7 +1920,7 @@ impl<'g> Resources<'g> {
         let _e189 = rt::Scalar(self.surface_settings.scale_m);
         let path_45 = <Path>::new((uv_15 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
         let _e194 = valid;
-        return <Entered>::new(_e194, path_45, point_4, uv_15, tangent_1, bitangent, normal_10, rt::Scalar(0f32));
+        return <Entered>::new(_e194, path_45, point_5, uv_15, tangent_1, bitangent, normal_12, rt::Scalar(0f32));
     }
     pub(crate) fn surface_stage(&self, pixel_5: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_5))
@@ -1743,15 +1941,15 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_enter_relief(&self, pixel_6: PixelIn) -> Entered {
-        let mut at_11: Entered;
+        let mut at_12: Entered;
 
         let _e1 = self.v_surface_stage(pixel_6);
-        at_11 = _e1;
-        let _e3 = at_11;
+        at_12 = _e1;
+        let _e3 = at_12;
         let _e4 = self.v_detail_stage(pixel_6, _e3);
-        rt::Scalar(at_11.path.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_11.footprint) = rt::Scalar(_e4.footprint);
-        let _e10 = at_11;
+        rt::Scalar(at_12.path.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_12.footprint) = rt::Scalar(_e4.footprint);
+        let _e10 = at_12;
         return _e10;
     }
     pub(crate) fn entered_once(
@@ -1782,7 +1980,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut reads_1: rt::Scalar<u32>;
-        let mut local_6: rt::Scalar<bool>;
+        let mut local_7: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
@@ -1805,11 +2003,11 @@ impl<'g> Resources<'g> {
                     let _e30 = near_1;
                     if rt::Scalar::into_branch_condition(middle_2.elementwise_gt(_e30)) {
                         let _e34 = far_1;
-                        local_6 = middle_2.elementwise_lt(_e34);
+                        local_7 = middle_2.elementwise_lt(_e34);
                     } else {
-                        local_6 = rt::Scalar(false);
+                        local_7 = rt::Scalar(false);
                     }
-                    let _e37 = local_6;
+                    let _e37 = local_7;
                     if rt::Scalar::into_branch_condition((!_e37)) {
                         break 'naga_break;
                     }
@@ -1856,39 +2054,39 @@ impl<'g> Resources<'g> {
         &self,
         uv_7: impl rt::Into<rt::Vec2<f32>>,
         layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_10: impl rt::Into<rt::Scalar<u32>>,
+        level_12: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_7), rt::into(layer_3), rt::into(level_10)))
+        rt::into(self.v_normal_at(rt::into(uv_7), rt::into(layer_3), rt::into(level_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_at(
         &self,
         uv_7: rt::Vec2<f32>,
         layer_3: rt::Scalar<i32>,
-        level_10: rt::Scalar<u32>,
+        level_12: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_10);
+        let _e6 = self.v_level_texels(_e5, level_12);
         let _e7 = self.v_texels_around(uv_7, _e6);
-        let k_14 = level_10.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_14));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_14));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_14));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_14));
+        let k_15 = level_12.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_12: Entered,
+        at_13: Entered,
         uv_8: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_12, rt::into(uv_8)))
+        rt::into(self.v_normal_from_height(at_13, rt::into(uv_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_12: Entered,
+        at_13: Entered,
         uv_8: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
@@ -1904,31 +2102,31 @@ impl<'g> Resources<'g> {
         let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
         let _e41 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
-        let along_u_1 = (at_12.tangent + (at_12.normal * slope_u));
-        let along_v_1 = (at_12.bitangent + (at_12.normal * slope_v));
-        let across_1 = along_v_1.cross(along_u_1).normalize();
-        return (across_1 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_1.dot(at_12.normal).elementwise_ge(rt::Scalar(0f32))));
+        let along_u_1 = (at_13.tangent + (at_13.normal * slope_u));
+        let along_v_1 = (at_13.bitangent + (at_13.normal * slope_v));
+        let across_2 = along_v_1.cross(along_u_1).normalize();
+        return (across_2 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_2.dot(at_13.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn finest_normal(
         &self,
-        at_13: Entered,
+        at_14: Entered,
         uv_9: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_13, rt::into(uv_9)))
+        rt::into(self.v_finest_normal(at_14, rt::into(uv_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_finest_normal(
         &self,
-        at_13: Entered,
+        at_14: Entered,
         uv_9: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_9, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_13, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_14, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_13, uv_9);
+        let _e13 = self.v_normal_from_height(at_14, uv_9);
         return _e13;
     }
     pub(crate) fn quadratic(
@@ -2028,15 +2226,15 @@ impl<'g> Resources<'g> {
         first: rt::Scalar<bool>,
         reads_2: rt::Scalar<u32>,
     ) -> Found {
-        let mut local_7: rt::Scalar<bool>;
+        let mut local_8: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_7 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_8 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_7 = rt::Scalar(false);
+                local_8 = rt::Scalar(false);
             }
-            let _e14 = local_7;
+            let _e14 = local_8;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), reads_2);
             }
@@ -2065,26 +2263,26 @@ impl<'g> Resources<'g> {
         }
         return uv_10;
     }
-    pub(crate) fn from_hit(&self, at_14: Entered, hit_5: Hit, light: Toward) -> Path {
-        rt::into(self.v_from_hit(at_14, hit_5, light))
+    pub(crate) fn from_hit(&self, at_15: Entered, hit_6: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_15, hit_6, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_14: Entered, hit_5: Hit, light: Toward) -> Path {
-        let _e4 = self.v_climb(at_14, light.direction);
-        let _e6 = self.v_near_uv(hit_5.uv);
-        let _e9 = self.v_height_at(_e6, rt::Scalar(at_14.path.level));
+    fn v_from_hit(&self, at_15: Entered, hit_6: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_15, light_1.direction);
+        let _e6 = self.v_near_uv(hit_6.uv);
+        let _e9 = self.v_height_at(_e6, rt::Scalar(at_15.path.level));
         let h_1 = <rt::Vec3<f32>>::from_scalars(_e9, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_1, rt::Scalar(0f32), rt::Scalar(0f32), at_14.path.metric, RAY_SHADOW, rt::Scalar(at_14.path.level));
+        return <Path>::new(_e6, _e4.xy(), h_1, rt::Scalar(0f32), rt::Scalar(0f32), at_15.path.metric, RAY_SHADOW, rt::Scalar(at_15.path.level));
     }
-    pub(crate) fn way_out(&self, path_11: Path, light_1: Toward) -> f32 {
-        rt::into(self.v_way_out(path_11, light_1))
+    pub(crate) fn way_out(&self, path_11: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_11, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_11: Path, light_1: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_11: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way: rt::Scalar<f32>;
         let mut interval_2: rt::Vec2<f32>;
 
-        way = ((rt::Scalar(1f32) - path_11.h.x()) / path_11.h.y()).min(rt::Scalar(light_1.distance));
+        way = ((rt::Scalar(1f32) - path_11.h.x()) / path_11.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way;
@@ -2107,18 +2305,18 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_height_size(rt::Scalar(path_12.level));
         return <Grid>::new(((path_12.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e2));
     }
-    pub(crate) fn light_ray(&self, at_15: Entered, hit_6: Hit, light_2: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_15, hit_6, light_2))
+    pub(crate) fn light_ray(&self, at_16: Entered, hit_7: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_16, hit_7, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_15: Entered, hit_6: Hit, light_2: Toward) -> LightRay {
-        let mut local_8: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_16: Entered, hit_7: Hit, light_3: Toward) -> LightRay {
+        let mut local_9: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_15, hit_6, light_2);
+        let _e3 = self.v_from_hit(at_16, hit_7, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
-        let _e11 = self.v_way_out(_e3, light_2);
+        let _e11 = self.v_way_out(_e3, light_3);
         if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_LIT, _e3);
         }
@@ -2129,11 +2327,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_8 = (_e31.y() + (_e31.z() * end)).elementwise_lt(rt::Scalar(0f32));
+            local_9 = (_e31.y() + (_e31.z() * end)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_8 = rt::Scalar(true);
+            local_9 = rt::Scalar(true);
         }
-        let _e45 = local_8;
+        let _e45 = local_9;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -2150,38 +2348,38 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_none(
         &self,
         path_13: Path,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_13, rt::into(params_7)))
+        rt::into(self.v_search_none(path_13, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
         path_13: Path,
-        params_7: rt::Vec4<f32>,
+        params_8: rt::Vec4<f32>,
     ) -> Found {
         return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_13.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
     }
     pub(crate) fn search_linear(
         &self,
         path_14: Path,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_14, rt::into(params_8)))
+        rt::into(self.v_search_linear(path_14, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
         path_14: Path,
-        params_8: rt::Vec4<f32>,
+        params_9: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
         let mut reads_3: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut k: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_2 = (path_14.h.y().abs() * path_14.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_8.x() * params_8.y().mix_scalar(rt::Scalar(1f32), cosine_2)).ceil());
+        let cosine_3 = (path_14.h.y().abs() * path_14.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_9.x() * params_9.y().mix_scalar(rt::Scalar(1f32), cosine_3)).ceil());
         let _e22 = self.v_path_gap(path_14, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
@@ -2227,15 +2425,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cells(
         &self,
         path_15: Path,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_15, rt::into(params_9)))
+        rt::into(self.v_search_cells(path_15, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
         path_15: Path,
-        params_9: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_6: rt::Vec2<f32>;
         let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2244,7 +2442,7 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_grid_of(path_15);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_6 = _e4;
-        let limit = params_9.x().cast_elem_as_u32();
+        let limit = params_10.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e12 = reads_4;
@@ -2315,14 +2513,14 @@ impl<'g> Resources<'g> {
         cell_7: rt::Scalar<i32>,
         n_3: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_9: rt::Scalar<bool>;
+        let mut local_10: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_7.elementwise_ge(rt::Scalar(0i32))) {
-            local_9 = cell_7.elementwise_lt(n_3);
+            local_10 = cell_7.elementwise_lt(n_3);
         } else {
-            local_9 = rt::Scalar(false);
+            local_10 = rt::Scalar(false);
         }
-        let _e8 = local_9;
+        let _e8 = local_10;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_7, rt::Scalar(0i32));
         }
@@ -2359,17 +2557,17 @@ impl<'g> Resources<'g> {
         cell_8: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_10: rt::Scalar<bool>;
+        let mut local_11: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_17.level));
         let _e7 = self.v_image_of(cell_8.x(), _e4.x());
         let _e10 = self.v_image_of(cell_8.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_10 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_11 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_10 = rt::Scalar(true);
+            local_11 = rt::Scalar(true);
         }
-        let _e21 = local_10;
+        let _e21 = local_11;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -2417,28 +2615,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_frustum(
         &self,
         path_18: Path,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_18, rt::into(params_10)))
+        rt::into(self.v_search_frustum(path_18, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
         path_18: Path,
-        params_10: rt::Vec4<f32>,
+        params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_10: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_5: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_1: rt::Scalar<f32>;
         let mut slope_1: rt::Scalar<f32>;
-        let mut local_11: rt::Scalar<bool>;
+        let mut local_12: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_18);
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
-        let limit_1 = params_10.x().cast_elem_as_u32();
+        let limit_1 = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_5;
@@ -2473,11 +2671,11 @@ impl<'g> Resources<'g> {
                     let _e77 = self.v_least_at(above_3, span_5);
                     let _e78 = self.v_quadratic(above_3, _e77);
                     if rt::Scalar::into_branch_condition(_e78.elementwise_gt(of_heights)) {
-                        local_11 = above_3.x().elementwise_gt(of_heights);
+                        local_12 = above_3.x().elementwise_gt(of_heights);
                     } else {
-                        local_11 = rt::Scalar(false);
+                        local_12 = rt::Scalar(false);
                     }
-                    let _e85 = local_11;
+                    let _e85 = local_12;
                     if rt::Scalar::into_branch_condition(_e85) {
                         if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_18.exit))) {
                             let _e88 = cell_9;
@@ -2502,8 +2700,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e108.elementwise_ge(rt::Scalar(0f32))) {
                         let _e112 = cell_9;
                         let _e115 = t_10;
-                        let at_39 = ((_e2.origin - _e112) + (_e2.step * _e115));
-                        let left_1 = at_39.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_39), forward_2);
+                        let at_40 = ((_e2.origin - _e112) + (_e2.step * _e115));
+                        let left_1 = at_40.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_40), forward_2);
                         let _e127 = t_10;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e127)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e135 = slope_1;
@@ -2544,12 +2742,12 @@ impl<'g> Resources<'g> {
         let _e182 = reads_5;
         return <Found>::new(FOUND_EXHAUSTED, _e180, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e182);
     }
-    pub(crate) fn nearest_corner(&self, at_16: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_16)))
+    pub(crate) fn nearest_corner(&self, at_17: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_16: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_16.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_17: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_17.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -2573,7 +2771,7 @@ impl<'g> Resources<'g> {
         t_11: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_12: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
         let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_2 = (rt::Scalar(path_19.exit) - t_11);
@@ -2598,11 +2796,11 @@ impl<'g> Resources<'g> {
         let aside_1 = (((grid_6.origin - offset) + (grid_6.step * t_11)) / _e85);
         let c_5 = (((slope_2 * aside_1.length()) - gap_3) * ((slope_2 * aside_1.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_12 = c_5.elementwise_ge(rt::Scalar(0f32));
+            local_13 = c_5.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_12 = rt::Scalar(true);
+            local_13 = rt::Scalar(true);
         }
-        let _e102 = local_12;
+        let _e102 = local_13;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -2633,15 +2831,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone(
         &self,
         path_20: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_20, rt::into(params_11)))
+        rt::into(self.v_search_cone(path_20, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
         path_20: Path,
-        params_11: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
         let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2652,7 +2850,7 @@ impl<'g> Resources<'g> {
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
-        let limit_2 = params_11.x().cast_elem_as_u32();
+        let limit_2 = params_12.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e17 = reads_6;
@@ -2674,8 +2872,8 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_4 - _e36).max(rt::Scalar(0f32));
                     let _e41 = cell_10;
                     let _e44 = t_12;
-                    let at_40 = ((_e2.origin - _e41) + (_e2.step * _e44));
-                    let _e47 = self.v_nearest_corner(at_40);
+                    let at_41 = ((_e2.origin - _e41) + (_e2.step * _e44));
+                    let _e47 = self.v_nearest_corner(at_41);
                     let _e48 = self.v_corner_height(_e25, _e47);
                     let _e49 = t_12;
                     next_2 = _e49;
@@ -2683,14 +2881,14 @@ impl<'g> Resources<'g> {
                     let _e52 = self.v_path_height(path_20, _e51);
                     if rt::Scalar::into_branch_condition(_e52.elementwise_gt(_e48)) {
                         let _e54 = cell_10;
-                        let texel_5 = (_e54 + _e47);
-                        let _e56 = self.v_cone_slope(path_20, texel_5);
+                        let texel_6 = (_e54 + _e47);
+                        let _e56 = self.v_cone_slope(path_20, texel_6);
                         let _e57 = reads_6;
                         reads_6 = (_e57 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e56.elementwise_ge(rt::Scalar(0f32))) {
                             let _e62 = t_12;
                             let _e63 = t_12;
-                            let _e64 = self.v_stays_inside(path_20, _e2, texel_5, _e48, _e56, _e63);
+                            let _e64 = self.v_stays_inside(path_20, _e2, texel_6, _e48, _e56, _e63);
                             next_2 = (_e62 + _e64);
                         }
                     }
@@ -2732,9 +2930,9 @@ impl<'g> Resources<'g> {
         cell_11: impl rt::Into<rt::Scalar<i32>>,
         image: impl rt::Into<rt::Vec2<i32>>,
         n_4: impl rt::Into<rt::Scalar<i32>>,
-        level_11: impl rt::Into<rt::Scalar<u32>>,
+        level_13: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_4), rt::into(level_11)))
+        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_4), rt::into(level_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
@@ -2742,12 +2940,12 @@ impl<'g> Resources<'g> {
         cell_11: rt::Scalar<i32>,
         image: rt::Vec2<i32>,
         n_4: rt::Scalar<i32>,
-        level_11: rt::Scalar<u32>,
+        level_13: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_13: rt::Scalar<bool>;
+        let mut local_14: rt::Scalar<bool>;
 
-        let first_4 = ((image.x() >> level_11) << level_11);
-        let side_1 = (rt::Scalar(1i32) << level_11);
+        let first_4 = ((image.x() >> level_13) << level_13);
+        let side_1 = (rt::Scalar(1i32) << level_13);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
             let low = (cell_11 - (image.x() - first_4));
             return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_4 - first_4))));
@@ -2756,13 +2954,13 @@ impl<'g> Resources<'g> {
             let high = ((cell_11 + (image.x() - first_4)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_4 - rt::Scalar(1i32)) - first_4))), high);
         }
-        if rt::Scalar::into_branch_condition(level_11.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_13.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_13 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_14 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_13 = rt::Scalar(false);
+            local_14 = rt::Scalar(false);
         }
-        let _e43 = local_13;
+        let _e43 = local_14;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_11.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_11.elementwise_ge(n_4)));
         }
@@ -2794,26 +2992,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_pyramid(
         &self,
         path_21: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_21, rt::into(params_12)))
+        rt::into(self.v_search_pyramid(path_21, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
         path_21: Path,
-        params_12: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_12: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_14: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_12: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_7: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_14: rt::Scalar<bool>;
         let mut local_15: rt::Scalar<bool>;
         let mut local_16: rt::Scalar<bool>;
         let mut local_17: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_21);
         let _e4 = self.v_height_texels(rt::Scalar(path_21.level));
@@ -2828,17 +3026,17 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_12;
+                    let _e28 = level_14;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long)) {
-                        let _e33 = level_12;
-                        level_12 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_14;
+                        level_14 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_12 = _e37.cast_elem_as_i32();
-        let limit_3 = params_12.x().cast_elem_as_u32();
+        let limit_3 = params_13.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e50 = reads_7;
@@ -2851,41 +3049,41 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_image_of(_e53, _e4.x());
                     let _e57 = cell_12.y();
                     let _e59 = self.v_image_of(_e57, _e4.y());
-                    let place_5 = <rt::Vec2<i32>>::from_scalars(_e55.x(), _e59.x());
-                    let _e63 = level_12;
+                    let place_6 = <rt::Vec2<i32>>::from_scalars(_e55.x(), _e59.x());
+                    let _e63 = level_14;
                     let above_level = (_e63 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_5.x() >> above_level), (place_5.y() >> above_level));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_6.x() >> above_level), (place_6.y() >> above_level));
                     let _e72 = parent.x();
                     if rt::Scalar::into_branch_condition(_e72.elementwise_ge(rt::Scalar(0i32))) {
                         let _e78 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e78.elementwise_ne(over.x()))) {
                             let _e85 = parent.y();
-                            local_15 = _e85.elementwise_ne(over.y());
+                            local_16 = _e85.elementwise_ne(over.y());
                         } else {
-                            local_15 = rt::Scalar(true);
+                            local_16 = rt::Scalar(true);
                         }
-                        let _e89 = local_15;
-                        local_14 = _e89;
+                        let _e89 = local_16;
+                        local_15 = _e89;
                     } else {
-                        local_14 = rt::Scalar(false);
+                        local_15 = rt::Scalar(false);
                     }
-                    let left_2 = local_14;
+                    let left_2 = local_15;
                     if rt::Scalar::into_branch_condition(left_2) {
-                        let _e94 = level_12;
+                        let _e94 = level_14;
                         let _e95 = top;
-                        local_16 = _e94.elementwise_lt(_e95);
+                        local_17 = _e94.elementwise_lt(_e95);
                     } else {
-                        local_16 = rt::Scalar(false);
+                        local_17 = rt::Scalar(false);
                     }
-                    let _e98 = local_16;
+                    let _e98 = local_17;
                     if rt::Scalar::into_branch_condition(_e98) {
-                        level_12 = above_level;
+                        level_14 = above_level;
                     }
                     let _e100 = cell_12.x();
-                    let _e102 = level_12;
+                    let _e102 = level_14;
                     let _e103 = self.v_node_extent(_e100, _e55, _e4.x(), _e102);
                     let _e105 = cell_12.y();
-                    let _e107 = level_12;
+                    let _e107 = level_14;
                     let _e108 = self.v_node_extent(_e105, _e59, _e4.y(), _e107);
                     let _e113 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e103);
                     let _e118 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e108);
@@ -2893,10 +3091,10 @@ impl<'g> Resources<'g> {
                     let _e122 = t_13;
                     let span_7 = (end_5 - _e122).max(rt::Scalar(0f32));
                     let low_1 = <rt::Vec2<i32>>::from_scalars(_e103.x(), _e108.x());
-                    let last_1 = <rt::Vec2<i32>>::from_scalars((_e103.y() - rt::Scalar(1i32)), (_e108.y() - rt::Scalar(1i32)));
+                    let last_2 = <rt::Vec2<i32>>::from_scalars((_e103.y() - rt::Scalar(1i32)), (_e108.y() - rt::Scalar(1i32)));
                     let _e136 = reads_7;
                     reads_7 = (_e136 + rt::Scalar(1u32));
-                    let _e139 = level_12;
+                    let _e139 = level_14;
                     if rt::Scalar::into_branch_condition(_e139.elementwise_eq(rt::Scalar(0u32))) {
                         let _e142 = cell_12;
                         let _e144 = cell_12;
@@ -2911,10 +3109,10 @@ impl<'g> Resources<'g> {
                             return _e154;
                         }
                     } else {
-                        let _e159 = level_12;
-                        let _e162 = level_12;
-                        let _e166 = level_12;
-                        let _e170 = self.v_search_texel(path_21, <rt::Vec2<i32>>::from_scalars((place_5.x() >> _e159), (place_5.y() >> _e162)), rt::Scalar(0i32), (_e166.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e159 = level_14;
+                        let _e162 = level_14;
+                        let _e166 = level_14;
+                        let _e170 = self.v_search_texel(path_21, <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e159), (place_6.y() >> _e162)), rt::Scalar(0i32), (_e166.cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e170.y();
                         let _e172 = t_13;
                         let furthest = (_e172 + span_7);
@@ -2927,11 +3125,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e204 = self.v_least_at(gap_4, span_7);
                             let _e205 = self.v_quadratic(gap_4, _e204);
-                            local_17 = _e205.elementwise_le(rt::Scalar(0f32));
+                            local_18 = _e205.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_17 = rt::Scalar(true);
+                            local_18 = rt::Scalar(true);
                         }
-                        let _e209 = local_17;
+                        let _e209 = local_18;
                         if rt::Scalar::into_branch_condition(_e209) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e213 = t_13;
@@ -2940,9 +3138,9 @@ impl<'g> Resources<'g> {
                             }
                             let _e219 = t_13;
                             let _e222 = self.v_cell_of((_e2.origin + (_e2.step * _e219)));
-                            cell_12 = _e222.cast_elem_as_i32().clamp(low_1, last_1);
-                            let _e225 = level_12;
-                            level_12 = (_e225 - rt::Scalar(1u32));
+                            cell_12 = _e222.cast_elem_as_i32().clamp(low_1, last_2);
+                            let _e225 = level_14;
+                            level_14 = (_e225 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -2953,16 +3151,16 @@ impl<'g> Resources<'g> {
                         return <Found>::new(FOUND_MISS, _e234, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e236);
                     }
                     let _e244 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
-                    cell_12 = _e244.cast_elem_as_i32().clamp(low_1, last_1);
+                    cell_12 = _e244.cast_elem_as_i32().clamp(low_1, last_2);
                     if rt::Scalar::into_branch_condition(_e113.elementwise_le(end_5)) {
                         cell_12.set_x((low_1.x() - rt::Scalar(1i32)).select(_e103.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_5)) {
                         cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e270 = level_12;
-                    let _e275 = level_12;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_5.x() >> (_e270 + rt::Scalar(1u32))), (place_5.y() >> (_e275 + rt::Scalar(1u32))));
+                    let _e270 = level_14;
+                    let _e275 = level_14;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_6.x() >> (_e270 + rt::Scalar(1u32))), (place_6.y() >> (_e275 + rt::Scalar(1u32))));
                     let _e280 = t_13;
                     t_13 = _e280.max(end_5);
                 }
@@ -2976,57 +3174,57 @@ impl<'g> Resources<'g> {
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_5: impl rt::Into<rt::Scalar<i32>>,
-        level_13: impl rt::Into<rt::Scalar<u32>>,
+        level_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_13)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
-        level_13: rt::Scalar<u32>,
+        level_15: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_18: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
-        let first_5 = ((_e3 >> level_13) << level_13);
-        let last_2 = (first_5 + (rt::Scalar(1i32) << level_13)).min(n_5);
+        let first_5 = ((_e3 >> level_15) << level_15);
+        let last_3 = (first_5 + (rt::Scalar(1i32) << level_15)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_18 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_19 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_18 = rt::Scalar(true);
+            local_19 = rt::Scalar(true);
         }
-        let _e20 = local_18;
+        let _e20 = local_19;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_3));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_5);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_5)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_2));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_3));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_2) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_5) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_3) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_5) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
         path_22: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_22, rt::into(params_13)))
+        rt::into(self.v_search_pyramid_texels(path_22, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
         path_22: Path,
-        params_13: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_14: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_16: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -3040,20 +3238,20 @@ impl<'g> Resources<'g> {
         let step_1 = (path_22.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_14;
+                let _e14 = level_16;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_14;
-                    level_14 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_16;
+                    level_16 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_2);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_4 = params_13.x().cast_elem_as_u32();
+        let limit_4 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e33 = reads_8;
@@ -3066,27 +3264,27 @@ impl<'g> Resources<'g> {
                     let _e38 = self.v_wrap_index(_e36, _e3.x());
                     let _e40 = texel_3.y();
                     let _e42 = self.v_wrap_index(_e40, _e3.y());
-                    let place_6 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
+                    let place_7 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
                     highest = rt::Scalar(0f32);
-                    let _e46 = level_14;
+                    let _e46 = level_16;
                     if rt::Scalar::into_branch_condition(_e46.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e51 = rt::texture::Read::read_texel((&self.height_map), place_6, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e51 = rt::texture::Read::read_texel((&self.height_map), place_7, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e51.x();
                     } else {
-                        let _e54 = level_14;
-                        let _e57 = level_14;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e54), (place_6.y() >> _e57));
-                        let _e61 = level_14;
+                        let _e54 = level_16;
+                        let _e57 = level_16;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e54), (place_7.y() >> _e57));
+                        let _e61 = level_16;
                         let _e65 = self.v_search_texel(path_22, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e65.y();
                     }
                     let _e67 = reads_8;
                     reads_8 = (_e67 + rt::Scalar(1u32));
                     let _e71 = texel_3.x();
-                    let _e73 = level_14;
+                    let _e73 = level_16;
                     let _e74 = self.v_texel_extent(_e71, _e3.x(), _e73);
                     let _e76 = texel_3.y();
-                    let _e78 = level_14;
+                    let _e78 = level_16;
                     let _e79 = self.v_texel_extent(_e76, _e3.y(), _e78);
                     let _e82 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e74);
                     let _e85 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e79);
@@ -3106,23 +3304,23 @@ impl<'g> Resources<'g> {
                         sinks = _e110;
                     }
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e74.x(), _e79.x());
-                    let last_3 = <rt::Vec2<i32>>::from_scalars((_e74.y() - rt::Scalar(1i32)), (_e79.y() - rt::Scalar(1i32)));
+                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e74.y() - rt::Scalar(1i32)), (_e79.y() - rt::Scalar(1i32)));
                     let _e121 = sinks;
                     if rt::Scalar::into_branch_condition(_e121.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e124 = t_14;
                         let _e125 = sinks;
                         t_14 = (_e124 + _e125);
-                        let _e127 = level_14;
+                        let _e127 = level_16;
                         if rt::Scalar::into_branch_condition(_e127.elementwise_eq(rt::Scalar(0u32))) {
                             let _e131 = t_14;
                             let _e132 = reads_8;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e131, rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                         }
-                        let _e137 = level_14;
-                        level_14 = (_e137 - rt::Scalar(1u32));
+                        let _e137 = level_16;
+                        level_16 = (_e137 - rt::Scalar(1u32));
                         let _e140 = t_14;
                         let _e143 = self.v_cell_of((origin_2 + (step_1 * _e140)));
-                        texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_3);
+                        texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_4);
                     } else {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_22.exit))) {
                             let _e149 = t_14;
@@ -3130,7 +3328,7 @@ impl<'g> Resources<'g> {
                             return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
                         }
                         let _e157 = self.v_cell_of((origin_2 + (step_1 * end_6)));
-                        texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_3);
+                        texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_4);
                         if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_6)) {
                             texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
@@ -3170,15 +3368,15 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_dilation_erosion(
         &self,
         path_23: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_23, rt::into(params_14)))
+        rt::into(self.v_search_dilation_erosion(path_23, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
         path_23: Path,
-        params_14: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_14: rt::Vec2<f32>;
         let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3186,17 +3384,17 @@ impl<'g> Resources<'g> {
         let mut reads_9: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_19: rt::Scalar<bool>;
         let mut local_20: rt::Scalar<bool>;
         let mut local_21: rt::Scalar<bool>;
         let mut local_22: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_23);
         let _e4 = self.v_height_texels(rt::Scalar(path_23.level));
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_14 = _e11;
-        let limit_5 = params_14.x().cast_elem_as_u32();
+        let limit_5 = params_15.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = reads_9;
@@ -3212,17 +3410,17 @@ impl<'g> Resources<'g> {
                     let span_8 = (end_7 - _e30).max(rt::Scalar(0f32));
                     let _e34 = t_15;
                     next_3 = _e34;
-                    looks = params_14.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_15.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e41 = cell_14.x();
                     let _e44 = self.v_image_of(_e41.cast_elem_as_i32(), _e4.x());
                     let _e46 = cell_14.y();
                     let _e49 = self.v_image_of(_e46.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e44.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_19 = _e49.y().elementwise_eq(rt::Scalar(2i32));
+                        local_20 = _e49.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_19 = rt::Scalar(true);
+                        local_20 = rt::Scalar(true);
                     }
-                    let _e60 = local_19;
+                    let _e60 = local_20;
                     if rt::Scalar::into_branch_condition(_e60) {
                         looks = rt::Scalar(true);
                     } else {
@@ -3230,7 +3428,7 @@ impl<'g> Resources<'g> {
                         let _e69 = reads_9;
                         reads_9 = (_e69 + rt::Scalar(1u32));
                         let _e72 = cell_14;
-                        let _e74 = self.v_leaves_window(_e2, _e72, params_14.z());
+                        let _e74 = self.v_leaves_window(_e2, _e72, params_15.z());
                         let _e77 = t_15;
                         let reach = (_e74.min(rt::Scalar(path_23.exit)) - _e77).max(rt::Scalar(0f32));
                         let _e81 = t_15;
@@ -3257,18 +3455,18 @@ impl<'g> Resources<'g> {
                         let _e122 = looks;
                         if rt::Scalar::into_branch_condition((!_e122)) {
                             let _e126 = next_3;
-                            local_20 = _e126.elementwise_lt(end_7);
-                        } else {
-                            local_20 = rt::Scalar(false);
-                        }
-                        let _e129 = local_20;
-                        if rt::Scalar::into_branch_condition(_e129) {
-                            let _e132 = self.v_path_height(path_23, end_7);
-                            local_21 = _e132.elementwise_lt(_e68.x());
+                            local_21 = _e126.elementwise_lt(end_7);
                         } else {
                             local_21 = rt::Scalar(false);
                         }
-                        let _e136 = local_21;
+                        let _e129 = local_21;
+                        if rt::Scalar::into_branch_condition(_e129) {
+                            let _e132 = self.v_path_height(path_23, end_7);
+                            local_22 = _e132.elementwise_lt(_e68.x());
+                        } else {
+                            local_22 = rt::Scalar(false);
+                        }
+                        let _e136 = local_22;
                         if rt::Scalar::into_branch_condition(_e136) {
                             let _e137 = safe_;
                             let _e138 = reads_9;
@@ -3279,11 +3477,11 @@ impl<'g> Resources<'g> {
                     let _e140 = next_3;
                     if rt::Scalar::into_branch_condition((!_e140.elementwise_lt(end_7))) {
                         let _e145 = t_15;
-                        local_22 = (!end_7.elementwise_gt(_e145));
+                        local_23 = (!end_7.elementwise_gt(_e145));
                     } else {
-                        local_22 = rt::Scalar(true);
+                        local_23 = rt::Scalar(true);
                     }
-                    let _e149 = local_22;
+                    let _e149 = local_23;
                     if rt::Scalar::into_branch_condition(_e149) {
                         let _e150 = looks;
                         if rt::Scalar::into_branch_condition(_e150) {
@@ -3327,21 +3525,21 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_sphere(
         &self,
         path_24: Path,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_24, rt::into(params_15)))
+        rt::into(self.v_search_sphere(path_24, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
         path_24: Path,
-        params_15: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_15: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut next_4: rt::Scalar<f32>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_24);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -3355,7 +3553,7 @@ impl<'g> Resources<'g> {
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_15 = _e52;
-        let limit_6 = params_15.x().cast_elem_as_u32();
+        let limit_6 = params_16.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e60 = reads_10;
@@ -3373,7 +3571,7 @@ impl<'g> Resources<'g> {
                     let _e74 = self.v_path_uv(path_24, _e73);
                     let _e75 = t_16;
                     let _e76 = self.v_path_height(path_24, _e75);
-                    let _e78 = self.v_distance_at(path_24, _e74, _e76, params_15.z());
+                    let _e78 = self.v_distance_at(path_24, _e74, _e76, params_16.z());
                     let free_1 = (_e78 - lost_3);
                     let _e80 = reads_10;
                     reads_10 = (_e80 + rt::Scalar(2u32));
@@ -3383,7 +3581,7 @@ impl<'g> Resources<'g> {
                         let _e87 = t_16;
                         next_4 = (_e87 + (free_1 / speed_1));
                     }
-                    if rt::Scalar::into_branch_condition(params_15.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_16.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e93 = next_4;
                         let _e94 = t_16;
                         if rt::Scalar::into_branch_condition((!(_e93 - _e94).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_24.exit))))) {
@@ -3395,11 +3593,11 @@ impl<'g> Resources<'g> {
                         let _e108 = next_4;
                         if rt::Scalar::into_branch_condition((!_e108.elementwise_lt(end_8))) {
                             let _e113 = t_16;
-                            local_23 = (!end_8.elementwise_gt(_e113));
+                            local_24 = (!end_8.elementwise_gt(_e113));
                         } else {
-                            local_23 = rt::Scalar(true);
+                            local_24 = rt::Scalar(true);
                         }
-                        let _e117 = local_23;
+                        let _e117 = local_24;
                         if rt::Scalar::into_branch_condition(_e117) {
                             let _e118 = reads_10;
                             reads_10 = (_e118 + rt::Scalar(1u32));
@@ -3441,28 +3639,28 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_cone_moved(
         &self,
         path_25: Path,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_25, rt::into(params_16)))
+        rt::into(self.v_search_cone_moved(path_25, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
         path_25: Path,
-        params_16: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Found {
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_11: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut k_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
         let aside_2 = path_25.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_1;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_16.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_17.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3474,11 +3672,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
                         let _e24 = t_17;
                         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(rt::Scalar(0f32))) {
-                            local_24 = _e18.elementwise_lt(rt::Scalar(0f32));
+                            local_25 = _e18.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_24 = rt::Scalar(false);
+                            local_25 = rt::Scalar(false);
                         }
-                        let _e32 = local_24;
+                        let _e32 = local_25;
                         if rt::Scalar::into_branch_condition(_e32) {
                             let _e34 = reads_11;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e18, _e18, _e34);
@@ -3538,26 +3736,26 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone(
         &self,
         path_26: Path,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_26, rt::into(params_17)))
+        rt::into(self.v_search_relaxed_cone(path_26, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
         path_26: Path,
-        params_17: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
         let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_25: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_26: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_26);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -3568,7 +3766,7 @@ impl<'g> Resources<'g> {
         let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_26.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_16 = _e36;
-        let limit_7 = params_17.x().cast_elem_as_u32();
+        let limit_7 = params_18.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e48 = reads_12;
@@ -3594,11 +3792,11 @@ impl<'g> Resources<'g> {
                         let _e75 = t_18;
                         if rt::Scalar::into_branch_condition(_e74.elementwise_lt(_e75)) {
                             let _e79 = near_gap_3;
-                            local_25 = _e79.elementwise_gt(rt::Scalar(0f32));
+                            local_26 = _e79.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_25 = rt::Scalar(false);
+                            local_26 = rt::Scalar(false);
                         }
-                        let _e83 = local_25;
+                        let _e83 = local_26;
                         if rt::Scalar::into_branch_condition(_e83) {
                             let _e84 = near_4;
                             let _e85 = t_18;
@@ -3616,7 +3814,7 @@ impl<'g> Resources<'g> {
                     let _e96 = t_18;
                     start = _e96;
                     gap = _e67.x();
-                    if rt::Scalar::into_branch_condition(params_17.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e103 = t_18;
                         let _e104 = t_18;
                         let _e107 = reads_12;
@@ -3658,14 +3856,14 @@ impl<'g> Resources<'g> {
                             next_5 = (_e162 + (room.max(rt::Scalar(0f32)) / closing_2));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_17.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e172 = next_5;
                         let _e173 = t_18;
-                        local_26 = (!(_e172 - _e173).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
+                        local_27 = (!(_e172 - _e173).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
                     } else {
-                        local_26 = rt::Scalar(false);
+                        local_27 = rt::Scalar(false);
                     }
-                    let _e181 = local_26;
+                    let _e181 = local_27;
                     if rt::Scalar::into_branch_condition(_e181) {
                         let _e183 = t_18;
                         let _e185 = gap;
@@ -3704,29 +3902,29 @@ impl<'g> Resources<'g> {
     pub(crate) fn search_relaxed_cone_resting(
         &self,
         path_27: Path,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_27, rt::into(params_18)))
+        rt::into(self.v_search_relaxed_cone_resting(path_27, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
         path_27: Path,
-        params_18: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_27);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_17 = _e9;
-        let limit_8 = params_18.x().cast_elem_as_u32();
+        let limit_8 = params_19.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = reads_13;
@@ -3752,11 +3950,11 @@ impl<'g> Resources<'g> {
                         let _e48 = t_19;
                         if rt::Scalar::into_branch_condition(_e47.elementwise_lt(_e48)) {
                             let _e52 = near_gap_4;
-                            local_27 = _e52.elementwise_gt(rt::Scalar(0f32));
+                            local_28 = _e52.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_27 = rt::Scalar(false);
+                            local_28 = rt::Scalar(false);
                         }
-                        let _e56 = local_27;
+                        let _e56 = local_28;
                         if rt::Scalar::into_branch_condition(_e56) {
                             let _e57 = near_5;
                             let _e58 = t_19;
@@ -3794,12 +3992,12 @@ impl<'g> Resources<'g> {
                     let _e99 = self.v_path_height(path_27, start_1);
                     if rt::Scalar::into_branch_condition(_e99.elementwise_gt(_e97)) {
                         let _e101 = cell_17;
-                        let texel_6 = (_e101 + _e96);
-                        let _e103 = self.v_cone_slope(path_27, texel_6);
+                        let texel_7 = (_e101 + _e96);
+                        let _e103 = self.v_cone_slope(path_27, texel_7);
                         let _e104 = reads_13;
                         reads_13 = (_e104 + rt::Scalar(1u32));
                         if rt::Scalar::into_branch_condition(_e103.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e109 = self.v_stays_inside(path_27, _e2, texel_6, _e97, _e103, start_1);
+                            let _e109 = self.v_stays_inside(path_27, _e2, texel_7, _e97, _e103, start_1);
                             next_6 = (start_1 + _e109);
                         }
                     }
@@ -3899,12 +4097,12 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_17: Entered, hit_7: Hit, light_3: Toward) -> f32 {
-        rt::into(self.v_free_way(at_17, hit_7, light_3))
+    pub(crate) fn free_way(&self, at_18: Entered, hit_8: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_18, hit_8, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_17: Entered, hit_7: Hit, light_3: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_17, hit_7, light_3);
+    fn v_free_way(&self, at_18: Entered, hit_8: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_18, hit_8, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -3919,48 +4117,48 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
-        let mut local_28: rt::Scalar<bool>;
         let mut local_29: rt::Scalar<bool>;
         let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-                local_29 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_29 = rt::Scalar(true);
-            }
-            let _e16 = local_29;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_30 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+                local_30 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_30 = rt::Scalar(true);
             }
-            let _e24 = local_30;
-            local_28 = _e24;
+            let _e16 = local_30;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_31 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_31 = rt::Scalar(true);
+            }
+            let _e24 = local_31;
+            local_29 = _e24;
         } else {
-            local_28 = rt::Scalar(false);
+            local_29 = rt::Scalar(false);
         }
-        let _e26 = local_28;
+        let _e26 = local_29;
         return _e26;
     }
     pub(crate) fn height_and_slope(
         &self,
         uv_11: impl rt::Into<rt::Vec2<f32>>,
-        level_15: impl rt::Into<rt::Scalar<u32>>,
+        level_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_11), rt::into(level_15)))
+        rt::into(self.v_height_and_slope(rt::into(uv_11), rt::into(level_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_and_slope(
         &self,
         uv_11: rt::Vec2<f32>,
-        level_15: rt::Scalar<u32>,
+        level_17: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_15);
-        let point_5 = ((uv_11 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_5);
-        let f_1 = (point_5 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
+        let _e2 = self.v_height_size(level_17);
+        let point_6 = ((uv_11 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_6);
+        let f_1 = (point_6 - _e8);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_17);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
@@ -3991,34 +4189,34 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         reads_15: rt::Scalar<u32>,
     ) -> Hit {
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_20.elementwise_gt(rt::Scalar(path_29.exit))) {
             let _e9 = self.v_path_height(path_29, rt::Scalar(path_29.exit));
-            local_31 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_32 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_31 = rt::Scalar(false);
+            local_32 = rt::Scalar(false);
         }
-        let _e13 = local_31;
+        let _e13 = local_32;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(reads_15);
             return _e14;
         }
-        let inside = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
-        let _e19 = self.v_path_uv(path_29, inside);
-        let _e20 = self.v_path_height(path_29, inside);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside, reads_15);
+        let inside_1 = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
+        let _e19 = self.v_path_uv(path_29, inside_1);
+        let _e20 = self.v_path_height(path_29, inside_1);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_1, reads_15);
     }
-    pub(crate) fn hit_position(&self, at_18: Entered, hit_8: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_hit_position(at_18, hit_8))
+    pub(crate) fn hit_position(&self, at_19: Entered, hit_9: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_hit_position(at_19, hit_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_position(&self, at_18: Entered, hit_8: Hit) -> rt::Vec3<f32> {
-        let aside_4 = (hit_8.uv - at_18.uv);
+    fn v_hit_position(&self, at_19: Entered, hit_9: Hit) -> rt::Vec3<f32> {
+        let aside_4 = (hit_9.uv - at_19.uv);
         let _e17 = rt::Scalar(self.surface_settings.bias_m);
         let _e20 = rt::Scalar(self.surface_settings.scale_m);
-        let _e24 = self.v_height_at(hit_8.uv, rt::Scalar(at_18.path.level));
-        return (((at_18.point + (at_18.tangent * aside_4.x())) + (at_18.bitangent * aside_4.y())) + (at_18.normal * (_e17 + (_e20 * _e24))));
+        let _e24 = self.v_height_at(hit_9.uv, rt::Scalar(at_19.path.level));
+        return (((at_19.point + (at_19.tangent * aside_4.x())) + (at_19.bitangent * aside_4.y())) + (at_19.normal * (_e17 + (_e20 * _e24))));
     }
     pub(crate) fn mean_of_five(
         &self,
@@ -4045,68 +4243,68 @@ impl<'g> Resources<'g> {
         let square_1 = ((slope_5 * slope_5) * upright);
         return <Normals>::new(<rt::Vec4<f32>>::new_31(n_6, slope_5.x()), <rt::Vec4<f32>>::from_scalars(square_1.x(), ((slope_5.x() * slope_5.y()) * upright), square_1.y(), slope_5.y()));
     }
-    pub(crate) fn one_seen(&self, normal_6: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_6)))
+    pub(crate) fn one_seen(&self, normal_8: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_one_seen(&self, normal_6: rt::Vec3<f32>) -> SeenNormals {
+    fn v_one_seen(&self, normal_8: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        return <SeenNormals>::new(normal_6, rt::Scalar(1f32), rt::Scalar(0u32), none, none, none, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts);
+        return <SeenNormals>::new(normal_8, rt::Scalar(1f32), rt::Scalar(0u32), none, none, none, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_19: Entered,
+        at_20: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_19, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_20, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_19: Entered,
+        at_20: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_19.tangent.normalize();
-        let along_v_2 = at_19.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_19.normal.dot(v));
+        let along_u_2 = at_20.tangent.normalize();
+        let along_v_2 = at_20.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_20.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_20: Entered,
+        at_21: Entered,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
-        level_16: impl rt::Into<rt::Scalar<u32>>,
+        level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_20, rt::into(uv_12), rt::into(level_16)))
+        rt::into(self.v_normals_of_level(at_21, rt::into(uv_12), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_20: Entered,
+        at_21: Entered,
         uv_12: rt::Vec2<f32>,
-        level_16: rt::Scalar<u32>,
+        level_18: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_16.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_20, uv_12);
-            let _e6 = self.v_to_tangent_space(at_20, _e5);
+        if rt::Scalar::into_branch_condition(level_18.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_21, uv_12);
+            let _e6 = self.v_to_tangent_space(at_21, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_12, rt::Scalar(0i32), level_16);
-            let _e16 = self.v_normal_at(uv_12, rt::Scalar(1i32), level_16);
+            let _e14 = self.v_normal_at(uv_12, rt::Scalar(0i32), level_18);
+            let _e16 = self.v_normal_at(uv_12, rt::Scalar(1i32), level_18);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_20.tangent.normalize().dot(at_20.tangent)) / at_20.tangent.dot(at_20.tangent));
-        let y_1 = ((tile.y() * at_20.bitangent.normalize().dot(at_20.bitangent)) / at_20.bitangent.dot(at_20.bitangent));
-        let _e44 = self.v_normal_at(uv_12, rt::Scalar(0i32), (level_16 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_12, rt::Scalar(1i32), (level_16 - rt::Scalar(1u32)));
+        let x_2 = ((tile.x() * at_21.tangent.normalize().dot(at_21.tangent)) / at_21.tangent.dot(at_21.tangent));
+        let y_1 = ((tile.y() * at_21.bitangent.normalize().dot(at_21.bitangent)) / at_21.bitangent.dot(at_21.bitangent));
+        let _e44 = self.v_normal_at(uv_12, rt::Scalar(0i32), (level_18 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_12, rt::Scalar(1i32), (level_18 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
-        let n_8 = (flatter * (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt());
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_8, (_e44.w() * x_2)), <rt::Vec4<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1), (_e48.w() * y_1)));
+        let n_9 = (flatter * (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt());
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_9, (_e44.w() * x_2)), <rt::Vec4<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1), (_e48.w() * y_1)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -4117,18 +4315,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_21: Entered,
+        at_22: Entered,
         normals: Normals,
-        view_5: impl rt::Into<rt::Vec3<f32>>,
+        view_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_21, normals, rt::into(view_5)))
+        rt::into(self.v_seen_normals(at_22, normals, rt::into(view_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_21: Entered,
+        at_22: Entered,
         normals: Normals,
-        view_5: rt::Vec3<f32>,
+        view_6: rt::Vec3<f32>,
     ) -> SeenNormals {
         let first_6 = normals.first;
         let second = normals.second;
@@ -4139,102 +4337,102 @@ impl<'g> Resources<'g> {
         let a_6 = ((second.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let b_4 = (((second.y() / upright_1) - (x_3 * y_2)) / a_6);
         let spread = ((second.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d = (spread - (b_4 * b_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let d_1 = (spread - (b_4 * b_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second.x(), second.y(), first_6.x())) - (first_6.xyz() * slope_6.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second.y(), second.z(), first_6.y())) - (first_6.xyz() * slope_6.y()));
-        let along_3 = (with_x / rt::Vec3::splat_from_scalar(a_6));
-        let across_2 = ((with_y - (along_3 * b_4)) / rt::Vec3::splat_from_scalar(d));
-        let _e66 = self.v_to_tangent_space(at_21, view_5);
+        let along_4 = (with_x / rt::Vec3::splat_from_scalar(a_6));
+        let across_3 = ((with_y - (along_4 * b_4)) / rt::Vec3::splat_from_scalar(d_1));
+        let _e66 = self.v_to_tangent_space(at_22, view_6);
         let middle_3 = (_e66.z() - _e66.xy().dot(slope_6));
-        let _e80 = self.v_facing_four(middle_3, (-((_e66.x() * a_6) + (_e66.y() * b_4))), (-(_e66.y() * d)));
+        let _e80 = self.v_facing_four(middle_3, (-((_e66.x() * a_6) + (_e66.y() * b_4))), (-(_e66.y() * d_1)));
         let one = middle_3.max(rt::Scalar(0f32));
         let _e83 = self.v_sum_of_four(_e80);
         let _e84 = self.v_mean_of_five(one, _e83);
         let all = _e84.max(rt::Scalar(0.001f32));
-        let aside_5 = ((along_3 * ((_e80.x() - _e80.y()) / all)) + (across_2 * ((_e80.z() - _e80.w()) / all)));
-        let _e102 = self.v_from_tangent_space(at_21, (first_6.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
-        return <SeenNormals>::new(_e102.normalize(), _e102.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_6.xyz(), along_3, across_2, slope_6, <rt::Vec2<f32>>::from_scalars(a_6, b_4), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d), (_e66.z().max(rt::Scalar(0f32)) * _e66.z().max(rt::Scalar(0f32))), (one / all), (_e80 / rt::Vec4::splat_from_scalar(all)));
+        let aside_5 = ((along_4 * ((_e80.x() - _e80.y()) / all)) + (across_3 * ((_e80.z() - _e80.w()) / all)));
+        let _e102 = self.v_from_tangent_space(at_22, (first_6.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
+        return <SeenNormals>::new(_e102.normalize(), _e102.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_6.xyz(), along_4, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_6, b_4), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e66.z().max(rt::Scalar(0f32)) * _e66.z().max(rt::Scalar(0f32))), (one / all), (_e80 / rt::Vec4::splat_from_scalar(all)));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_22: Entered,
+        at_23: Entered,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
-        view_6: impl rt::Into<rt::Vec3<f32>>,
+        view_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_22, rt::into(uv_13), rt::into(view_6)))
+        rt::into(self.v_mesostructure_normals(at_23, rt::into(uv_13), rt::into(view_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_22: Entered,
+        at_23: Entered,
         uv_13: rt::Vec2<f32>,
-        view_6: rt::Vec3<f32>,
+        view_7: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
-        let upright_2 = at_22.normal.dot(view_6);
+        let upright_2 = at_23.normal.dot(view_7);
         let _e8 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_1 = ((rt::Scalar(at_22.footprint) * _e8) * upright_2.max(rt::Scalar(0.5f32)));
+        let texels_1 = ((rt::Scalar(at_23.footprint) * _e8) * upright_2.max(rt::Scalar(0.5f32)));
         let _e15 = rt::Scalar(self.surface_settings.normal_levels);
         let _e16 = self.v_levels_of(texels_1, _e15);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e16.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_32 = (!rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32)));
+            local_33 = (!rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_32 = rt::Scalar(false);
+            local_33 = rt::Scalar(false);
         }
-        let _e27 = local_32;
+        let _e27 = local_33;
         if rt::Scalar::into_branch_condition(_e27) {
-            let _e28 = self.v_finest_normal(at_22, uv_13);
+            let _e28 = self.v_finest_normal(at_23, uv_13);
             let _e29 = self.v_one_seen(_e28);
             return _e29;
         }
-        let _e31 = self.v_normals_of_level(at_22, uv_13, rt::Scalar(_e16.fine));
+        let _e31 = self.v_normals_of_level(at_23, uv_13, rt::Scalar(_e16.fine));
         if rt::Scalar::into_branch_condition((!rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32)))) {
-            let _e36 = self.v_seen_normals(at_22, _e31, view_6);
+            let _e36 = self.v_seen_normals(at_23, _e31, view_7);
             return _e36;
         }
-        let _e40 = self.v_normals_of_level(at_22, uv_13, (rt::Scalar(_e16.fine) + rt::Scalar(1u32)));
+        let _e40 = self.v_normals_of_level(at_23, uv_13, (rt::Scalar(_e16.fine) + rt::Scalar(1u32)));
         let first_7 = (_e31.first + ((_e40.first - _e31.first) * rt::Scalar(_e16.part)));
         let second_1 = (_e31.second + ((_e40.second - _e31.second) * rt::Scalar(_e16.part)));
-        let _e56 = self.v_seen_normals(at_22, <Normals>::new(first_7, second_1), view_6);
+        let _e56 = self.v_seen_normals(at_23, <Normals>::new(first_7, second_1), view_7);
         return _e56;
     }
     pub(crate) fn shadow_ray(
-        &self,
-        at_23: Entered,
-        hit_9: Hit,
-        light_4: Toward,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
-    ) -> f32 {
-        rt::into(self.v_shadow_ray(at_23, hit_9, light_4, rt::into(params_19)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_ray(
-        &self,
-        at_23: Entered,
-        hit_9: Hit,
-        light_4: Toward,
-        params_19: rt::Vec4<f32>,
-    ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_23, hit_9, light_4);
-        return _e4;
-    }
-    pub(crate) fn shadow_none(
         &self,
         at_24: Entered,
         hit_10: Hit,
         light_5: Toward,
         params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_24, hit_10, light_5, rt::into(params_20)))
+        rt::into(self.v_shadow_ray(at_24, hit_10, light_5, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_none(
+    fn v_shadow_ray(
         &self,
         at_24: Entered,
         hit_10: Hit,
         light_5: Toward,
         params_20: rt::Vec4<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_free_way(at_24, hit_10, light_5);
+        return _e4;
+    }
+    pub(crate) fn shadow_none(
+        &self,
+        at_25: Entered,
+        hit_11: Hit,
+        light_6: Toward,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shadow_none(at_25, hit_11, light_6, rt::into(params_21)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_none(
+        &self,
+        at_25: Entered,
+        hit_11: Hit,
+        light_6: Toward,
+        params_21: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
@@ -4243,17 +4441,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_30: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_30.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_33 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_34 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_33 = rt::Scalar(true);
+            local_34 = rt::Scalar(true);
         }
-        let _e16 = local_33;
+        let _e16 = local_34;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -4263,16 +4461,16 @@ impl<'g> Resources<'g> {
         &self,
         path_31: Path,
         found_2: Found,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_31, found_2, rt::into(params_21)))
+        rt::into(self.v_refine_none(path_31, found_2, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
         path_31: Path,
         found_2: Found,
-        params_21: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_2.reads));
@@ -4287,16 +4485,16 @@ impl<'g> Resources<'g> {
         &self,
         path_32: Path,
         found_3: Found,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_32, found_3, rt::into(params_22)))
+        rt::into(self.v_refine_offset(path_32, found_3, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
         path_32: Path,
         found_3: Found,
-        params_22: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_21: rt::Scalar<f32>;
 
@@ -4321,18 +4519,18 @@ impl<'g> Resources<'g> {
         &self,
         path_33: Path,
         found_4: Found,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_33, found_4, rt::into(params_23)))
+        rt::into(self.v_refine_offset_limited(path_33, found_4, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
         path_33: Path,
         found_4: Found,
-        params_23: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Hit {
-        let mut hit_11: Hit;
+        let mut hit_12: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_4.reads));
@@ -4344,12 +4542,12 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_path_height(path_33, _e8);
         let rise_m = ((_e11 - _e12) * path_33.metric.w());
         let _e27 = self.v_hit_on_path(path_33, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
-        hit_11 = _e27;
-        let _e30 = rt::Scalar(hit_11.found);
+        hit_12 = _e27;
+        let _e30 = rt::Scalar(hit_12.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_11.height) = _e11;
+            rt::Scalar(hit_12.height) = _e11;
         }
-        let _e34 = hit_11;
+        let _e34 = hit_12;
         return _e34;
     }
     pub(crate) fn normal_z(
@@ -4374,16 +4572,16 @@ impl<'g> Resources<'g> {
         &self,
         path_35: Path,
         found_5: Found,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_35, found_5, rt::into(params_24)))
+        rt::into(self.v_refine_slope(path_35, found_5, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
         path_35: Path,
         found_5: Found,
-        params_24: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
 
@@ -4397,7 +4595,7 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_path_height(path_35, _e8);
         let rise_3 = (_e11.x() - _e13);
         t_22 = _e8;
-        if rt::Scalar::into_branch_condition(params_24.x().elementwise_gt(rt::Scalar(0.5f32))) {
+        if rt::Scalar::into_branch_condition(params_25.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_35, _e8);
             let closing_3 = (_e19 - ((_e11.y() * path_35.duv.x()) + (_e11.z() * path_35.duv.y())));
             if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
@@ -4415,16 +4613,16 @@ impl<'g> Resources<'g> {
         &self,
         path_36: Path,
         found_6: Found,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_36, found_6, rt::into(params_25)))
+        rt::into(self.v_refine_slope_iterative(path_36, found_6, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
         path_36: Path,
         found_6: Found,
-        params_25: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_23: rt::Scalar<f32>;
         let mut reads_16: rt::Scalar<u32>;
@@ -4440,7 +4638,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_2;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_25.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_26.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4453,7 +4651,7 @@ impl<'g> Resources<'g> {
                     let _e25 = t_23;
                     let _e26 = self.v_path_height(path_36, _e25);
                     let rise_4 = (_e20.x() - _e26);
-                    if rt::Scalar::into_branch_condition(params_25.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_26.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e31 = t_23;
                         let _e32 = self.v_path_slope(path_36, _e31);
                         let closing_4 = (_e32 - ((_e20.y() * path_36.duv.x()) + (_e20.z() * path_36.duv.y())));
@@ -4482,27 +4680,27 @@ impl<'g> Resources<'g> {
         &self,
         path_37: Path,
         found_7: Found,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_37, found_7, rt::into(params_26)))
+        rt::into(self.v_refine_binary(path_37, found_7, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
         path_37: Path,
         found_7: Found,
-        params_26: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut reads_17: rt::Scalar<u32>;
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_37, found_7, params_26);
+            let _e5 = self.v_refine_none(path_37, found_7, params_27);
             return _e5;
         }
         near_6 = rt::Scalar(found_7.near);
@@ -4511,16 +4709,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_37, _e18);
-            local_34 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_35 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_34 = rt::Scalar(true);
+            local_35 = rt::Scalar(true);
         }
-        let _e23 = local_34;
+        let _e23 = local_35;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_3;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_26.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_27.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4558,16 +4756,16 @@ impl<'g> Resources<'g> {
         &self,
         path_38: Path,
         found_8: Found,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_27)))
+        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
         path_38: Path,
         found_8: Found,
-        params_27: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_7: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
@@ -4579,7 +4777,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_38, found_8, params_27);
+            let _e5 = self.v_refine_none(path_38, found_8, params_28);
             return _e5;
         }
         near_7 = rt::Scalar(found_8.near);
@@ -4608,7 +4806,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_4;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_27.x())) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_28.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4625,7 +4823,7 @@ impl<'g> Resources<'g> {
                     let _e48 = near_gap_5;
                     t_24 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
                     let _e52 = k_4;
-                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_27.x())) {
+                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_28.x())) {
                         let _e55 = t_24;
                         let _e56 = self.v_path_gap(path_38, _e55);
                         let _e57 = reads_18;
@@ -4654,16 +4852,16 @@ impl<'g> Resources<'g> {
         &self,
         path_39: Path,
         found_9: Found,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_39, found_9, rt::into(params_28)))
+        rt::into(self.v_refine_true_secant(path_39, found_9, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
         path_39: Path,
         found_9: Found,
-        params_28: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
@@ -4674,7 +4872,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_39, found_9, params_28);
+            let _e5 = self.v_refine_none(path_39, found_9, params_29);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -4701,7 +4899,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e33 = k_5;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_28.x())) {
+                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_29.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4723,7 +4921,7 @@ impl<'g> Resources<'g> {
                     before_gap = _e53;
                     last = t_28;
                     let _e54 = k_5;
-                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_28.x())) {
+                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_29.x())) {
                         let _e57 = self.v_path_gap(path_39, t_28);
                         last_gap = _e57;
                         let _e58 = reads_19;
@@ -4743,21 +4941,21 @@ impl<'g> Resources<'g> {
         &self,
         path_40: Path,
         found_10: Found,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_40, found_10, rt::into(params_29)))
+        rt::into(self.v_refine_patch(path_40, found_10, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
         path_40: Path,
         found_10: Found,
-        params_29: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_25: rt::Scalar<f32>;
         let mut cell_18: rt::Vec2<f32>;
         let mut reads_20: rt::Scalar<u32>;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(rt::Scalar(found_10.reads));
@@ -4778,7 +4976,7 @@ impl<'g> Resources<'g> {
         cell_18 = _e30;
         reads_20 = rt::Scalar(found_10.reads);
         let _e34 = reads_20;
-        let limit_9 = (_e34 + params_29.x().cast_elem_as_u32());
+        let limit_9 = (_e34 + params_30.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e38 = reads_20;
@@ -4812,11 +5010,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_35 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_36 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_35 = rt::Scalar(true);
+                            local_36 = rt::Scalar(true);
                         }
-                        let _e84 = local_35;
+                        let _e84 = local_36;
                         if rt::Scalar::into_branch_condition(_e84) {
                             let _e87 = reads_20;
                             let _e88 = self.v_hit_on_path(path_40, rt::Scalar(found_10.far), rt::Scalar(0u32), _e87);
@@ -4843,27 +5041,27 @@ impl<'g> Resources<'g> {
         &self,
         path_41: Path,
         found_11: Found,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_41, found_11, rt::into(params_30)))
+        rt::into(self.v_refine_half_texel(path_41, found_11, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
         path_41: Path,
         found_11: Found,
-        params_30: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_41, found_11, params_30);
+            let _e6 = self.v_refine_none(path_41, found_11, params_31);
             return _e6;
         }
         let _e9 = self.v_height_size(rt::Scalar(path_41.level));
         let speed_2 = (path_41.duv * _e9).length();
         if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_41.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_41, found_11, params_30);
+            let _e17 = self.v_refine_none(path_41, found_11, params_31);
             return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_2);
@@ -5010,26 +5208,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_25: Entered,
-        hit_12: Hit,
-        light_6: Toward,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        at_26: Entered,
+        hit_13: Hit,
+        light_7: Toward,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_25, hit_12, light_6, rt::into(params_31)))
+        rt::into(self.v_shadow_entry(at_26, hit_13, light_7, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_25: Entered,
-        hit_12: Hit,
-        light_6: Toward,
-        params_31: rt::Vec4<f32>,
+        at_26: Entered,
+        hit_13: Hit,
+        light_7: Toward,
+        params_32: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_25, hit_12, light_6);
+        let _e4 = self.v_from_hit(at_26, hit_13, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e11 = self.v_way_out(_e4, light_6);
+        let _e11 = self.v_way_out(_e4, light_7);
         if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(1f32);
         }
@@ -5044,7 +5242,7 @@ impl<'g> Resources<'g> {
         }
         let _e49 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_1 = ((_e39.uv - _e4.uv).abs() * _e49);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_31.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_32.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -5065,14 +5263,14 @@ impl<'g> Resources<'g> {
         let _e17 = x;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_13: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_13))
+    pub(crate) fn seed_of(&self, hit_14: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_seed_of(&self, hit_13: Hit) -> rt::Scalar<u32> {
-        let place_7 = ((hit_13.uv - hit_13.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_7.y());
-        let _e12 = self.v_mixed((place_7.x() ^ _e10));
+    fn v_seed_of(&self, hit_14: Hit) -> rt::Scalar<u32> {
+        let place_8 = ((hit_14.uv - hit_14.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_8.y());
+        let _e12 = self.v_mixed((place_8.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -5089,8 +5287,8 @@ impl<'g> Resources<'g> {
     fn v_quarter_sine(&self, turn: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_4 = (turn * rt::Scalar(6.2831855f32));
         let s_2 = (x_4 * x_4);
-        let last_4 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_4 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_4)))))));
+        let last_5 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_4 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_5)))))));
     }
     pub(crate) fn sine_of(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_1)))
@@ -5112,17 +5310,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn point_of_disc(
         &self,
-        light_7: Toward,
+        light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
         k_6: impl rt::Into<rt::Scalar<u32>>,
         count_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_7, rt::into(seed_1), rt::into(k_6), rt::into(count_1)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_6), rt::into(count_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_disc(
         &self,
-        light_7: Toward,
+        light_8: Toward,
         seed_1: rt::Scalar<u32>,
         k_6: rt::Scalar<u32>,
         count_1: rt::Scalar<u32>,
@@ -5132,36 +5330,36 @@ impl<'g> Resources<'g> {
         let ring = ((k_6.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
         let _e18 = self.v_turned(((k_6.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_8 = (_e18 * (ring.sqrt() * rt::Scalar(light_7.radius)));
-        let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_7.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
-        let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_7.direction).normalize();
-        let up = light_7.direction.cross(right_2);
-        let toward_4 = ((light_7.direction + (right_2 * place_8.x())) + (up * place_8.y()));
-        let along_4 = toward_4.length();
-        return <Toward>::new((toward_4 / rt::Vec3::splat_from_scalar(along_4)), rt::Scalar(light_7.falloff), (rt::Scalar(light_7.distance) * along_4), rt::Scalar(0f32));
+        let place_9 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
+        let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
+        let up = light_8.direction.cross(right_2);
+        let toward_4 = ((light_8.direction + (right_2 * place_9.x())) + (up * place_9.y()));
+        let along_5 = toward_4.length();
+        return <Toward>::new((toward_4 / rt::Vec3::splat_from_scalar(along_5)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_5), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_26: Entered,
-        hit_14: Hit,
-        light_8: Toward,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        at_27: Entered,
+        hit_15: Hit,
+        light_9: Toward,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_26, hit_14, light_8, rt::into(params_32)))
+        rt::into(self.v_shadow_soft(at_27, hit_15, light_9, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_26: Entered,
-        hit_14: Hit,
-        light_8: Toward,
-        params_32: rt::Vec4<f32>,
+        at_27: Entered,
+        hit_15: Hit,
+        light_9: Toward,
+        params_33: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_2 = params_32.x().cast_elem_as_u32();
-        let _e6 = self.v_seed_of(hit_14);
+        let count_2 = params_33.x().cast_elem_as_u32();
+        let _e6 = self.v_seed_of(hit_15);
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_7;
@@ -5172,8 +5370,8 @@ impl<'g> Resources<'g> {
                 {
                     let _e13 = free;
                     let _e14 = k_7;
-                    let _e15 = self.v_point_of_disc(light_8, _e6, _e14, count_2);
-                    let _e16 = self.v_free_way(at_26, hit_14, _e15);
+                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_2);
+                    let _e16 = self.v_free_way(at_27, hit_15, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_7;
                     k_7 = (_e18 + rt::Scalar(1u32));
@@ -5185,39 +5383,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_27: Entered,
-        hit_15: Hit,
-        light_9: Toward,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        at_28: Entered,
+        hit_16: Hit,
+        light_10: Toward,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_27, hit_15, light_9, rt::into(params_33)))
+        rt::into(self.v_shadow_heuristic(at_28, hit_16, light_10, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_27: Entered,
-        hit_15: Hit,
-        light_9: Toward,
-        params_33: rt::Vec4<f32>,
+        at_28: Entered,
+        hit_16: Hit,
+        light_10: Toward,
+        params_34: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_27, hit_15, light_9);
+        let _e4 = self.v_from_hit(at_28, hit_16, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let _e11 = self.v_way_out(_e4, light_9);
+        let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = k_8;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_33.x())) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_34.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = k_8;
-                    let part_3 = (_e19 / params_33.x());
+                    let part_3 = (_e19 / params_34.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_3 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_3)));
@@ -5227,7 +5425,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_33.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_34.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn turn_of(&self, v_1: impl rt::Into<rt::Vec2<f32>>) -> f32 {
         rt::into(self.v_turn_of(rt::into(v_1)))
@@ -5261,20 +5459,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_2: impl rt::Into<rt::Vec2<i32>>,
+        place_3: impl rt::Into<rt::Vec2<i32>>,
         layer_4: impl rt::Into<rt::Scalar<i32>>,
-        level_17: impl rt::Into<rt::Scalar<i32>>,
+        level_19: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_2), rt::into(layer_4), rt::into(level_17)))
+        rt::into(self.v_shadow_texel(rt::into(place_3), rt::into(layer_4), rt::into(level_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel(
         &self,
-        place_2: rt::Vec2<i32>,
+        place_3: rt::Vec2<i32>,
         layer_4: rt::Scalar<i32>,
-        level_17: rt::Scalar<i32>,
+        level_19: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_2, rt::Scalar::into_inner(layer_4), 0i32, rt::Scalar::into_inner(level_17));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_3, rt::Scalar::into_inner(layer_4), 0i32, rt::Scalar::into_inner(level_19));
         let _e8 = self.surface_settings.maps[2usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
@@ -5283,24 +5481,24 @@ impl<'g> Resources<'g> {
         &self,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_18: impl rt::Into<rt::Scalar<u32>>,
+        level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_14), rt::into(layer_5), rt::into(level_18)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_14), rt::into(layer_5), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel_between(
         &self,
         uv_14: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
-        level_18: rt::Scalar<u32>,
+        level_20: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_18);
+        let _e3 = self.v_height_texels(level_20);
         let _e4 = self.v_texels_around(uv_14, _e3);
-        let k_15 = level_18.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_5, k_15);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_5, k_15);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_5, k_15);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_5, k_15);
+        let k_16 = level_20.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_5, k_16);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_5, k_16);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_5, k_16);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_5, k_16);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -5313,9 +5511,9 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_12 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        let level_20 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
+        let level_22 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
         let _e24 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
-        let _e26 = self.v_gap_to(level_20, _e1, _e3, _e24, rt::Scalar(0f32));
+        let _e26 = self.v_gap_to(level_22, _e1, _e3, _e24, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e26.y().min((_e26.y() + (_e26.z() * end_12))));
     }
     pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -5329,43 +5527,43 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_28: Entered,
-        hit_16: Hit,
-        light_10: Toward,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        at_29: Entered,
+        hit_17: Hit,
+        light_11: Toward,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_28, hit_16, light_10, rt::into(params_34)))
+        rt::into(self.v_shadow_horizon(at_29, hit_17, light_11, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_28: Entered,
-        hit_16: Hit,
-        light_10: Toward,
-        params_34: rt::Vec4<f32>,
+        at_29: Entered,
+        hit_17: Hit,
+        light_11: Toward,
+        params_35: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_28, light_10.direction);
+        let _e5 = self.v_climb(at_29, light_11.direction);
         let map_1 = self.surface_settings.maps[2usize];
-        let along_5 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_5);
-        let azimuth_1 = (_e13 * params_34.x());
+        let along_6 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_6);
+        let azimuth_1 = (_e13 * params_35.x());
         let first_8 = azimuth_1.floor();
-        let count_3 = params_34.x().cast_elem_as_i32();
+        let count_3 = params_35.x().cast_elem_as_i32();
         let before_2 = (first_8.cast_elem_as_i32() % count_3);
         let part_4 = (azimuth_1 - first_8);
-        let _e25 = self.v_shadow_texel_between(hit_16.uv, before_2, rt::Scalar(at_28.path.level));
+        let _e25 = self.v_shadow_texel_between(hit_17.uv, before_2, rt::Scalar(at_29.path.level));
         let low_3 = _e25.x();
-        let _e33 = self.v_shadow_texel_between(hit_16.uv, ((before_2 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_28.path.level));
+        let _e33 = self.v_shadow_texel_between(hit_17.uv, ((before_2 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_29.path.level));
         let sine = (low_3 + ((_e33.x() - low_3) * part_4));
         let squared_3 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_3 * along_5.dot(along_5)).sqrt();
-        let _e50 = self.v_from_hit(at_28, hit_16, light_10);
+        let far_9 = (squared_3 * along_6.dot(along_6)).sqrt();
+        let _e50 = self.v_from_hit(at_29, hit_17, light_11);
         let _e51 = self.v_own_slope(_e50);
         let _e54 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e51 * _e54);
         let horizon = far_9.max(near_8);
-        let up_1 = at_28.normal.dot(light_10.direction);
-        if rt::Scalar::into_branch_condition((!rt::Scalar(light_10.radius).elementwise_gt(rt::Scalar(0f32)))) {
+        let up_1 = at_29.normal.dot(light_11.direction);
+        if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_1 * up_1)).max(rt::Scalar(0f32));
@@ -5373,65 +5571,65 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!beside.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
         }
-        let _e88 = self.v_part_above(((flat.sqrt() * (up_1 - horizon)) / (beside * rt::Scalar(light_10.radius))));
+        let _e88 = self.v_part_above(((flat.sqrt() * (up_1 - horizon)) / (beside * rt::Scalar(light_11.radius))));
         return _e88;
     }
     pub(crate) fn open_part(
         &self,
-        at_29: Entered,
-        hit_17: Hit,
+        at_30: Entered,
+        hit_18: Hit,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_29, hit_17, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
+        rt::into(self.v_open_part(at_30, hit_18, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_29: Entered,
-        hit_17: Hit,
+        at_30: Entered,
+        hit_18: Hit,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e10 = self.v_shadow_texel_between(hit_17.uv, ((azimuth * elevations) + elevation), rt::Scalar(at_29.path.level));
+        let _e10 = self.v_shadow_texel_between(hit_18.uv, ((azimuth * elevations) + elevation), rt::Scalar(at_30.path.level));
         return (rt::Scalar(1f32) - _e10.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_30: Entered,
-        hit_18: Hit,
-        light_11: Toward,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        at_31: Entered,
+        hit_19: Hit,
+        light_12: Toward,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_30, hit_18, light_11, rt::into(params_35)))
+        rt::into(self.v_shadow_visibility(at_31, hit_19, light_12, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_30: Entered,
-        hit_18: Hit,
-        light_11: Toward,
-        params_35: rt::Vec4<f32>,
+        at_31: Entered,
+        hit_19: Hit,
+        light_12: Toward,
+        params_36: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_30, light_11.direction);
+        let _e5 = self.v_climb(at_31, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[2usize];
-        let along_6 = (_e5.xy() * map_2.tile_m);
+        let along_7 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_3 = (_e5.z() * _e21);
-        let squared_4 = ((height_3 * height_3) / (along_6.dot(along_6) + (height_3 * height_3)));
-        let azimuths = params_35.x().cast_elem_as_i32();
-        let elevations_1 = params_35.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_6);
-        let azimuth_2 = (_e32 * params_35.x());
-        let elevation_1 = ((squared_4 * params_35.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_35.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_35.z().elementwise_lt(rt::Scalar(2f32))) {
+        let squared_4 = ((height_3 * height_3) / (along_7.dot(along_7) + (height_3 * height_3)));
+        let azimuths = params_36.x().cast_elem_as_i32();
+        let elevations_1 = params_36.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_7);
+        let azimuth_2 = (_e32 * params_36.x());
+        let elevation_1 = ((squared_4 * params_36.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_36.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_36.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_7 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_30, hit_18, a_7, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_31, hit_19, a_7, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_ = (azimuth_2.floor().cast_elem_as_i32() % azimuths);
@@ -5440,78 +5638,78 @@ impl<'g> Resources<'g> {
         let e1_1 = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_2 - azimuth_2.floor());
         let along_elevation = (elevation_1 - elevation_1.floor());
-        let _e74 = self.v_open_part(at_30, hit_18, a1_, e0_, elevations_1);
-        let _e75 = self.v_open_part(at_30, hit_18, a0_, e1_1, elevations_1);
+        let _e74 = self.v_open_part(at_31, hit_19, a1_, e0_, elevations_1);
+        let _e75 = self.v_open_part(at_31, hit_19, a0_, e1_1, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_30, hit_18, a0_, e0_, elevations_1);
+            let _e79 = self.v_open_part(at_31, hit_19, a0_, e0_, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_30, hit_18, a1_, e1_1, elevations_1);
+        let _e86 = self.v_open_part(at_31, hit_19, a1_, e1_1, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_31: Entered, hit_19: Hit, light_12: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_31, hit_19, light_12))
+    pub(crate) fn shadow_stage(&self, at_32: Entered, hit_20: Hit, light_13: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_32, hit_20, light_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_31: Entered, hit_19: Hit, light_12: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_32: Entered, hit_20: Hit, light_13: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_31, hit_19, light_12, _e12);
+                let _e13 = self.v_shadow_ray(at_32, hit_20, light_13, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_31, hit_19, light_12, _e18);
+                let _e19 = self.v_shadow_none(at_32, hit_20, light_13, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_31, hit_19, light_12, _e24);
+                let _e25 = self.v_shadow_entry(at_32, hit_20, light_13, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_31, hit_19, light_12, _e30);
+                let _e31 = self.v_shadow_soft(at_32, hit_20, light_13, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_31, hit_19, light_12, _e36);
+                let _e37 = self.v_shadow_heuristic(at_32, hit_20, light_13, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_31, hit_19, light_12, _e42);
+                let _e43 = self.v_shadow_horizon(at_32, hit_20, light_13, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_31, hit_19, light_12, _e48);
+                let _e49 = self.v_shadow_visibility(at_32, hit_20, light_13, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_7: PixelIn, at_32: Entered, hit_20: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_7, at_32, hit_20))
+    pub(crate) fn mirrored_light(&self, pixel_7: PixelIn, at_33: Entered, hit_21: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_7, at_33, hit_21))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_7: PixelIn, at_32: Entered, hit_20: Hit) -> rt::Scalar<f32> {
-        let mut local_36: rt::Scalar<bool>;
+    fn v_mirrored_light(&self, pixel_7: PixelIn, at_33: Entered, hit_21: Hit) -> rt::Scalar<f32> {
+        let mut local_37: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_32.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_36 = rt::Scalar(hit_20.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_33.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_37 = rt::Scalar(hit_21.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_36 = rt::Scalar(true);
+            local_37 = rt::Scalar(true);
         }
-        let _e13 = local_36;
+        let _e13 = local_37;
         if rt::Scalar::into_branch_condition(_e13) {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_7.direction.normalize();
-        let up_2 = (down_2 - (at_32.normal * (rt::Scalar(2f32) * down_2.dot(at_32.normal))));
-        let _e31 = self.v_shadow_stage(at_32, hit_20, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        let up_2 = (down_2 - (at_33.normal * (rt::Scalar(2f32) * down_2.dot(at_33.normal))));
+        let _e31 = self.v_shadow_stage(at_33, hit_21, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
         return _e31;
     }
     pub(crate) fn pixel_direction(&self, pixel_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -5559,66 +5757,66 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn toward_light(
         &self,
-        light_13: Light,
+        light_14: Light,
         position: impl rt::Into<rt::Vec3<f32>>,
     ) -> Toward {
-        rt::into(self.v_toward_light(light_13, rt::into(position)))
+        rt::into(self.v_toward_light(light_14, rt::into(position)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_toward_light(
         &self,
-        light_13: Light,
+        light_14: Light,
         position: rt::Vec3<f32>,
     ) -> Toward {
-        if rt::Scalar::into_branch_condition(light_13.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_5 = (light_13.place.xyz() - position);
+        if rt::Scalar::into_branch_condition(light_14.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
+            let toward_5 = (light_14.place.xyz() - position);
             let squared_5 = toward_5.dot(toward_5);
             let distance_1 = squared_5.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_5.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_5.normalize(), falloff, distance_1, (light_13.color.w() / distance_1));
+            return <Toward>::new(toward_5.normalize(), falloff, distance_1, (light_14.color.w() / distance_1));
         }
-        return <Toward>::new(light_13.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_13.color.w());
+        return <Toward>::new(light_14.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_14.color.w());
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_33: Entered,
-        hit_21: Hit,
+        at_34: Entered,
+        hit_22: Hit,
         number: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_33, hit_21, rt::into(number)))
+        rt::into(self.v_ray_to_light(at_34, hit_22, rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_33: Entered,
-        hit_21: Hit,
+        at_34: Entered,
+        hit_22: Hit,
         number: rt::Scalar<u32>,
     ) -> LightRay {
         let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e7 = self.v_hit_position(at_33, hit_21);
+        let _e7 = self.v_hit_position(at_34, hit_22);
         let _e8 = self.v_toward_light(_e6, _e7);
-        let _e9 = self.v_light_ray(at_33, hit_21, _e8);
+        let _e9 = self.v_light_ray(at_34, hit_22, _e8);
         return _e9;
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_34: Entered,
+        at_35: Entered,
         seen: SeenNormals,
         toward: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_34, seen, rt::into(toward)))
+        rt::into(self.v_seen_cosine(at_35, seen, rt::into(toward)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_34: Entered,
+        at_35: Entered,
         seen: SeenNormals,
         toward: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen.normal.dot(toward).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_34, toward);
+        let _e10 = self.v_to_tangent_space(at_35, toward);
         let middle_5 = seen.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_5, seen.along.dot(_e10), seen.across.dot(_e10));
         let one_1 = (rt::Scalar(seen.middle_seen) * middle_5.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -5681,26 +5879,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_7: impl rt::Into<rt::Vec3<f32>>,
+        normal_9: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine: impl rt::Into<rt::Scalar<f32>>,
-        view_7: impl rt::Into<rt::Vec3<f32>>,
+        view_8: impl rt::Into<rt::Vec3<f32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
-        color_6: impl rt::Into<rt::Vec3<f32>>,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        color_7: impl rt::Into<rt::Vec3<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_7), rt::into(mean), rt::into(cosine), rt::into(view_7), rt::into(toward_1), rt::into(color_6), rt::into(params_36)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_9), rt::into(mean), rt::into(cosine), rt::into(view_8), rt::into(toward_1), rt::into(color_7), rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_7: rt::Vec3<f32>,
+        normal_9: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine: rt::Scalar<f32>,
-        view_7: rt::Vec3<f32>,
+        view_8: rt::Vec3<f32>,
         toward_1: rt::Vec3<f32>,
-        color_6: rt::Vec3<f32>,
-        params_36: rt::Vec4<f32>,
+        color_7: rt::Vec3<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -5715,42 +5913,42 @@ impl<'g> Resources<'g> {
                 exponent_1 = wide_2.cast_elem_as_u32();
                 dimmed = ((wide_2 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_7.dot((toward_1 + view_7).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_9.dot((toward_1 + view_8).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_1;
             let _e46 = self.v_whole_power(lobe, _e45);
             let _e47 = dimmed;
             let specular = (_e43.xyz() * (_e46 * _e47));
-            return ((color_6 * cosine) + specular);
+            return ((color_7 * cosine) + specular);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_8: impl rt::Into<rt::Vec3<f32>>,
+        normal_10: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
-        view_8: impl rt::Into<rt::Vec3<f32>>,
+        view_9: impl rt::Into<rt::Vec3<f32>>,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
-        color_7: impl rt::Into<rt::Vec3<f32>>,
+        color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_8), rt::into(mean_1), rt::into(cosine_1), rt::into(view_8), rt::into(toward_2), rt::into(color_7)))
+        rt::into(self.v_shade_stage(rt::into(normal_10), rt::into(mean_1), rt::into(cosine_1), rt::into(view_9), rt::into(toward_2), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
         &self,
-        normal_8: rt::Vec3<f32>,
+        normal_10: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
-        view_8: rt::Vec3<f32>,
+        view_9: rt::Vec3<f32>,
         toward_2: rt::Vec3<f32>,
-        color_7: rt::Vec3<f32>,
+        color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[4usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_8, mean_1, cosine_1, view_8, toward_2, color_7, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_10, mean_1, cosine_1, view_9, toward_2, color_8, _e15);
                 return _e16;
             }
         }
@@ -5758,87 +5956,88 @@ impl<'g> Resources<'g> {
     pub(crate) fn reflected_light(
         &self,
         position_1: impl rt::Into<rt::Vec3<f32>>,
-        at_35: Entered,
-        hit_22: Hit,
+        at_36: Entered,
+        hit_23: Hit,
         seen_1: SeenNormals,
-        view_9: impl rt::Into<rt::Vec3<f32>>,
-        color_8: impl rt::Into<rt::Vec3<f32>>,
+        view_10: impl rt::Into<rt::Vec3<f32>>,
+        color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), at_35, hit_22, seen_1, rt::into(view_9), rt::into(color_8), visible))
+        rt::into(self.v_reflected_light(rt::into(position_1), at_36, hit_23, seen_1, rt::into(view_10), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
         position_1: rt::Vec3<f32>,
-        at_35: Entered,
-        hit_22: Hit,
+        at_36: Entered,
+        hit_23: Hit,
         seen_1: SeenNormals,
-        view_9: rt::Vec3<f32>,
-        color_8: rt::Vec3<f32>,
+        view_10: rt::Vec3<f32>,
+        color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        let mut light_14: rt::Vec3<f32>;
+        let mut light_15: rt::Vec3<f32>;
         let mut k_9: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e9 = self.surface_settings.diffuse;
-        let diffuse = (_e9.xyz() * color_8);
-        let _e15 = self.v_ambient_stage(at_35, hit_22, (seen_1.normal * rt::Scalar(seen_1.length)), view_9, diffuse);
-        light_14 = _e15;
+        let _e14 = rt::Scalar(self.surface_settings.transmission);
+        let diffuse = ((_e9.xyz() * color_9) * (rt::Scalar(1f32) - _e14));
+        let _e21 = self.v_ambient_stage(at_36, hit_23, (seen_1.normal * rt::Scalar(seen_1.length)), view_10, diffuse);
+        light_15 = _e21;
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_9;
-                let _e22 = rt::Scalar(self.frame.light_count);
-                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
+                let _e25 = k_9;
+                let _e28 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e25.elementwise_lt(_e28)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = k_9;
-                    let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
-                    let _e29 = self.v_toward_light(_e28, position_1);
-                    let _e31 = self.v_seen_cosine(at_35, seen_1, _e29.direction);
-                    let _e35 = self.v_shade_stage(seen_1.normal, rt::Scalar(seen_1.length), _e31, view_9, _e29.direction, diffuse);
-                    let _e36 = light_14;
-                    let _e39 = k_9;
-                    let _e42 = self.frame.lights[rt::Scalar::into_array_index(_e39)].color;
-                    let _e46 = k_9;
-                    light_14 = (_e36 + ((_e35 * _e42.xyz()) * (rt::Scalar(_e29.falloff) * visible[rt::Scalar::into_array_index(_e46)].x())));
+                    let _e32 = k_9;
+                    let _e34 = self.frame.lights[rt::Scalar::into_array_index(_e32)];
+                    let _e35 = self.v_toward_light(_e34, position_1);
+                    let _e37 = self.v_seen_cosine(at_36, seen_1, _e35.direction);
+                    let _e41 = self.v_shade_stage(seen_1.normal, rt::Scalar(seen_1.length), _e37, view_10, _e35.direction, diffuse);
+                    let _e42 = light_15;
+                    let _e45 = k_9;
+                    let _e48 = self.frame.lights[rt::Scalar::into_array_index(_e45)].color;
                     let _e52 = k_9;
-                    k_9 = (_e52 + rt::Scalar(1u32));
+                    light_15 = (_e42 + ((_e41 * _e48.xyz()) * (rt::Scalar(_e35.falloff) * visible[rt::Scalar::into_array_index(_e52)].x())));
+                    let _e58 = k_9;
+                    k_9 = (_e58 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e55 = light_14;
-        return _e55;
+        let _e61 = light_15;
+        return _e61;
     }
-    pub(crate) fn shade_hit(&self, pixel_10: PixelIn, at_36: Entered, hit_23: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_10, at_36, hit_23, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_10: PixelIn, at_37: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_10, at_37, hit_24, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_10: PixelIn, at_36: Entered, hit_23: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        let mut local_37: rt::Scalar<bool>;
+    fn v_shade_hit(&self, pixel_10: PixelIn, at_37: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        let mut local_38: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_36.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_37 = rt::Scalar(hit_23.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_37.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_38 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_37 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e14 = local_37;
+        let _e14 = local_38;
         if rt::Scalar::into_branch_condition(_e14) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_23.reads), rt::Scalar(0f32), rt::Scalar(0u32));
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_24.reads), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e46 = self.v_height_at(hit_23.uv, rt::Scalar(at_36.path.level));
-        let _e47 = self.v_hit_position(at_36, hit_23);
-        let view_10 = (pixel_10.origin - _e47).normalize();
-        let _e52 = self.v_mesostructure_normals(at_36, hit_23.uv, view_10);
-        let _e55 = self.v_color_or_white(hit_23.uv, rt::Scalar(at_36.footprint));
-        let _e56 = self.v_reflected_light(_e47, at_36, hit_23, _e52, view_10, _e55, visible_1);
+        let _e46 = self.v_height_at(hit_24.uv, rt::Scalar(at_37.path.level));
+        let _e47 = self.v_hit_position(at_37, hit_24);
+        let view_11 = (pixel_10.origin - _e47).normalize();
+        let _e52 = self.v_mesostructure_normals(at_37, hit_24.uv, view_11);
+        let _e55 = self.v_color_or_white(hit_24.uv, rt::Scalar(at_37.footprint));
+        let _e56 = self.v_reflected_light(_e47, at_37, hit_24, _e52, view_11, _e55, visible_1);
         let _e61 = self.frame.forward;
         let depth = (_e47 - pixel_10.origin).dot(_e61.xyz());
         let _e66 = self.v_height_size(rt::Scalar(0u32));
-        let _e72 = self.v_cell_of(((hit_23.uv * _e66) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e56, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_23.exhausted), hit_23.uv, _e46, _e47, _e52.normal, depth, rt::Scalar(hit_23.t), _e72.cast_elem_as_i32(), rt::Scalar(hit_23.reads), visible_1[0usize].x(), rt::Scalar(at_36.path.level));
+        let _e72 = self.v_cell_of(((hit_24.uv * _e66) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e56, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), hit_24.uv, _e46, _e47, _e52.normal, depth, rt::Scalar(hit_24.t), _e72.cast_elem_as_i32(), rt::Scalar(hit_24.reads), visible_1[0usize].x(), rt::Scalar(at_37.path.level));
     }
     pub(crate) fn trace(&self, path_44: Path) -> Hit {
         rt::into(self.v_trace(path_44))
@@ -5849,26 +6048,26 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_44, _e1);
         return _e2;
     }
-    pub(crate) fn visible_lights(&self, at_37: Entered, hit_24: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_37, hit_24))
+    pub(crate) fn visible_lights(&self, at_38: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_38, hit_25))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_37: Entered, hit_24: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_38: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
         let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_37.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_38 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_38.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_39 = rt::Scalar(hit_25.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_38 = rt::Scalar(true);
+            local_39 = rt::Scalar(true);
         }
-        let _e14 = local_38;
+        let _e14 = local_39;
         if rt::Scalar::into_branch_condition(_e14) {
             let _e15 = visible_2;
             return _e15;
         }
-        let _e16 = self.v_hit_position(at_37, hit_24);
+        let _e16 = self.v_hit_position(at_38, hit_25);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_10;
@@ -5881,7 +6080,7 @@ impl<'g> Resources<'g> {
                     let _e26 = k_10;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, _e16);
-                    let _e30 = self.v_shadow_stage(at_37, hit_24, _e29);
+                    let _e30 = self.v_shadow_stage(at_38, hit_25, _e29);
                     let _e31 = k_10;
                     visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e37 = k_10;
@@ -5897,17 +6096,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_pixel(&self, pixel_11: PixelIn) -> PixelOut {
-        let mut hit_25: Hit;
+        let mut hit_26: Hit;
 
         let _e1 = self.v_enter_relief(pixel_11);
         let _e3 = self.v_miss(rt::Scalar(0u32));
-        hit_25 = _e3;
+        hit_26 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_trace(_e1.path);
-            hit_25 = _e9;
+            hit_26 = _e9;
         }
-        let _e10 = hit_25;
-        let _e11 = hit_25;
+        let _e10 = hit_26;
+        let _e11 = hit_26;
         let _e12 = self.v_visible_lights(_e1, _e11);
         let _e13 = self.v_shade_hit(pixel_11, _e1, _e10, _e12);
         return _e13;
@@ -5920,6 +6119,7 @@ impl<'g> Resources<'g> {
         Self {
             ambient_map: bound.slot(crate::MapSlot::Ambient),
             color_map: bound.color_map,
+            environment_map: bound.slot(crate::MapSlot::Environment),
             frame: bound.frame,
             height_map: bound.height_map,
             normal_map: bound.normal_map,

@@ -21,6 +21,12 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/displacement", head: r#"// The space that the relief fills above the base surface: how deep it is, where the base lies in it, how
 // directions of the world run in it, and where its footprint ends.
 "# },
+    Module { path: "shared/environment", head: r#"// The surroundings: light that comes from far away, on the faces of a cube.
+//
+// The texels at a face's border lie on the edges of the cube. So faces that meet have the same texels there,
+// and light changes without a seam. A level after the first holds the light within lobes, each level lobes
+// twice as wide as those of the one before; those of the last are cosines.
+"# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
 //
 // `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine.
@@ -283,6 +289,13 @@ pub const MODULES: &[Module] = &[
 // Heidrich, Daubert, Kautz and Seidel 2000; Szirmay-Kalos and Umenhoffer 2008, section 6.2.
 "# },
     Module { path: "ambient/constant", head: r#"// The same light everywhere.
+"# },
+    Module { path: "ambient/environment", head: r#"// The surroundings: they are reflected by the relief's surface, and what enters it is scattered, or refracted
+// and seen through it.
+//
+// Environment maps after Blinn and Newell 1976, filtered beforehand as in Heidrich and Seidel 1999; on a
+// transparent object as in Oh, Ki and Lee 2006, Figure 22. How much is reflected is after Fresnel, for light
+// that is not polarised.
 "# },
     Module { path: "ambient/occlusion", head: r#"// Ambient occlusion: of the light from all around arrives what the horizons leave of the sky, about the
 // base's normal.
@@ -1229,6 +1242,101 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
 }"#,
     },
     Declaration {
+        module: "shared/environment",
+        name: "LOBES",
+        sampling: None,
+        uses: &[],
+        text: r#"// How wide lobes are, beside those of the finest level, by their deviation in radians and the texels of a
+// face's side.
+const LOBES = 0.076546554;"#,
+    },
+    Declaration {
+        module: "shared/environment",
+        name: "FacePlace",
+        sampling: None,
+        uses: &[],
+        text: r#"// A place on a face of the cube, from -1 to 1 from edge to edge.
+struct FacePlace {
+    face: i32,
+    place: vec2f,
+}"#,
+    },
+    Declaration {
+        module: "shared/environment",
+        name: "face_place",
+        sampling: None,
+        uses: &["FacePlace"],
+        text: r#"// Where a direction of any length meets the cube. Faces and their axes are those of the cube maps of GPUs.
+fn face_place(d: vec3f) -> FacePlace {
+    let size = abs(d);
+    if (size.x >= size.y && size.x >= size.z) {
+        if (d.x > 0.0) {
+            return FacePlace(0, vec2f(-d.z, -d.y) / size.x);
+        }
+        return FacePlace(1, vec2f(d.z, -d.y) / size.x);
+    }
+    if (size.y >= size.z) {
+        if (d.y > 0.0) {
+            return FacePlace(2, vec2f(d.x, d.z) / size.y);
+        }
+        return FacePlace(3, vec2f(d.x, -d.z) / size.y);
+    }
+    if (d.z > 0.0) {
+        return FacePlace(4, vec2f(d.x, -d.y) / size.z);
+    }
+    return FacePlace(5, vec2f(-d.x, -d.y) / size.z);
+}"#,
+    },
+    Declaration {
+        module: "shared/environment",
+        name: "environment_of_level",
+        sampling: None,
+        uses: &["bilinear", "environment_texel", "face_place", "surface_settings"],
+        text: r#"// The light of a level that comes from a direction.
+fn environment_of_level(direction: vec3f, level: u32) -> vec3f {
+    let at = face_place(direction);
+    let last = max(i32(surface_settings.environment_side >> level), 1) - 1;
+    let point = (at.place + vec2f(1.0, 1.0)) * (0.5 * f32(last));
+    let most = f32(max(last - 1, 0));
+    let corner = clamp(floor(point), vec2f(0.0, 0.0), vec2f(most, most));
+    let texel = vec2i(corner);
+    let k = i32(level);
+    return bilinear(
+        environment_texel(texel, at.face, k),
+        environment_texel(texel + vec2i(1, 0), at.face, k),
+        environment_texel(texel + vec2i(0, 1), at.face, k),
+        environment_texel(texel + vec2i(1, 1), at.face, k),
+        point - corner,
+    ).xyz;
+}"#,
+    },
+    Declaration {
+        module: "shared/environment",
+        name: "environment_in_lobe",
+        sampling: None,
+        uses: &["LOBES", "environment_of_level", "levels_of", "surface_settings"],
+        text: r#"// The light within a lobe around a direction, of that deviation in radians.
+fn environment_in_lobe(direction: vec3f, deviation: f32) -> vec3f {
+    let width = deviation * (LOBES * f32(surface_settings.environment_side));
+    let levels = levels_of(width, surface_settings.environment_levels);
+    let fine = environment_of_level(direction, levels.fine);
+    if (levels.part > 0.0) {
+        return fine + (environment_of_level(direction, levels.fine + 1u) - fine) * levels.part;
+    }
+    return fine;
+}"#,
+    },
+    Declaration {
+        module: "shared/environment",
+        name: "environment_on",
+        sampling: None,
+        uses: &["environment_of_level", "surface_settings"],
+        text: r#"// The light that falls on a surface with that normal from all around: what a white one reflects of it.
+fn environment_on(normal: vec3f) -> vec3f {
+    return environment_of_level(normal, surface_settings.environment_levels - 1u);
+}"#,
+    },
+    Declaration {
         module: "shared/height",
         name: "CELL_LIMIT",
         sampling: None,
@@ -2034,7 +2142,8 @@ fn reflected_light(
     color: vec3f,
     visible: array<vec4f, MAX_LIGHTS>,
 ) -> vec3f {
-    let diffuse = surface_settings.diffuse.xyz * color;
+    // What is refracted is not scattered.
+    let diffuse = surface_settings.diffuse.xyz * color * (1.0 - surface_settings.transmission);
     var light = ambient_stage(at, hit, seen.normal * seen.length, view, diffuse);
     var k = 0u;
     while (k < frame.light_count) {
@@ -2642,6 +2751,13 @@ struct SurfaceSettings {
     has_shadows: u32,
     scale_m: f32,
     bias_m: f32,
+    // The part of the light that is refracted where it enters the surface, not scattered, and the index of
+    // refraction.
+    transmission: f32,
+    ior: f32,
+    // Texels of a face's side in the finest level of the surroundings, and their levels, at least 1 each.
+    environment_side: u32,
+    environment_levels: u32,
 }"#,
     },
     Declaration {
@@ -4427,6 +4543,54 @@ fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i3
     params: vec4f,
 ) -> vec3f {
     return frame.ambient.xyz * color;
+}"#,
+    },
+    Declaration {
+        module: "ambient/environment",
+        name: "LEAST",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least divisor, where nothing is to be divided.
+const LEAST = 0.000001;"#,
+    },
+    Declaration {
+        module: "ambient/environment",
+        name: "ambient_environment",
+        sampling: None,
+        uses: &["Entered", "Hit", "LEAST", "environment_in_lobe", "environment_on", "surface_settings"],
+        text: r#"fn ambient_environment(
+    at: Entered,
+    hit: Hit,
+    normal: vec3f,
+    view: vec3f,
+    color: vec3f,
+    params: vec4f,
+) -> vec3f {
+    let mean = length(normal);
+    let n = normalize(normal);
+    let cosine = clamp(dot(n, view), 0.0, 1.0);
+    let ior = surface_settings.ior;
+    let eta = 1.0 / ior;
+    // Snell's law. The index is at least 1: no light that enters is reflected totally.
+    let inside = sqrt(max(1.0 - eta * eta * (1.0 - cosine * cosine), 0.0));
+    let across = (cosine - ior * inside) / max(cosine + ior * inside, LEAST);
+    let along = (ior * cosine - inside) / max(ior * cosine + inside, LEAST);
+    let waves = vec2f(across, along);
+    let reflected = 0.5 * dot(waves, waves);
+
+    // How far facets lean: by the highlight's exponent, and by how much the normals in a footprint differ.
+    let lean = sqrt(2.0 / (f32(surface_settings.shininess) + 2.0) + 2.0 * max(1.0 - mean, 0.0));
+    let mirrored = n * (2.0 * cosine) - view;
+    var light = environment_in_lobe(mirrored, 2.0 * lean) * reflected;
+    let transmission = surface_settings.transmission;
+    // `color` is what is scattered of the light that enters and is not refracted.
+    light = light + environment_on(n) * color * (1.0 - reflected);
+    if (transmission > 0.0) {
+        let refracted = n * (eta * cosine - inside) - view * eta;
+        let seen = environment_in_lobe(refracted, (1.0 - eta) * lean);
+        light = light + seen * (transmission * (1.0 - reflected));
+    }
+    return light * params.x;
 }"#,
     },
     Declaration {

@@ -6,7 +6,9 @@ use relief_core::registry::{
 use relief_core::{FoundState, HeightMap};
 
 use crate::Method;
-use crate::stages::{DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, entry_place, stage};
+use crate::stages::{
+    AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, entry_place, stage,
+};
 
 /// A stage's variant, and its parameters.
 #[derive(Clone, Copy, Debug)]
@@ -343,6 +345,11 @@ impl Selection {
         self.choices[SHADOW].number as usize != NO_SHADOW
     }
 
+    /// Whether the surroundings are seen: in reflections, and through the surface.
+    pub fn sees_environment(&self) -> bool {
+        self.choices[AMBIENT].number as usize == ENVIRONMENT
+    }
+
     /// Whether shadows are those of rays through the exact search without a baked map.
     pub fn has_exact_shadows(&self) -> bool {
         let [shadow, search] = [SHADOW, SHADOW_SEARCH].map(|stage| self.choices[stage].number as usize);
@@ -361,6 +368,9 @@ const CELLS: usize = entry_place(STAGES[SEARCH].entries, "cells");
 
 /// The number of the shadow `none`.
 const NO_SHADOW: usize = entry_place(STAGES[SHADOW].entries, "none");
+
+/// The number of the ambient light of the surroundings.
+const ENVIRONMENT: usize = entry_place(STAGES[AMBIENT].entries, "environment");
 
 /// The number of the shadow `ray`.
 const RAY: usize = entry_place(STAGES[SHADOW].entries, "ray");

@@ -1,11 +1,14 @@
-//! Light from all around: how much of it arrives, beside many lights with shadows; and none is made.
+//! Light from all around: how much of it arrives, beside many lights with shadows; and none is made. What is
+//! seen of surroundings, beside the laws of reflection and refraction.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, Vec2, Vec3};
 use relief_core::{HeightMap, Wrap};
+use relief_io::Picture;
 use relief_maps::Maps;
 use relief_render::Renderer;
+use relief_render::environment::Environment;
 use relief_render::light::Light;
 use relief_render::material::Material;
 use relief_render::mesh::Builtin;
@@ -52,6 +55,29 @@ fn in_white_sky(surface: Surface, view: View) -> Vec<PixelOut> {
     let scene = Scene::builder(surface).lights(Vec::new()).ambient(Vec3::ONE).background(Vec3::ZERO);
     let scene = scene.fitted_camera(view, 30.0).samples(1).size(SIZE[0], SIZE[1]);
     pixels(&scene.backend(BackendChoice::Cpu).build().expect("a scene"))
+}
+
+/// What is seen of a surface in surroundings without other light.
+fn in_surroundings(surface: Surface, environment: Environment, view: View) -> (Scene, Vec<PixelOut>) {
+    let scene = Scene::builder(surface).lights(Vec::new()).background(Vec3::ZERO).environment(environment);
+    let scene = scene.fitted_camera(view, 30.0).samples(1).size(SIZE[0], SIZE[1]);
+    let scene = scene.backend(BackendChoice::Cpu).build().expect("a scene");
+    let pixels = pixels(&scene);
+    (scene, pixels)
+}
+
+/// Surroundings of the light that is seen in each direction.
+fn surroundings(seen: impl Fn(DVec3) -> [f32; 3]) -> Environment {
+    let (width, height) = (256u32, 128u32);
+    let texel = |at: u32| {
+        let [column, row] = [at % width, at / width].map(|at| f64::from(at) + 0.5);
+        let (flat, up) = (row / f64::from(height) * PI).sin_cos();
+        let (sin, cos) = ((column / f64::from(width) - 0.5) * TAU).sin_cos();
+        let [red, green, blue] = seen(DVec3::new(sin * flat, up, -cos * flat));
+        [red, green, blue, 1.0]
+    };
+    let picture = Picture { width, height, texels: (0..width * height).map(texel).collect() };
+    Environment::from_equirectangular(&picture).expect("surroundings")
 }
 
 /// What a white surface of a map on the plane reflects of a sky of radiance 1: pictures with hard shadows
@@ -119,5 +145,70 @@ fn a_white_furnace_is_white() {
         let darkest = none.iter().copied().fold(1.0, f32::min);
         assert!(darkest < 0.9, "{name}: {darkest}");
         assert!(none.iter().zip(&half).zip(&furnace).all(|((none, half), all)| none <= half && half <= all));
+    }
+}
+
+#[test]
+fn refraction_neither_makes_light_nor_swallows_it() {
+    let worst = |mesh, light: f32, transmission, ior| {
+        let surface = surface(&map("cobbles", 32), mesh, &[("ambient", "environment")], &[]);
+        let material = surface.material().with_transmission(transmission, ior).expect("a material");
+        let environment = surroundings(|_| [light; 3]);
+        let (_, pixels) = in_surroundings(surface.with_material(material), environment, View::Corner);
+        let seen: Vec<f32> =
+            pixels.iter().filter(|pixel| pixel.hit == 1).map(|pixel| pixel.color.x).collect();
+        assert!(seen.len() > 300, "hardly any pixel");
+        seen.into_iter().map(|color| (color - 1.0).abs()).fold(0.0, f32::max)
+    };
+    for mesh in [Builtin::Plane, Builtin::Sphere, Builtin::Torus] {
+        for (transmission, ior) in [(1.0, 1.5), (1.0, 1.0), (1.0, 4.0), (0.5, 1.33), (0.0, 1.5)] {
+            let worst = worst(mesh, 1.0, transmission, ior);
+            println!("{mesh:?}, {transmission} with {ior}: {worst:.7}");
+            assert!(worst < 1e-3, "{mesh:?}, {transmission} with {ior}: {worst}");
+        }
+        // Surroundings that are darker are seen to be.
+        assert!(worst(mesh, 0.99, 1.0, 1.5) > 5e-3);
+    }
+}
+
+#[test]
+fn surroundings_are_seen_where_light_comes_from() {
+    // Light that grows along the axes is seen as it is in every lobe that is narrow.
+    let seen = |toward: DVec3| toward.to_array().map(|part| (1.0 + part) as f32);
+    let flat = HeightMap::new(1, 1, vec![1.0], Wrap::Clamp).expect("a map");
+    for (transmission, ior, color) in [(1.0, 1.5, 0.0), (1.0, 2.4, 0.0), (0.0, 3.0, 0.0), (0.0, 1.33, 1.0)] {
+        let surface = surface(&flat, Builtin::Plane, &[("ambient", "environment")], &[]);
+        let material = Material::new(Vec3::splat(color), Vec3::ZERO, 1024).expect("a material");
+        let material = material.with_transmission(transmission, ior).expect("a material");
+        let (scene, pixels) =
+            in_surroundings(surface.with_material(material), surroundings(seen), View::Corner);
+        let mut count = 0;
+        for pixel in pixels.iter().filter(|pixel| pixel.hit == 1) {
+            let position = [pixel.position.x, pixel.position.y, pixel.position.z].map(f64::from);
+            let down = (DVec3::from(position) - scene.camera().eye()).normalize();
+            let (normal, cosine, ior) = (DVec3::Y, -down.y, f64::from(ior));
+            // Snell's law by angles, and Fresnel's equations as in a book of optics.
+            let (outside, inside) = (cosine.acos(), (cosine.acos().sin() / ior).asin());
+            let across = -(outside - inside).sin() / (outside + inside).sin();
+            let along = (outside - inside).tan() / (outside + inside).tan();
+            let reflected = (across * across + along * along) / 2.0;
+            let aside = (down + normal * cosine).normalize_or_zero();
+            let refracted = aside * inside.sin() - normal * inside.cos();
+            let mirrored = down + normal * (2.0 * cosine);
+            let white = DVec3::ONE + normal * (2.0 / 3.0);
+            let entered = f64::from(transmission) * (DVec3::ONE + refracted)
+                + (1.0 - f64::from(transmission)) * f64::from(color) * white;
+            let right = reflected * (DVec3::ONE + mirrored) + (1.0 - reflected) * entered;
+            for (given, right) in
+                [pixel.color.x, pixel.color.y, pixel.color.z].into_iter().zip(right.to_array())
+            {
+                assert!(
+                    (f64::from(given) - right).abs() < 0.012,
+                    "{transmission}, {ior}: {given} for {right}"
+                );
+            }
+            count += 1;
+        }
+        assert!(count > 300, "hardly any pixel");
     }
 }

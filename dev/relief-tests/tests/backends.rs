@@ -35,8 +35,11 @@ const SAME_COLOR: f32 = 1e-5;
 /// A shipped scene with another method, and variants of stages by their keys.
 fn scene(file: &str, method: &str, stages: &[(&str, &str)], backend: BackendChoice) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(file);
+    // Surroundings are seen through a surface, too.
+    let transmission = stages.contains(&("ambient", "environment")).then_some(0.5);
     let stages = stages.iter().map(|(key, name)| ((*key).to_owned(), (*name).to_owned())).collect();
-    let surface = SurfaceSpec { method: Some(method.to_owned()), stages, ..SurfaceSpec::default() };
+    let method = Some(method.to_owned());
+    let surface = SurfaceSpec { method, stages, transmission, ..SurfaceSpec::default() };
     let over = SceneSpec {
         backend: Some(backend),
         size: Some(SIZE),

@@ -119,6 +119,25 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     material: Vec<MaterialSpec>,
+    /// Part of the light that is refracted, not scattered, 0 to 1: 1 is clear glass in its surroundings
+    /// [default: 0]
+    #[arg(
+        long,
+        value_name = "F",
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true
+    )]
+    transmission: Option<f32>,
+    /// Index of refraction, 1 to 4, which says how much is reflected, too [default: 1.5]
+    #[arg(
+        long,
+        value_name = "N",
+        allow_hyphen_values = true,
+        help_heading = "Maps and mesh",
+        hide_short_help = true
+    )]
+    ior: Option<f32>,
     /// Draw back faces, too, turned over
     #[arg(long, help_heading = "Maps and mesh", hide_short_help = true)]
     two_sided: bool,
@@ -227,6 +246,10 @@ pub struct SceneArguments {
         hide_short_help = true,
     )]
     ambient_color: Option<[f64; 3]>,
+    /// Surroundings that light the scene: an equirectangular picture, EXR, HDR or PNG, twice as wide as high,
+    /// its middle along -z [default: a generated sky, with --ambient environment]
+    #[arg(long, value_name = "FILE", help_heading = "Camera and light")]
+    environment: Option<PathBuf>,
 
     /// What computes the picture: auto takes a GPU if there is one, else the CPU; gpu also takes a software
     /// adapter [default: auto]
@@ -270,8 +293,8 @@ impl SceneArguments {
 
     /// The files that may be the standard input.
     pub fn files(&mut self) -> Vec<&mut PathBuf> {
-        let Self { scene, height, color, normal, .. } = self;
-        [scene, height, color, normal].into_iter().flatten().collect()
+        let Self { scene, height, color, normal, environment, .. } = self;
+        [scene, height, color, normal, environment].into_iter().flatten().collect()
     }
 
     /// The scene file.
@@ -317,6 +340,8 @@ impl SceneArguments {
                 specular: part.specular.or(so_far.specular),
                 shininess: part.shininess.or(so_far.shininess),
             }),
+            transmission: self.transmission,
+            ior: self.ior,
             two_sided: given(self.two_sided),
             ..SurfaceSpec::default()
         };
@@ -339,6 +364,7 @@ impl SceneArguments {
             lights: (!self.point_light.is_empty()).then(lights),
             light_angle: self.light_angle,
             ambient_color: self.ambient_color.or(color_of_ambient).map(colour),
+            environment: self.environment.clone(),
             background: self.background.map(colour),
             backend: self.backend,
             sampling: self.sampling,

@@ -37,6 +37,7 @@ fn help(place: usize, stage: &Stage) -> String {
             let names: Vec<&str> = stage.entries.iter().map(|entry| entry.name).collect();
             let default = match place {
                 DETAIL => "footprint with several samples where the search can, else none",
+                AMBIENT => "constant; environment with --environment or --transmission",
                 _ => names[0],
             };
             let or_color = match place {

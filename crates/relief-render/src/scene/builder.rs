@@ -4,10 +4,12 @@ use super::limits::{DEFAULT_SAMPLES, MAX_EXPOSURE, MAX_IMAGE_SIDE, MAX_SAMPLES};
 use super::view::{Fit, View, fitted};
 use super::{BackendChoice, Sampling, Scene, Surface, ValueError, error::ValueProblem};
 use crate::camera::{Camera, CameraError};
+use crate::environment::Environment;
 use crate::light::{Light, LightError, MAX_LIGHTS, checked_colour};
 use crate::tone::Tone;
 use glam::{DVec3, Vec3};
 use relief_shaders::{STAGES, SelectionError};
+use std::sync::Arc;
 
 /// The position of the eye where only the target is given, in metres.
 pub(super) const DEFAULT_EYE: DVec3 = DVec3::new(0.6, 0.9, 1.1);
@@ -18,6 +20,8 @@ pub(super) const DEFAULT_FOV: f64 = 40.0;
 pub(super) const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.6, 0.6, -0.1);
 const DEFAULT_AMBIENT: Vec3 = Vec3::splat(0.12);
 const DEFAULT_BACKGROUND: Vec3 = Vec3::splat(0.05);
+/// What surroundings and light that is refracted need.
+pub(super) const SEEN: &str = "ambient environment";
 /// The default method.
 pub(super) const DEFAULT_METHOD: &str = "exact";
 /// The default width and height, in pixels.
@@ -31,6 +35,7 @@ pub struct SceneBuilder {
     camera: CameraChoice,
     lights: Option<Vec<Light>>,
     ambient: Vec3,
+    environment: Option<Arc<Environment>>,
     background: Vec3,
     size: [u32; 2],
     samples: u32,
@@ -69,6 +74,7 @@ impl SceneBuilder {
             camera: CameraChoice::Fitted(View::default(), Fit::Perspective(DEFAULT_FOV)),
             lights: None,
             ambient: DEFAULT_AMBIENT,
+            environment: None,
             background: DEFAULT_BACKGROUND,
             size: DEFAULT_SIZE,
             samples: DEFAULT_SAMPLES,
@@ -85,6 +91,7 @@ impl SceneBuilder {
             camera: CameraChoice::Given(scene.camera),
             lights: Some(scene.lights.clone()),
             ambient: scene.ambient,
+            environment: scene.environment.clone(),
             background: scene.background,
             size: scene.size,
             samples: scene.samples,
@@ -131,6 +138,13 @@ impl SceneBuilder {
     /// -0.1) with irradiance 1.
     pub fn lights(mut self, lights: Vec<Light>) -> Self {
         self.lights = Some(lights);
+        self
+    }
+
+    /// The surroundings, which surfaces with the ambient light `environment` see in place of the radiance
+    /// that is the same from everywhere. By default a generated sky.
+    pub fn environment(mut self, environment: impl Into<Arc<Environment>>) -> Self {
+        self.environment = Some(environment.into());
         self
     }
 
@@ -183,7 +197,8 @@ impl SceneBuilder {
     /// # Errors
     ///
     /// When there is no surface, the size, the samples or the exposure are out of range, there are too many
-    /// lights, a colour is negative or not finite, or what a surface selects cannot trace view rays.
+    /// lights, a colour is negative or not finite, or what a surface selects cannot trace view rays; when
+    /// surroundings are given that no surface sees, or a surface refracts light and sees none.
     pub fn build(self) -> Result<Scene, ValueError> {
         let [width, height] = self.size;
         if !(self.size.iter().all(|side| (1..=MAX_IMAGE_SIDE).contains(side))) {
@@ -208,6 +223,13 @@ impl SceneBuilder {
             (colour("ambient-color", self.ambient)?, colour("background", self.background)?);
         for surface in &self.surfaces {
             surface.selection().check().map_err(of_selection)?;
+            if surface.material().transmission() > 0.0 && !surface.selection().sees_environment() {
+                return Err(ValueProblem::Needs(SEEN).of("transmission"));
+            }
+        }
+        let is_seen = self.surfaces.iter().any(|surface| surface.selection().sees_environment());
+        if self.environment.is_some() && !is_seen {
+            return Err(ValueProblem::Needs(SEEN).of("environment"));
         }
         let camera = match self.camera {
             CameraChoice::Given(camera) => camera,
@@ -234,6 +256,7 @@ impl SceneBuilder {
             camera,
             lights,
             ambient,
+            environment: self.environment,
             background,
             size: self.size,
             samples: self.samples,

@@ -1,6 +1,7 @@
 //! What can be wrong with a scene.
 
 use crate::camera::CameraError;
+use crate::environment::EnvironmentError;
 use crate::light::LightError;
 use crate::material::MaterialError;
 use crate::mesh::MeshError;
@@ -61,6 +62,14 @@ pub enum SceneError {
     /// A map cannot be read.
     #[error(transparent)]
     Read(#[from] ReadError),
+    /// A picture shows no surroundings.
+    #[error("{}: {source}", path.display())]
+    Environment {
+        /// The picture.
+        path: PathBuf,
+        /// What is wrong.
+        source: EnvironmentError,
+    },
     /// A map that a surface reads cannot be baked.
     #[error(transparent)]
     Maps(#[from] MapsError),

@@ -62,6 +62,7 @@ pub fn parse_scene(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
             *file = file.take().map(|file: PathBuf| folder.join(file));
         }
     }
+    spec.environment = spec.environment.take().map(|file| folder.join(file));
     Ok(spec)
 }
 

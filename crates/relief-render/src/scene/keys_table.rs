@@ -104,6 +104,8 @@ pub fn keys() -> Vec<Key> {
         surface("method", Form::Name(methods), "\"exact\"", "how hits are found; or search and refine"),
         surface("set", Form::Settings, "", "settings of what is run, as in set.search.steps = 64"),
         surface("material", Form::Material, "", "diffuse and specular colour (linear), shininess"),
+        surface("transmission", Form::Number, "0", "part of the light that is refracted, 0 to 1"),
+        surface("ior", Form::Number, "1.5", "index of refraction, 1 to 4"),
         surface("two-sided", Form::Flag, "false", "whether back faces are drawn, too"),
     ];
     keys.extend(STAGES.iter().map(|stage| {
@@ -130,6 +132,7 @@ pub fn keys() -> Vec<Key> {
         scene("lights", Form::Lights, "", "all lights, in place of it"),
         scene("light-angle", Form::Number, "0.53", "diameter of lights far away in degrees, 0 to 90"),
         scene("ambient-color", Form::Numbers(3), "[0.12, 0.12, 0.12]", "light from all around, linear"),
+        scene("environment", Form::Text, "", "surroundings, a picture 2:1; else a generated sky"),
         scene("background", Form::Numbers(3), "[0.05, 0.05, 0.05]", "linear colour beside the surfaces"),
         scene("backend", Form::Name(backends), "\"auto\"", "what computes the picture"),
         scene("sampling", Form::Name(samplings), "\"exact\"", "how textures are read"),
@@ -200,6 +203,8 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "channel" => spec.channel.as_deref().map(quoted),
         "depth" => spec.depth.map(|flag| flag.to_string()),
         "fill" => spec.fill.map(|flag| flag.to_string()),
+        "transmission" => spec.transmission.map(|part| format!("{part:?}")),
+        "ior" => spec.ior.map(|ior| format!("{ior:?}")),
         "two-sided" => spec.two_sided.map(|flag| flag.to_string()),
         "range" => spec.range.map(|range| list(&range)),
         "raw" => spec.raw.map(|raw| quoted(&raw.to_string())),
@@ -258,6 +263,7 @@ fn scene_value(spec: &SceneSpec, key: &str) -> Option<String> {
         }),
         "light-angle" => spec.light_angle.map(|angle| format!("{angle:?}")),
         "ambient-color" => spec.ambient_color.map(|color| list(&color)),
+        "environment" => spec.environment.as_ref().map(|path| quoted(&path.to_string_lossy())),
         "background" => spec.background.map(|background| list(&background)),
         "backend" => spec.backend.map(|backend| quoted(backend.name())),
         "sampling" => spec.sampling.map(|sampling| quoted(sampling.name())),

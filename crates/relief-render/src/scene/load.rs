@@ -9,6 +9,7 @@ use super::{
     SceneSpec, SurfaceSpec,
 };
 use crate::camera::{Camera, CameraError, Projection};
+use crate::environment::Environment;
 use crate::light::{Light, LightError, SUN_DEG};
 use glam::{DVec3, Vec3};
 use relief_core::{ByteSize, HeightMap};
@@ -28,14 +29,18 @@ impl SceneSpec {
     ///
     /// When a value is out of range, or keys are given that exclude or need each other.
     pub fn check(&self) -> Result<(), ValueError> {
-        // A map of one texel stands in for the files, so that the builder's own checks are made as well.
+        // A map of one texel and a sky stand in for the files, so that the builder's own checks are made as well.
         let mut surfaces = Vec::new();
         for (number, surface, parts) in self.each_with_parts()? {
             let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");
             let flat = HeightMap::new(1, 1, vec![0.0], surface.wrap.unwrap_or_default()).map_err(problem)?;
             surfaces.push(surface.with_heights(parts, flat).map_err(|error| error.of_surface(number))?);
         }
-        self.builder(surfaces)?.build().map(drop)
+        let mut builder = self.builder(surfaces)?;
+        if self.environment.is_some() {
+            builder = builder.environment(Environment::sky());
+        }
+        builder.build().map(drop)
     }
 
     /// Reads the files and completes the scene. Relative paths start at the current folder; those of a scene
@@ -51,11 +56,19 @@ impl SceneSpec {
         self.check()?;
         let limit = self.max_memory.unwrap_or(DEFAULT_MAX_MEMORY);
         let mut maps = Maps::new(limit, self.memory_beside_the_picture(limit)?);
+        let environment = match &self.environment {
+            Some(path) => Some(maps.environment(path)?),
+            None => None,
+        };
         let mut surfaces = Vec::new();
         for (number, surface, parts) in each {
             surfaces.push(surface.load(parts, number, &mut maps)?);
         }
-        Ok(self.builder(surfaces)?.build()?)
+        let mut builder = self.builder(surfaces)?;
+        if let Some(environment) = environment {
+            builder = builder.environment(environment);
+        }
+        Ok(builder.build()?)
     }
 
     /// Every surface, with its number where there are several, and with what needs no file.
@@ -64,7 +77,7 @@ impl SceneSpec {
         let numbered = self.each_surface().into_iter().enumerate().map(|(number, surface)| {
             let number = several.then_some(number);
             let parts = surface
-                .parts(self.samples.unwrap_or(DEFAULT_SAMPLES))
+                .parts(self.samples.unwrap_or(DEFAULT_SAMPLES), self.environment.is_some())
                 .map_err(|error| error.of_surface(number))?;
             Ok((number, surface, parts))
         });

@@ -1,15 +1,17 @@
 //! From the description of a surface to the surface: defaults, checks, files.
 
-use super::builder::{DEFAULT_METHOD, of_selection};
+use super::builder::{DEFAULT_METHOD, SEEN, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::metres::{MAX_METRES, check_metres};
+use super::surface_spec::ENVIRONMENT;
 use super::{Surface, SurfaceSpec};
-use crate::material::Material;
+use crate::environment::Environment;
+use crate::material::{Material, MaterialError};
 use crate::mesh::{Builtin, Mesh, Placement};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
 use relief_io::{Convention, Fill, HeightOptions, Picture};
-use relief_shaders::{DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
+use relief_shaders::{AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -31,8 +33,11 @@ const BYTES_AT_HAND: u64 = 5 * 4 + 6;
 /// which reading sees the first part.
 const NORMAL_BYTES: [u64; 2] = [12, 16 + 11 + 8];
 
+/// Memory that a texel of a picture takes as it is read.
+const READ_BYTES: u64 = 16;
+
 /// Memory that a texel of a colour map takes, with its coarser levels.
-const COLOR_BYTES: u64 = 16 + 6;
+const COLOR_BYTES: u64 = READ_BYTES + 6;
 
 /// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything,
 /// in metres.
@@ -105,6 +110,18 @@ impl Maps {
         Ok(color)
     }
 
+    /// The surroundings of a file.
+    pub fn environment(&mut self, path: &Path) -> Result<Environment, SceneError> {
+        let [of_texel, kept] = Environment::BYTES;
+        let limit = self.left / (READ_BYTES + of_texel) * READ_BYTES;
+        let picture = relief_io::read_picture(path, limit)?;
+        let environment = Environment::from_equirectangular(&picture);
+        let environment =
+            environment.map_err(|source| SceneError::Environment { path: path.to_owned(), source })?;
+        self.left = self.left.saturating_sub(kept);
+        Ok(environment)
+    }
+
     /// Leaves less for colours and normals: room for a height map and what is built on it.
     fn take(&mut self, path: &Path, map: &HeightMap, selection: &Selection) -> Result<(), SceneError> {
         let (width, height) = (map.width(), map.height());
@@ -123,8 +140,9 @@ impl Maps {
 }
 
 impl SurfaceSpec {
-    /// What needs no file, completed and checked, for a picture of so many samples a pixel.
-    pub(super) fn parts(&self, samples: u32) -> Result<Parts, ValueError> {
+    /// What needs no file, completed and checked, for a picture of so many samples a pixel, in surroundings
+    /// that were given or not.
+    pub(super) fn parts(&self, samples: u32, surrounded: bool) -> Result<Parts, ValueError> {
         self.scale.map_or(Ok(()), check_scale)?;
         check_metres("bias", self.bias.as_slice())?;
         if let Some(&value) = self.tile_size.iter().flatten().find(|length| !LENGTHS_M.contains(length)) {
@@ -140,7 +158,7 @@ impl SurfaceSpec {
         Ok(Parts {
             mesh: self.placed_mesh([1.0, 1.0])?,
             material: self.material()?,
-            selection: self.selection(samples)?,
+            selection: self.selection(samples, surrounded)?,
             scale_m: self.scale,
             bias_m: self.bias,
             two_sided: self.two_sided.unwrap_or_default(),
@@ -248,29 +266,34 @@ impl SurfaceSpec {
 
     fn material(&self) -> Result<Material, ValueError> {
         let default = if self.color.is_some() { Material::under_colours() } else { Material::default() };
-        let Some(spec) = &self.material else { return Ok(default) };
-        Material::new(
+        let spec = self.material.clone().unwrap_or_default();
+        let material = Material::new(
             spec.diffuse.map_or(default.diffuse(), Vec3::from),
             spec.specular.map_or(default.specular(), Vec3::from),
             spec.shininess.unwrap_or(default.shininess()),
-        )
-        .map_err(|error| ValueProblem::from(error).of("material"))
+        );
+        let material = material.map_err(|error| ValueProblem::from(error).of("material"))?;
+        let transmission = self.transmission.unwrap_or(default.transmission());
+        material.with_transmission(transmission, self.ior.unwrap_or(default.ior())).map_err(|error| {
+            let key = if matches!(error, MaterialError::BadIor(_)) { "ior" } else { "transmission" };
+            ValueProblem::from(error).of(key)
+        })
     }
 
     /// What is run. Several samples ask for a picture without jagged edges, which it then has where maps are
     /// seen small, too.
-    fn selection(&self, samples: u32) -> Result<Selection, ValueError> {
+    fn selection(&self, samples: u32, surrounded: bool) -> Result<Selection, ValueError> {
         if samples > 1 && !self.stages.contains_key(STAGES[DETAIL].key) {
-            let selection = self.selection_in(Some(FOOTPRINT))?;
+            let selection = self.selection_in(Some(FOOTPRINT), surrounded)?;
             if selection.check_levels().is_ok() {
                 return Ok(selection);
             }
         }
-        self.selection_in(None)
+        self.selection_in(None, surrounded)
     }
 
     /// The same with another detail than that of the method.
-    fn selection_in(&self, detail: Option<&str>) -> Result<Selection, ValueError> {
+    fn selection_in(&self, detail: Option<&str>, surrounded: bool) -> Result<Selection, ValueError> {
         let named = |stage: usize| self.stages.get(STAGES[stage].key).map(String::as_str);
         let selection = match (&self.method, named(SEARCH), named(REFINE)) {
             (method, None, None) => Selection::method(method.as_deref().unwrap_or(DEFAULT_METHOD)),
@@ -283,6 +306,9 @@ impl SurfaceSpec {
         if let Some(detail) = detail {
             selection.choose(STAGES[DETAIL].key, detail).map_err(of_selection)?;
         }
+        if surrounded || self.asks_for_environment() {
+            selection.choose(STAGES[AMBIENT].key, ENVIRONMENT).map_err(of_selection)?;
+        }
         // A shadow takes over the search of the view, with its settings, unless it is told otherwise.
         for is_of_shadow in [false, true] {
             let of_part = |key: &&String| key.starts_with(STAGES[SHADOW].key) == is_of_shadow;
@@ -292,6 +318,9 @@ impl SurfaceSpec {
             for key in self.set.keys().filter(of_part) {
                 selection.set(key, self.set[key]).map_err(of_selection)?;
             }
+        }
+        if self.ior.is_some_and(|ior| ior != Material::default().ior()) && !selection.sees_environment() {
+            return Err(ValueProblem::Needs(SEEN).of("ior"));
         }
         if !selection.uses(SHADOW_SEARCH) {
             let search = STAGES[SHADOW_SEARCH].key;

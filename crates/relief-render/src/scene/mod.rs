@@ -32,11 +32,13 @@ pub use surface_spec::{MaterialSpec, SurfaceSpec};
 pub use view::View;
 
 use crate::camera::Camera;
+use crate::environment::Environment;
 use crate::light::Light;
 use crate::picture::Look;
 use crate::tone::Tone;
 use glam::Vec3;
 pub use relief_shaders::wgsl::Sampling;
+use std::sync::Arc;
 
 /// A complete scene.
 #[derive(Clone, Debug)]
@@ -45,6 +47,7 @@ pub struct Scene {
     pub(crate) camera: Camera,
     pub(crate) lights: Vec<Light>,
     pub(crate) ambient: Vec3,
+    pub(crate) environment: Option<Arc<Environment>>,
     pub(crate) background: Vec3,
     pub(crate) size: [u32; 2],
     pub(crate) samples: u32,
@@ -78,6 +81,11 @@ impl Scene {
     /// Irradiance that reaches every surface from everywhere.
     pub fn ambient(&self) -> Vec3 {
         self.ambient
+    }
+
+    /// The surroundings, which surfaces with the ambient light `environment` see; none for a generated sky.
+    pub fn environment(&self) -> Option<&Arc<Environment>> {
+        self.environment.as_ref()
     }
 
     /// Linear colour of pixels that show no surface.

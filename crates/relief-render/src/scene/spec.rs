@@ -4,7 +4,9 @@ use super::keys::{amount, numbers, parsed};
 use super::{BackendChoice, ProjectionChoice, Sampling, SurfaceSpec, View};
 use crate::tone::Tone;
 use relief_core::ByteSize;
+use relief_shaders::{AMBIENT, STAGES};
 use serde::Deserialize;
+use std::path::PathBuf;
 
 /// A scene as a scene file or the command line describes it: what is not said is `None` and has a default.
 ///
@@ -60,6 +62,9 @@ pub struct SceneSpec {
     /// default 0.12 each. In a scene file, numbers under the key `ambient` are it, too.
     #[serde(deserialize_with = "numbers")]
     pub ambient_color: Option<[f32; 3]>,
+    /// The surroundings' file, an equirectangular picture twice as wide as high: where it is given, surfaces
+    /// see it unless they name another ambient light. By default a generated sky.
+    pub environment: Option<PathBuf>,
     /// Linear colour of pixels that show no surface. By default 0.05 each.
     #[serde(deserialize_with = "numbers")]
     pub background: Option<[f32; 3]>,
@@ -107,7 +112,8 @@ impl SceneSpec {
     ///
     /// What belongs to something replaced goes with it: of the scene's keys `light` and `lights` each other,
     /// a `view` with an eye or a target and these with a view, `fov` or `view-height` with another
-    /// projection; of a surface's see [`SurfaceSpec::overridden_by`].
+    /// projection, `environment` with another ambient light and the surfaces' with an environment; of a
+    /// surface's see [`SurfaceSpec::overridden_by`].
     #[must_use]
     pub fn overridden_by(mut self, over: SceneSpec) -> SceneSpec {
         if over.light.is_some() || over.lights.is_some() {
@@ -123,6 +129,13 @@ impl SceneSpec {
             Some(ProjectionChoice::Perspective) => self.view_height = None,
             Some(ProjectionChoice::Orthographic) => self.fov = None,
             None => {}
+        }
+        if over.surface.names_other_ambient() {
+            self.environment = None;
+        } else if over.environment.is_some() && !over.surface.stages.contains_key(STAGES[AMBIENT].key) {
+            for surface in self.surfaces.iter_mut().chain([&mut self.surface]) {
+                surface.forget_ambient();
+            }
         }
         let of_each = |surface: SurfaceSpec| surface.overridden_by(over.surface.clone());
         let surfaces = if over.surfaces.is_empty() {
@@ -147,6 +160,7 @@ impl SceneSpec {
             lights: over.lights.or(self.lights),
             light_angle: over.light_angle.or(self.light_angle),
             ambient_color: over.ambient_color.or(self.ambient_color),
+            environment: over.environment.or(self.environment),
             background: over.background.or(self.background),
             backend: over.backend.or(self.backend),
             sampling: over.sampling.or(self.sampling),

@@ -4,7 +4,7 @@ use super::keys::{numbers, parsed, settings};
 use crate::mesh::Builtin;
 use relief_core::Wrap;
 use relief_io::{GreenSign, RawLayout};
-use relief_shaders::{REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES};
+use relief_shaders::{AMBIENT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -80,6 +80,11 @@ pub struct SurfaceSpec {
     pub set: BTreeMap<String, f64>,
     /// The material. By default grey.
     pub material: Option<MaterialSpec>,
+    /// The part of the light that is refracted, not scattered, from 0 to 1. By default 0. Where it is more,
+    /// the ambient light is `environment` unless another is named.
+    pub transmission: Option<f32>,
+    /// The index of refraction, from 1 to 4. By default 1.5.
+    pub ior: Option<f32>,
     /// Whether triangles seen from behind are drawn. By default they are not.
     pub two_sided: Option<bool>,
 }
@@ -99,6 +104,9 @@ pub struct MaterialSpec {
     pub shininess: Option<u32>,
 }
 
+/// The ambient light of the surroundings.
+pub(super) const ENVIRONMENT: &str = relief_shaders::ambient::environment::ENTRY.name;
+
 /// Whether that is the key of one of the two stages that a method names.
 fn is_of_method(key: &str) -> bool {
     [SEARCH, REFINE].iter().any(|stage| STAGES[*stage].key == key)
@@ -109,7 +117,8 @@ impl SurfaceSpec {
     ///
     /// What belongs to something replaced goes with it: another height file drops how the old one was to be
     /// read (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another method or
-    /// stage its own settings, another shadow its search, and a scale without a bias the old bias.
+    /// stage its own settings, another shadow its search, another ambient light than `environment` what is
+    /// refracted and what is refracted another ambient light, and a scale without a bias the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {
@@ -122,6 +131,11 @@ impl SurfaceSpec {
             self.bias = None;
         }
         self.drop_replaced_stages(&over);
+        if over.names_other_ambient() {
+            (self.transmission, self.ior) = (None, None);
+        } else if over.asks_for_environment() {
+            self.forget_ambient();
+        }
         let (mut stages, mut set) = (self.stages, self.set);
         stages.extend(over.stages);
         set.extend(over.set);
@@ -148,7 +162,28 @@ impl SurfaceSpec {
             stages,
             set,
             material: over.material.or(self.material),
+            transmission: over.transmission.or(self.transmission),
+            ior: over.ior.or(self.ior),
             two_sided: over.two_sided.or(self.two_sided),
+        }
+    }
+
+    /// Whether the surroundings are to be seen by what is said of refraction.
+    pub(super) fn asks_for_environment(&self) -> bool {
+        self.transmission.is_some_and(|part| part > 0.0)
+    }
+
+    /// Whether an ambient light is named that sees no surroundings.
+    pub(super) fn names_other_ambient(&self) -> bool {
+        self.stages.get(STAGES[AMBIENT].key).is_some_and(|name| name != ENVIRONMENT)
+    }
+
+    /// Forgets an ambient light that sees no surroundings, and its settings.
+    pub(super) fn forget_ambient(&mut self) {
+        if self.names_other_ambient() {
+            let key = STAGES[AMBIENT].key;
+            self.stages.remove(key);
+            self.set.retain(|name, _| name.split('.').next() != Some(key));
         }
     }
 

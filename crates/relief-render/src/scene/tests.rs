@@ -3,7 +3,9 @@ mod proportions;
 
 use super::*;
 use crate::camera::Projection;
+use crate::environment::Environment;
 use crate::light::{Light, MAX_LIGHTS};
+use crate::material::Material;
 use crate::mesh::{Builtin, square};
 use crate::tone::Tone;
 use glam::{DVec3, Vec3};
@@ -82,7 +84,10 @@ lights = [
     { position = [1, 1, 1], color = [1, 0.5, 0.25], intensity = 2, radius = 0.25 },
 ]
 light-angle = 10
-ambient = "bounce"
+ambient = "environment"
+environment = "sky/noon.hdr"
+transmission = 0.25
+ior = 1.33
 ambient-color = [0.1, 0.1, 0.2]
 material = { diffuse = [0.5, 0.6, 0.7], specular = [0, 0, 0], shininess = 100 }
 background = [0, 0, 1]
@@ -125,7 +130,7 @@ fn every_key_is_read() {
             ("shade", "blinn-phong"),
             ("shadow", "soft"),
             ("shadow-search", "frustum"),
-            ("ambient", "bounce"),
+            ("ambient", "environment"),
         ]),
         set: settings.into_iter().collect(),
         material: Some(MaterialSpec {
@@ -133,6 +138,8 @@ fn every_key_is_read() {
             specular: Some([0.0; 3]),
             shininess: Some(100),
         }),
+        transmission: Some(0.25),
+        ior: Some(1.33),
         two_sided: Some(true),
     };
     assert!(surface.raw.is_some() && surface.green.is_some());
@@ -170,6 +177,7 @@ fn every_key_is_read() {
         ]),
         light_angle: Some(10.0),
         ambient_color: Some([0.1, 0.1, 0.2]),
+        environment: Some(folder.path().join("sky/noon.hdr")),
         background: Some([0.0, 0.0, 1.0]),
         backend: Some(BackendChoice::Cpu),
         sampling: Some(Sampling::Fast),
@@ -226,6 +234,13 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         ("ambient = [0, nan, 0]", "ambient-color"),
         ("ambient-color = [0, -1, 0]", "ambient-color"),
         ("ambient = 'oclusion'", "ambient"),
+        ("transmission = 1.5", "transmission"),
+        ("transmission = nan", "transmission"),
+        ("ior = 0.9", "ior"),
+        ("ior = 2\nambient = 'occlusion'", "ior"),
+        ("transmission = 1\nambient = 'constant'", "transmission"),
+        ("environment = 'sky.exr'\nambient = 'bounce'", "environment"),
+        ("set.ambient.intensity = -1\nambient = 'environment'", "set"),
         ("set.ambient.azimuths = 16\nambient = 'constant'", "set"),
         ("set.ambient.azimuths = 300\nambient = 'occlusion'", "set"),
         ("background = [0, -1, 0]", "background"),
@@ -396,6 +411,33 @@ fn files_that_are_no_scene_are_refused() {
 }
 
 #[test]
+fn surroundings_are_seen_where_they_are_asked_for() {
+    let seen = |toml: &str, over: &str| {
+        let [base, over] = [toml, over].map(|toml| read(toml).expect("a proper scene"));
+        let spec = base.overridden_by(over);
+        spec.check().expect("a possible scene");
+        let parts = spec.surface.parts(1, spec.environment.is_some()).expect("a proper surface");
+        let map = HeightMap::new(1, 1, vec![0.5], Wrap::Repeat).expect("a map");
+        let surface = spec.surface.with_heights(parts, map).expect("a surface");
+        (surface.selection().sees_environment(), spec.environment.is_some())
+    };
+    assert_eq!(seen("", ""), (false, false));
+    assert_eq!(seen("environment = 'a.hdr'", ""), (true, true));
+    for key in ["transmission = 0.5", "ambient = 'environment'"] {
+        assert_eq!(seen(key, ""), (true, false), "{key}");
+        // What is laid over a scene takes the place of what excludes it.
+        assert_eq!(seen("ambient = 'occlusion'\nset.ambient.azimuths = 8", key), (true, false), "{key}");
+    }
+    assert_eq!(
+        seen("ambient = 'occlusion'\nset.ambient.azimuths = 8", "environment = 'a.hdr'"),
+        (true, true)
+    );
+    assert_eq!(seen("environment = 'a.hdr'\ntransmission = 1", "ambient = 'occlusion'"), (false, false));
+    let bright = "ambient = 'environment'\nset.ambient.intensity = 2";
+    assert_eq!(seen(bright, "transmission = 0.5\nior = 2"), (true, false));
+}
+
+#[test]
 fn ambient_light_is_a_name_or_a_colour() {
     let color = read("ambient = [0.1, 0.2, 0.3]").expect("a colour");
     assert_eq!((color.ambient_color, color.surface.stages.len()), (Some([0.1, 0.2, 0.3]), 0));
@@ -439,8 +481,12 @@ fn what_belongs_to_something_replaced_goes_with_it() {
     assert_eq!(both.bias, None);
 
     let both = with(SurfaceSpec { method: Some("parallax".into()), ..SurfaceSpec::default() });
-    let others =
-        [("shade", "blinn-phong"), ("shadow", "soft"), ("shadow-search", "frustum"), ("ambient", "bounce")];
+    let others = [
+        ("shade", "blinn-phong"),
+        ("shadow", "soft"),
+        ("shadow-search", "frustum"),
+        ("ambient", "environment"),
+    ];
     assert_eq!(both.stages, stages(others));
     assert!(both.set.is_empty());
 
@@ -538,6 +584,9 @@ fn the_builder_refuses_what_is_impossible() {
     let key = |builder: SceneBuilder| builder.build().expect_err("an impossible scene").key;
     assert_eq!(key(Scene::builder(flat()).size(0, 1)), "size");
     assert_eq!(key(Scene::builder(flat()).ambient(Vec3::splat(-1.0))), "ambient-color");
+    assert_eq!(key(Scene::builder(flat()).environment(Environment::sky())), "environment");
+    let glass = Material::default().with_transmission(1.0, 1.5).expect("a material");
+    assert_eq!(key(Scene::builder(flat().with_material(glass))), "transmission");
     assert_eq!(key(Scene::builder(flat()).background(Vec3::NAN)), "background");
     let light = Light::directional(DVec3::Y, Vec3::ONE).expect("a proper light");
     assert_eq!(key(Scene::builder(flat()).lights(vec![light; MAX_LIGHTS + 1])), "lights");

@@ -6,7 +6,9 @@ use relief_core::registry::Entry;
 mod bent_normal;
 mod bounce;
 mod constant;
+pub mod environment;
 mod occlusion;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[constant::ENTRY, occlusion::ENTRY, bent_normal::ENTRY, bounce::ENTRY];
+pub const ENTRIES: &[Entry] =
+    &[constant::ENTRY, occlusion::ENTRY, bent_normal::ENTRY, bounce::ENTRY, environment::ENTRY];

@@ -94,6 +94,9 @@ impl SlotMaps<'_> {
 impl SurfaceSettings {
     /// Settings for tracing a map with the stages chosen and the baked maps that they read: no colours.
     pub fn tracing(map: &HeightMap, selection: &Selection, maps: &SlotMaps) -> Self {
+        let surroundings = maps.get(MapSlot::Environment).map(BakedMap::layout);
+        let [environment_side, environment_levels] =
+            surroundings.map_or([1, 1], |layout| [layout.size[0], layout.levels]);
         Self {
             choices: selection.choices.map(|choice| Choice::from(&choice)),
             maps: maps.settings(),
@@ -115,6 +118,10 @@ impl SurfaceSettings {
             has_shadows: u32::from(selection.has_shadows()),
             scale_m: map.scale_m() as f32,
             bias_m: map.bias_m() as f32,
+            transmission: 0.0,
+            ior: 1.0,
+            environment_side,
+            environment_levels,
         }
     }
 }

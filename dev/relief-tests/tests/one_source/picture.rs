@@ -5,11 +5,12 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 use relief_core::{Metric, Wrap};
 use relief_render::camera::Camera;
+use relief_render::environment::Environment;
 use relief_render::job::{Job, JobSurface, Rendering, uncovered};
 use relief_render::mipmaps::Mipmaps;
-use relief_shaders::Selection;
 use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, SurfaceSettings, Triangle};
-use relief_tests::baked::{in_slots, maps_for, slots};
+use relief_shaders::{MapSlot, Selection};
+use relief_tests::baked::{in_slots, maps_for};
 use relief_tests::maps;
 
 /// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds
@@ -81,6 +82,11 @@ impl Picture {
         // Derived normals begin with the second level.
         let normal_levels =
             normals.as_ref().map_or(1, |normals| normals.levels() + u32::from(!variation.normal_map));
+        let mut held = in_slots(selection, baked);
+        if selection.sees_environment() {
+            held.push((MapSlot::Environment, Arc::clone(Environment::sky().map())));
+        }
+        let bound = held.iter().map(|(slot, map)| (*slot, &**map)).collect();
         let settings = SurfaceSettings {
             diffuse: [0.8, 0.7, 0.6, 0.0].into(),
             specular: [0.3, 0.3, 0.3, 0.0].into(),
@@ -93,7 +99,9 @@ impl Picture {
             shininess: 20,
             has_color: 1,
             has_normal: u32::from(variation.normal_map),
-            ..SurfaceSettings::tracing(&map, selection, &slots(&map, selection, &baked))
+            transmission: 0.5,
+            ior: 1.5,
+            ..SurfaceSettings::tracing(&map, selection, &bound)
         };
         let surface = JobSurface {
             settings,
@@ -102,7 +110,7 @@ impl Picture {
             height_map: Arc::new(map),
             color: Some(color),
             normal_map: normals,
-            maps: in_slots(selection, baked),
+            maps: held,
             two_sided: variation.two_sided,
         };
         Self { job: Job { width, height, samples: 1, frame, surfaces: vec![surface] } }

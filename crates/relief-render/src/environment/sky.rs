@@ -1,0 +1,35 @@
+//! A generated sky.
+
+use std::f32::consts::PI;
+
+use relief_io::Picture;
+
+/// Columns and rows: the sky is smooth.
+const SIZE: [u32; 2] = [512, 256];
+
+const ZENITH: [f32; 3] = [0.10, 0.19, 0.42];
+const HORIZON: [f32; 3] = [0.52, 0.57, 0.62];
+const GROUND: [f32; 3] = [0.13, 0.11, 0.09];
+
+/// How much of the height above the horizon is as pale as it: the exponent is larger where it is less.
+const PALE: i32 = 4;
+
+/// Where the ground ends, as the `y` of a direction: a little below the horizon, and not at once.
+const EDGE: f32 = 0.04;
+
+/// The sky as a picture of a whole sphere, the same in all columns.
+pub fn picture() -> Picture {
+    let [width, height] = SIZE;
+    let row = |row: u32| {
+        let up = ((row as f32 + 0.5) / height as f32 * PI).cos();
+        let pale = (1.0 - up.max(0.0)).powi(PALE);
+        let below = (-up / EDGE).clamp(0.0, 1.0);
+        let color = |part: usize| {
+            let sky = ZENITH[part] + (HORIZON[part] - ZENITH[part]) * pale;
+            sky + (GROUND[part] - sky) * below
+        };
+        [color(0), color(1), color(2), 1.0]
+    };
+    let texels = (0..height).flat_map(|at| std::iter::repeat_n(row(at), width as usize));
+    Picture { width, height, texels: texels.collect() }
+}
