@@ -144,7 +144,7 @@ fn costs(maps: &[Named]) -> Result<(), String> {
 fn ratios(names: &[&str], reports: &[(&str, Vec<CostReport>)]) -> Table {
     let mut table = table(&[&["over", "of"], names].concat());
     let of =
-        |search: &str| reports.iter().filter(|(name, _)| *name == search).flat_map(|(_, reports)| reports);
+        |search| reports.iter().find(|(name, _)| *name == search).map_or(&[][..], |(_, reports)| reports);
     for [search, other] in RATIOS {
         for (quantity, spread) in QUANTITIES {
             let ratio = |(a, b): (&CostReport, &CostReport)| {
@@ -152,7 +152,7 @@ fn ratios(names: &[&str], reports: &[(&str, Vec<CostReport>)]) -> Table {
                 format!("{:.2} / {:.2}", a.mean / b.mean, a.wave / b.wave)
             };
             let row = [format!("{search} / {other}"), quantity.to_owned()];
-            table.add_row(row.into_iter().chain(of(search).zip(of(other)).map(ratio)));
+            table.add_row(row.into_iter().chain(of(search).iter().zip(of(other)).map(ratio)));
         }
     }
     table
