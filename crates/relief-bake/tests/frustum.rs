@@ -161,7 +161,7 @@ fn steps(map: &HeightMap) -> [f64; 3] {
         let taken = [
             search(map, &path, read(&frusta)).steps,
             quadtree(map, &pyramid, &path).steps,
-            cell_walk(map, &path).hit.reads,
+            cell_walk(map, &path).hit.cost.reads,
         ];
         for (sum, steps) in sums.iter_mut().zip(taken) {
             *sum += f64::from(steps) / f64::from(count);

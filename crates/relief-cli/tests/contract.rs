@@ -45,7 +45,10 @@ fn fault(pixel: &Pixel, view: &View, relief: &Relief, ray: DVec3) -> Option<Stri
         ("the normal", (pixel.normal - relief.normal(pixel.uv)).length(), 1e-3),
         ("the normal's length", (pixel.normal.length() - 1.0).abs(), 1e-5),
         ("the depth", (pixel.depth - depth).abs(), TOLERANCE_M),
-        ("reads", if pixel.reads >= 1.0 { 0.0 } else { 1.0 }, 0.0),
+        ("reads", (1.0 - pixel.reads).max(0.0), 0.0),
+        ("steps", (1.0 - pixel.steps).max(0.0), 0.0),
+        // No read is of less than the four heights of a cell.
+        ("bytes", (16.0 * pixel.reads - pixel.bytes).max(0.0), 0.0),
     ];
     // A NaN is a fault.
     let wrong = checks.iter().find(|(_, off, allowed)| off.is_nan() || off > allowed);
@@ -60,6 +63,8 @@ const NOTHING: Pixel = Pixel {
     normal: DVec3::ZERO,
     depth: 0.0,
     reads: 0.0,
+    steps: 0.0,
+    bytes: 0.0,
 };
 
 /// Fails where a pixel is wrong in itself, or where more than one in 200 shows another point than the march
@@ -171,6 +176,8 @@ fn the_fault_finder_finds_faults() {
         Pixel { normal: DVec3::NAN, ..good },
         Pixel { depth: aside, ..good },
         Pixel { reads: 0.0, ..good },
+        Pixel { steps: 0.0, ..good },
+        Pixel { bytes: 4.0, ..good },
     ];
     for mutation in mutations {
         assert!(fault(&mutation, &VIEW, &relief, ray).is_some(), "{mutation:?}");
@@ -267,8 +274,8 @@ fn the_channels_are_those_promised() {
     let folder = Folder::new();
     let aov = render(&folder, &View { size: [7, 5], ..VIEW }, &Relief::new(Map::constant(0.5)), "");
     let mut expected = [
-        "hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "lit",
-        "level",
+        "hit", "uv.x", "uv.y", "height", "P.x", "P.y", "P.z", "N.x", "N.y", "N.z", "depth", "reads", "steps",
+        "bytes", "lit", "level",
     ];
     expected.sort_unstable();
     assert_eq!(aov.names(), expected);

@@ -31,7 +31,7 @@ pub use encoding::Rounding;
 pub use found::FoundState;
 pub use height_map::{HeightMap, HeightMapError, MAX_SIDE, MAX_TEXELS};
 pub use heights_hash::HeightsHash;
-pub use hit::Hit;
+pub use hit::{Cost, Hit};
 pub use metric::{Metric, MetricError};
 pub use path::{Path, PathMetric, RayUse};
 pub use pyramid::{MaxPyramid, MinPyramid};

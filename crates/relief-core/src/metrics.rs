@@ -1,7 +1,7 @@
-//! How far a set of hits is from the truth.
+//! How far a set of hits is from the truth, and what it took to find them.
 
 use crate::exact::ExactHit;
-use crate::{HeightMap, Hit};
+use crate::{Cost, HeightMap, Hit};
 
 /// A hit this many texels behind the true one counts as late, before it as early.
 pub const LATE_TEXELS: f64 = 0.5;
@@ -76,7 +76,7 @@ pub fn compare(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> Result<Erro
     let (mut distances, mut heights, mut depths) = (Vec::new(), Vec::new(), Vec::new());
     let mut reads = 0u64;
     for (truth, hit) in truth.iter().map(|truth| &truth.hit).zip(hits) {
-        reads += u64::from(hit.reads);
+        reads += u64::from(hit.cost.reads);
         if truth.exhausted || hit.exhausted {
             count.exhausted += usize::from(hit.exhausted);
             continue;
@@ -113,6 +113,57 @@ pub fn compare(truth: &[ExactHit], hits: &[Hit], map: &HeightMap) -> Result<Erro
         depth: Spread::of(depths),
         mean_reads: if rays == 0 { 0.0 } else { reads as f64 / rays as f64 },
     })
+}
+
+/// Columns and rows of the pixels that [`CostReport`] takes to be traced in step: the 32 lanes of a wave of
+/// most GPUs, as a rasteriser fills them.
+pub const WAVE: [usize; 2] = [8, 4];
+
+/// What the rays of a picture cost: see [`Cost`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CostReport {
+    /// Reads of a ray.
+    pub reads: CostSpread,
+    /// Steps of a ray.
+    pub steps: CostSpread,
+    /// Bytes of a ray.
+    pub bytes: CostSpread,
+}
+
+/// The spread of a cost over the rays of a picture; zeros where there are none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CostSpread {
+    /// The mean.
+    pub mean: f64,
+    /// 99 of 100 rays cost at most this much.
+    pub p99: f64,
+    /// The mean, over tiles of [`WAVE`], of the greatest cost in a tile: a wave's lanes wait for the slowest.
+    pub wave: f64,
+}
+
+impl CostReport {
+    /// The costs of the hits of a picture, row by row, with that many columns. What lies beyond the last whole
+    /// row is a row of its own, and tiles at the right and lower edges are as large as is left.
+    pub fn of(hits: &[Hit], columns: usize) -> Self {
+        let spread = |cost: fn(&Cost) -> u32| {
+            let costs: Vec<f64> = hits.iter().map(|hit| f64::from(cost(&hit.cost))).collect();
+            let mut slowest = Vec::new();
+            for rows in costs.chunks((columns * WAVE[1]).max(1)) {
+                for left in (0..columns).step_by(WAVE[0]) {
+                    let right = columns.min(left + WAVE[0]);
+                    let of_tile = rows.chunks(columns).filter_map(|row| row.get(left..right.min(row.len())));
+                    slowest.extend(of_tile.flatten().copied().reduce(f64::max));
+                }
+            }
+            let Spread { mean, p99, .. } = Spread::of(costs);
+            CostSpread { mean, p99, wave: Spread::of(slowest).mean }
+        };
+        Self {
+            reads: spread(|cost| cost.reads),
+            steps: spread(|cost| cost.steps),
+            bytes: spread(|cost| cost.bytes),
+        }
+    }
 }
 
 #[derive(Default)]
@@ -192,7 +243,7 @@ mod tests {
         let (map, truth) = rays_on_a_plain();
         let mut dropped = hits(&truth);
         for hit in &mut dropped[..30] {
-            *hit = Hit::miss(7);
+            *hit = Hit::miss(Cost::default());
         }
         for hit in &mut dropped[30..40] {
             hit.exhausted = true;
@@ -202,10 +253,28 @@ mod tests {
 
         let mut missing = truth.clone();
         for truth in &mut missing[..50] {
-            *truth = ExactHit::miss(1, 0.1);
+            *truth = ExactHit::miss(Cost::default(), 0.1);
         }
         let report = compare(&missing, &hits(&truth), &map).expect("as many");
         assert_eq!((report.false_hits, report.both_hit), (0.25, 150));
+    }
+
+    #[test]
+    fn a_wave_waits_for_its_slowest_ray() {
+        // 11 columns and 6 rows: tiles of 8 x 4, 3 x 4, 8 x 2 and 3 x 2, in each of which one ray is slow.
+        let (columns, slow) = (11, [(7, 3, 40), (8, 0, 30), (0, 4, 20), (10, 5, 60)]);
+        let mut hits = vec![Hit::miss(Cost { reads: 2, steps: 1, bytes: 32 }); columns * 6];
+        for (column, row, reads) in slow {
+            hits[row * columns + column].cost.reads = reads;
+        }
+        let report = CostReport::of(&hits, columns);
+        let mean = (62.0 * 2.0 + 150.0) / 66.0;
+        assert_eq!((report.reads.p99, report.reads.wave), (60.0, 37.5));
+        assert!((report.reads.mean - mean).abs() < 1e-12);
+        assert_eq!(report.steps, CostSpread { mean: 1.0, p99: 1.0, wave: 1.0 });
+        assert_eq!(report.bytes, CostSpread { mean: 32.0, p99: 32.0, wave: 32.0 });
+        assert_eq!(CostReport::of(&[], columns), CostReport::default());
+        assert_eq!(CostReport::of(&hits[..15], columns).reads.wave, 2.0 * 0.5 + 30.0 * 0.5);
     }
 
     #[test]

@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use glam::Vec3;
 use rayon::prelude::*;
-use relief_core::HeightMap;
 use relief_core::exact::FastTracer;
+use relief_core::{Cost, HeightMap};
 use relief_shaders::cpu::{Corner, Entered, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec4};
 use relief_shaders::{LightRayState, MAX_LIGHTS};
 
@@ -229,8 +229,11 @@ impl<'a> Ready<'a> {
     fn trace_exactly(&self, tracers: &[FastTracer], pixel: PixelIn) -> PixelOut {
         let at: Entered = self.program.enter(pixel);
         let tracer = &tracers[at.path.level as usize];
-        let hit =
-            if at.valid == 1 { tracer.trace(&(&at.path).into()).hit } else { relief_core::Hit::miss(0) };
+        let hit = if at.valid == 1 {
+            tracer.trace(&(&at.path).into()).hit
+        } else {
+            relief_core::Hit::miss(Cost::default())
+        };
         let hit = Hit::from(&hit);
         let visible = match self.traces_shadows {
             true => self.visible_lights(tracer, at, hit),

@@ -91,5 +91,8 @@ pub struct Rendering {
 
 /// A pixel that nothing covers.
 pub fn uncovered() -> PixelOut {
-    PixelOut::new([0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32, 0.0, 0u32)
+    PixelOut::new(
+        [0.0; 4], 0u32, 0u32, [0.0; 2], 0.0, [0.0; 3], [0.0; 3], 0.0, 0.0, [0; 2], 0u32, 0u32, 0u32, 0.0,
+        0u32,
+    )
 }

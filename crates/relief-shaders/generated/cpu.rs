@@ -162,7 +162,8 @@ pub struct Found {
     pub far: f32,
     pub near_gap: f32,
     pub far_gap: f32,
-    pub reads: u32,
+    /// As in `Hit`.
+    pub cost: rt::Vec3<u32>,
 }
 impl Found {
     pub fn new(
@@ -171,9 +172,9 @@ impl Found {
         far: impl rt::Into<f32>,
         near_gap: impl rt::Into<f32>,
         far_gap: impl rt::Into<f32>,
-        reads: impl rt::Into<u32>,
+        cost: impl rt::Into<rt::Vec3<u32>>,
     ) -> Self {
-        Self { status: rt::into(status), near: rt::into(near), far: rt::into(far), near_gap: rt::into(near_gap), far_gap: rt::into(far_gap), reads: rt::into(reads) }
+        Self { status: rt::into(status), near: rt::into(near), far: rt::into(far), near_gap: rt::into(near_gap), far_gap: rt::into(far_gap), cost: rt::into(cost) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -262,7 +263,8 @@ pub struct Hit {
     pub uv: rt::Vec2<f32>,
     pub height: f32,
     pub t: f32,
-    pub reads: u32,
+    /// Reads, steps and bytes of the search and the refinement.
+    pub cost: rt::Vec3<u32>,
 }
 impl Hit {
     pub fn new(
@@ -271,9 +273,9 @@ impl Hit {
         uv: impl rt::Into<rt::Vec2<f32>>,
         height: impl rt::Into<f32>,
         t: impl rt::Into<f32>,
-        reads: impl rt::Into<u32>,
+        cost: impl rt::Into<rt::Vec3<u32>>,
     ) -> Self {
-        Self { found: rt::into(found), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), t: rt::into(t), reads: rt::into(reads) }
+        Self { found: rt::into(found), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), t: rt::into(t), cost: rt::into(cost) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -318,6 +320,8 @@ pub struct MapSettings {
     pub coded: u32,
     /// Layers of each level.
     pub layers: u32,
+    /// Bytes of a texel.
+    pub texel_bytes: u32,
     pub low: rt::Vec4<f32>,
     pub step: rt::Vec4<f32>,
     /// Metres of a tile along u and v in the metric that it was baked in.
@@ -327,11 +331,12 @@ impl MapSettings {
     pub fn new(
         coded: impl rt::Into<u32>,
         layers: impl rt::Into<u32>,
+        texel_bytes: impl rt::Into<u32>,
         low: impl rt::Into<rt::Vec4<f32>>,
         step: impl rt::Into<rt::Vec4<f32>>,
         tile_m: impl rt::Into<rt::Vec2<f32>>,
     ) -> Self {
-        Self { coded: rt::into(coded), layers: rt::into(layers), low: rt::into(low), step: rt::into(step), tile_m: rt::into(tile_m) }
+        Self { coded: rt::into(coded), layers: rt::into(layers), texel_bytes: rt::into(texel_bytes), low: rt::into(low), step: rt::into(step), tile_m: rt::into(tile_m) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -396,8 +401,13 @@ pub struct PixelOut {
     pub t: f32,
     /// Column and row of the first texel of the dual cell that the hit lies in.
     pub cell: rt::Vec2<i32>,
-    /// Texels and cells that the search and the refinement read.
+    /// How often the search and the refinement read: a cell, a place between texels, a texel or a node each
+    /// time.
     pub reads: u32,
+    /// Turns of the loops of the search and the refinement.
+    pub steps: u32,
+    /// What the reads fetched, caches aside.
+    pub bytes: u32,
     /// The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without
     /// lights.
     pub lit: f32,
@@ -417,10 +427,12 @@ impl PixelOut {
         t: impl rt::Into<f32>,
         cell: impl rt::Into<rt::Vec2<i32>>,
         reads: impl rt::Into<u32>,
+        steps: impl rt::Into<u32>,
+        bytes: impl rt::Into<u32>,
         lit: impl rt::Into<f32>,
         level: impl rt::Into<u32>,
     ) -> Self {
-        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads), lit: rt::into(lit), level: rt::into(level) }
+        Self { color: rt::into(color), hit: rt::into(hit), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), position: rt::into(position), normal: rt::into(normal), depth: rt::into(depth), t: rt::into(t), cell: rt::into(cell), reads: rt::into(reads), steps: rt::into(steps), bytes: rt::into(bytes), lit: rt::into(lit), level: rt::into(level) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -573,6 +585,10 @@ pub const FOUND_STARTED_BELOW: rt::Scalar<u32> = rt::Scalar(5u32);
 #[allow(non_upper_case_globals)]
 pub const FOUND_UNBRACKETED: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
+pub const HEIGHTS_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(16u32));
+#[allow(non_upper_case_globals)]
+pub const HEIGHT_READ: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), rt::Scalar(4u32));
+#[allow(non_upper_case_globals)]
 pub const LIGHT_RAY_DARK: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const LIGHT_RAY_LIT: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -582,6 +598,8 @@ pub const LIGHT_RAY_OPEN: rt::Scalar<u32> = rt::Scalar(2u32);
 pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(5u32);
 #[allow(non_upper_case_globals)]
 pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
+#[allow(non_upper_case_globals)]
+pub const NO_COST: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(0u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
 pub const RAY_SHADOW: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -598,6 +616,8 @@ pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
 pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(8u32);
+#[allow(non_upper_case_globals)]
+pub const STEP: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(1u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
 pub const WRAP_CLAMP: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
@@ -1328,9 +1348,9 @@ impl<'g> Resources<'g> {
         path_3: Path,
         near: impl rt::Into<rt::Scalar<f32>>,
         far: impl rt::Into<rt::Scalar<f32>>,
-        reads: impl rt::Into<rt::Scalar<u32>>,
+        cost: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_bracket_between(path_3, rt::into(near), rt::into(far), rt::into(reads)))
+        rt::into(self.v_bracket_between(path_3, rt::into(near), rt::into(far), rt::into(cost)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_bracket_between(
@@ -1338,7 +1358,7 @@ impl<'g> Resources<'g> {
         path_3: Path,
         near: rt::Scalar<f32>,
         far: rt::Scalar<f32>,
-        reads: rt::Scalar<u32>,
+        cost: rt::Vec3<u32>,
     ) -> Found {
         let mut local_4: rt::Scalar<bool>;
 
@@ -1350,10 +1370,10 @@ impl<'g> Resources<'g> {
         }
         let _e12 = local_4;
         if rt::Scalar::into_branch_condition(_e12) {
-            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (reads + rt::Scalar(1u32)));
+            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (cost + HEIGHTS_READ));
         }
         let _e20 = self.v_path_gap(path_3, far);
-        return <Found>::new(FOUND_BRACKET, near, far, _e4, _e20, (reads + rt::Scalar(2u32)));
+        return <Found>::new(FOUND_BRACKET, near, far, _e4, _e20, ((cost + HEIGHTS_READ) + HEIGHTS_READ));
     }
     pub(crate) fn cell_after(
         &self,
@@ -1918,9 +1938,9 @@ impl<'g> Resources<'g> {
         let _e184 = leave_3;
         let _e185 = enter;
         let _e189 = rt::Scalar(self.surface_settings.scale_m);
-        let path_45 = <Path>::new((uv_15 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
+        let path_46 = <Path>::new((uv_15 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
         let _e194 = valid;
-        return <Entered>::new(_e194, path_45, point_5, uv_15, tangent_1, bitangent, normal_12, rt::Scalar(0f32));
+        return <Entered>::new(_e194, path_46, point_5, uv_15, tangent_1, bitangent, normal_12, rt::Scalar(0f32));
     }
     pub(crate) fn surface_stage(&self, pixel_5: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_5))
@@ -1960,9 +1980,9 @@ impl<'g> Resources<'g> {
         below: impl rt::Into<rt::Scalar<f32>>,
         above_gap: impl rt::Into<rt::Scalar<f32>>,
         below_gap: impl rt::Into<rt::Scalar<f32>>,
-        read: impl rt::Into<rt::Scalar<u32>>,
+        so_far: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_entered_once(path_10, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(read)))
+        rt::into(self.v_entered_once(path_10, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_entered_once(
@@ -1973,20 +1993,20 @@ impl<'g> Resources<'g> {
         below: rt::Scalar<f32>,
         above_gap: rt::Scalar<f32>,
         below_gap: rt::Scalar<f32>,
-        read: rt::Scalar<u32>,
+        so_far: rt::Vec3<u32>,
     ) -> Found {
         let mut near_1: rt::Scalar<f32>;
         let mut far_1: rt::Scalar<f32>;
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
-        let mut reads_1: rt::Scalar<u32>;
+        let mut cost_1: rt::Vec3<u32>;
         let mut local_7: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
         near_gap = above_gap;
         far_gap = below_gap;
-        reads_1 = read;
+        cost_1 = so_far;
         let wide = (grid_5.step.x().abs() + grid_5.step.y().abs());
         'naga_break: loop {
             'naga_continue: {
@@ -1997,39 +2017,41 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = near_1;
-                    let _e26 = far_1;
-                    let middle_2 = (rt::Scalar(0.5f32) * (_e25 + _e26));
-                    let _e30 = near_1;
-                    if rt::Scalar::into_branch_condition(middle_2.elementwise_gt(_e30)) {
-                        let _e34 = far_1;
-                        local_7 = middle_2.elementwise_lt(_e34);
+                    let _e25 = cost_1;
+                    cost_1 = (_e25 + STEP);
+                    let _e28 = near_1;
+                    let _e29 = far_1;
+                    let middle_2 = (rt::Scalar(0.5f32) * (_e28 + _e29));
+                    let _e33 = near_1;
+                    if rt::Scalar::into_branch_condition(middle_2.elementwise_gt(_e33)) {
+                        let _e37 = far_1;
+                        local_7 = middle_2.elementwise_lt(_e37);
                     } else {
                         local_7 = rt::Scalar(false);
                     }
-                    let _e37 = local_7;
-                    if rt::Scalar::into_branch_condition((!_e37)) {
+                    let _e40 = local_7;
+                    if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e39 = self.v_path_gap(path_10, middle_2);
-                    let _e40 = reads_1;
-                    reads_1 = (_e40 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e39.elementwise_le(rt::Scalar(0f32))) {
+                    let _e42 = self.v_path_gap(path_10, middle_2);
+                    let _e43 = cost_1;
+                    cost_1 = (_e43 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
                         far_1 = middle_2;
-                        far_gap = _e39;
+                        far_gap = _e42;
                     } else {
                         near_1 = middle_2;
-                        near_gap = _e39;
+                        near_gap = _e42;
                     }
                 }
             }
         }
-        let _e46 = near_1;
-        let _e47 = far_1;
-        let _e48 = near_gap;
-        let _e49 = far_gap;
-        let _e50 = reads_1;
-        return <Found>::new(FOUND_BRACKET, _e46, _e47, _e48, _e49, _e50);
+        let _e49 = near_1;
+        let _e50 = far_1;
+        let _e51 = near_gap;
+        let _e52 = far_gap;
+        let _e53 = cost_1;
+        return <Found>::new(FOUND_BRACKET, _e49, _e50, _e51, _e52, _e53);
     }
     pub(crate) fn facing_four(
         &self,
@@ -2213,9 +2235,9 @@ impl<'g> Resources<'g> {
         t_7: impl rt::Into<rt::Scalar<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
         first: impl rt::Into<rt::Scalar<bool>>,
-        reads_2: impl rt::Into<rt::Scalar<u32>>,
+        cost_2: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_7), rt::into(span_2), rt::into(first), rt::into(reads_2)))
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_7), rt::into(span_2), rt::into(first), rt::into(cost_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
@@ -2224,7 +2246,7 @@ impl<'g> Resources<'g> {
         t_7: rt::Scalar<f32>,
         span_2: rt::Scalar<f32>,
         first: rt::Scalar<bool>,
-        reads_2: rt::Scalar<u32>,
+        cost_2: rt::Vec3<u32>,
     ) -> Found {
         let mut local_8: rt::Scalar<bool>;
 
@@ -2236,17 +2258,17 @@ impl<'g> Resources<'g> {
             }
             let _e14 = local_8;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), reads_2);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_2);
             }
-            return <Found>::new(FOUND_BRACKET, t_7, t_7, c_3.x(), c_3.x(), reads_2);
+            return <Found>::new(FOUND_BRACKET, t_7, t_7, c_3.x(), c_3.x(), cost_2);
         }
         let _e25 = self.v_least_at(c_3, span_2);
         let _e26 = self.v_quadratic(c_3, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_7, (t_7 + _e25), c_3.x(), _e26, reads_2);
+            return <Found>::new(FOUND_BRACKET, t_7, (t_7 + _e25), c_3.x(), _e26, cost_2);
         }
         let _e36 = self.v_quadratic(c_3, span_2);
-        return <Found>::new(FOUND_ABOVE, t_7, (t_7 + span_2), c_3.x(), _e36, reads_2);
+        return <Found>::new(FOUND_ABOVE, t_7, (t_7 + span_2), c_3.x(), _e36, cost_2);
     }
     pub(crate) fn near_uv(&self, uv_10: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_10)))
@@ -2342,8 +2364,8 @@ impl<'g> Resources<'g> {
         let gap_1 = (end * (_e31.y() + (_e31.z() * end)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_2 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_46 = <Path>::new(_e51, _e3.duv, h_2, (_e11 - end), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_46);
+        let path_47 = <Path>::new(_e51, _e3.duv, h_2, (_e11 - end), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_47);
     }
     pub(crate) fn search_none(
         &self,
@@ -2358,7 +2380,7 @@ impl<'g> Resources<'g> {
         path_13: Path,
         params_8: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_13.exit), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0u32));
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_13.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
@@ -2375,7 +2397,7 @@ impl<'g> Resources<'g> {
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
-        let mut reads_3: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut cost_3: rt::Vec3<u32> = HEIGHTS_READ;
         let mut k: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let cosine_3 = (path_14.h.y().abs() * path_14.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
@@ -2386,7 +2408,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
             let _e30 = near_gap_1;
             let _e31 = near_gap_1;
-            let _e32 = reads_3;
+            let _e32 = cost_3;
             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e30, _e31, _e32);
         }
         'naga_break: loop {
@@ -2397,30 +2419,32 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e41 = k;
-                    let t_27 = (rt::Scalar(path_14.exit) * (_e41 / steps));
-                    let _e44 = self.v_path_gap(path_14, t_27);
-                    let _e45 = reads_3;
-                    reads_3 = (_e45 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e44.elementwise_le(rt::Scalar(0f32))) {
-                        let _e51 = near_2;
-                        let _e52 = near_gap_1;
-                        let _e53 = reads_3;
-                        return <Found>::new(FOUND_BRACKET, _e51, t_27, _e52, _e44, _e53);
+                    let _e40 = cost_3;
+                    cost_3 = (_e40 + STEP);
+                    let _e44 = k;
+                    let t_27 = (rt::Scalar(path_14.exit) * (_e44 / steps));
+                    let _e47 = self.v_path_gap(path_14, t_27);
+                    let _e48 = cost_3;
+                    cost_3 = (_e48 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e47.elementwise_le(rt::Scalar(0f32))) {
+                        let _e54 = near_2;
+                        let _e55 = near_gap_1;
+                        let _e56 = cost_3;
+                        return <Found>::new(FOUND_BRACKET, _e54, t_27, _e55, _e47, _e56);
                     }
                     near_2 = t_27;
-                    near_gap_1 = _e44;
-                    let _e55 = k;
-                    k = (_e55 + rt::Scalar(1f32));
+                    near_gap_1 = _e47;
+                    let _e58 = k;
+                    k = (_e58 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e59 = near_2;
-        let _e60 = near_2;
-        let _e61 = near_gap_1;
-        let _e62 = near_gap_1;
-        let _e63 = reads_3;
-        return <Found>::new(FOUND_MISS, _e59, _e60, _e61, _e62, _e63);
+        let _e62 = near_2;
+        let _e63 = near_2;
+        let _e64 = near_gap_1;
+        let _e65 = near_gap_1;
+        let _e66 = cost_3;
+        return <Found>::new(FOUND_MISS, _e62, _e63, _e64, _e65, _e66);
     }
     pub(crate) fn search_cells(
         &self,
@@ -2437,7 +2461,7 @@ impl<'g> Resources<'g> {
     ) -> Found {
         let mut cell_6: rt::Vec2<f32>;
         let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_4: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_4: rt::Vec3<u32> = NO_COST;
 
         let _e2 = self.v_grid_of(path_15);
         let _e4 = self.v_cell_of(_e2.origin);
@@ -2445,45 +2469,47 @@ impl<'g> Resources<'g> {
         let limit = params_10.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e12 = reads_4;
-                if rt::Scalar::into_branch_condition(_e12.elementwise_lt(limit)) {
+                let _e13 = cost_4.x();
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e14 = cell_6;
-                    let _e15 = self.v_cell_leave(_e2, _e14);
-                    let end_1 = _e15.x().min(_e15.y()).min(rt::Scalar(path_15.exit));
-                    let _e21 = cell_6;
-                    let _e22 = t_8;
-                    let _e23 = self.v_cell_gap(path_15, _e2, _e21, _e22);
-                    let _e24 = reads_4;
-                    reads_4 = (_e24 + rt::Scalar(1u32));
-                    let _e27 = t_8;
-                    let span_4 = (end_1 - _e27).max(rt::Scalar(0f32));
+                    let _e15 = cost_4;
+                    cost_4 = (_e15 + STEP);
+                    let _e18 = cell_6;
+                    let _e19 = self.v_cell_leave(_e2, _e18);
+                    let end_1 = _e19.x().min(_e19.y()).min(rt::Scalar(path_15.exit));
+                    let _e25 = cell_6;
+                    let _e26 = t_8;
+                    let _e27 = self.v_cell_gap(path_15, _e2, _e25, _e26);
+                    let _e28 = cost_4;
+                    cost_4 = (_e28 + HEIGHTS_READ);
                     let _e31 = t_8;
-                    let _e32 = reads_4;
-                    let _e35 = reads_4;
-                    let _e36 = self.v_found_in_cell(_e23, _e31, span_4, _e32.elementwise_eq(rt::Scalar(1u32)), _e35);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e36.status).elementwise_ne(FOUND_ABOVE)) {
-                        return _e36;
+                    let span_4 = (end_1 - _e31).max(rt::Scalar(0f32));
+                    let _e35 = t_8;
+                    let _e37 = cost_4.x();
+                    let _e40 = cost_4;
+                    let _e41 = self.v_found_in_cell(_e27, _e35, span_4, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
+                        return _e41;
                     }
                     if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_15.exit))) {
-                        let _e43 = t_8;
-                        let _e47 = reads_4;
-                        return <Found>::new(FOUND_MISS, _e43, rt::Scalar(path_15.exit), _e23.x(), rt::Scalar(_e36.far_gap), _e47);
+                        let _e48 = t_8;
+                        let _e52 = cost_4;
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_15.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
-                    let _e49 = cell_6;
-                    let _e50 = self.v_cell_next(_e2, _e49, _e15);
-                    cell_6 = _e50;
-                    let _e51 = t_8;
-                    t_8 = _e51.max(end_1);
+                    let _e54 = cell_6;
+                    let _e55 = self.v_cell_next(_e2, _e54, _e19);
+                    cell_6 = _e55;
+                    let _e56 = t_8;
+                    t_8 = _e56.max(end_1);
                 }
             }
         }
-        let _e54 = t_8;
-        let _e56 = reads_4;
-        return <Found>::new(FOUND_EXHAUSTED, _e54, rt::Scalar(path_15.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e56);
+        let _e59 = t_8;
+        let _e61 = cost_4;
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_15.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn path_slope(
         &self,
@@ -2576,6 +2602,23 @@ impl<'g> Resources<'g> {
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right).select(_e29.y().select(_e29.x(), right), down);
     }
+    pub(crate) fn map_read(
+        &self,
+        path_18: Path,
+        texels_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<u32> {
+        rt::into(self.v_map_read(path_18, rt::into(texels_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_map_read(
+        &self,
+        path_18: Path,
+        texels_1: rt::Scalar<u32>,
+    ) -> rt::Vec3<u32> {
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_18.ray).elementwise_eq(RAY_SHADOW));
+        let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
+        return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_1 * _e14));
+    }
     pub(crate) fn stays_above(
         &self,
         above_1: impl rt::Into<rt::Vec3<f32>>,
@@ -2614,133 +2657,138 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_18: Path,
+        path_19: Path,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_18, rt::into(params_11)))
+        rt::into(self.v_search_frustum(path_19, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_18: Path,
+        path_19: Path,
         params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_10: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_5: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_5: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_1: rt::Scalar<f32>;
         let mut local_12: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_18);
+        let _e2 = self.v_grid_of(path_19);
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
         let limit_1 = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e17 = reads_5;
-                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_1)) {
+                let _e18 = cost_5.x();
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_1)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = reads_5;
-                    let first_2 = _e19.elementwise_eq(rt::Scalar(0u32));
-                    let _e22 = cell_9;
-                    let _e25 = self.v_height_cell(_e22.cast_elem_as_i32(), rt::Scalar(path_18.level));
-                    let _e26 = reads_5;
-                    reads_5 = (_e26 + rt::Scalar(1u32));
-                    let _e29 = cell_9;
-                    let _e30 = self.v_cell_leave(_e2, _e29);
-                    let end_2 = _e30.x().min(_e30.y()).min(rt::Scalar(path_18.exit));
-                    let _e36 = t_10;
-                    let span_5 = (end_2 - _e36).max(rt::Scalar(0f32));
-                    let top_4 = _e25.x().max(_e25.y()).max(_e25.z().max(_e25.w()));
-                    let _e47 = t_10;
-                    let _e48 = self.v_path_height(path_18, _e47);
-                    let _e50 = t_10;
-                    let _e51 = self.v_path_slope(path_18, _e50);
-                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e48 - top_4), _e51, path_18.h.z());
-                    let _e58 = t_10;
-                    let _e62 = t_10;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_18.h.x().abs() + (_e58 * (path_18.h.y().abs() + (_e62 * path_18.h.z().abs())))));
-                    let _e72 = t_10;
-                    next_1 = _e72.max(end_2);
+                    let _e20 = cost_5;
+                    cost_5 = (_e20 + STEP);
+                    let _e24 = cost_5.x();
+                    let first_2 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let _e27 = cell_9;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_19.level));
+                    let _e31 = cost_5;
+                    cost_5 = (_e31 + HEIGHTS_READ);
+                    let _e34 = cell_9;
+                    let _e35 = self.v_cell_leave(_e2, _e34);
+                    let end_2 = _e35.x().min(_e35.y()).min(rt::Scalar(path_19.exit));
+                    let _e41 = t_10;
+                    let span_5 = (end_2 - _e41).max(rt::Scalar(0f32));
+                    let top_4 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
+                    let _e52 = t_10;
+                    let _e53 = self.v_path_height(path_19, _e52);
+                    let _e55 = t_10;
+                    let _e56 = self.v_path_slope(path_19, _e55);
+                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e53 - top_4), _e56, path_19.h.z());
+                    let _e63 = t_10;
+                    let _e67 = t_10;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_19.h.x().abs() + (_e63 * (path_19.h.y().abs() + (_e67 * path_19.h.z().abs())))));
+                    let _e77 = t_10;
+                    next_1 = _e77.max(end_2);
                     slope_1 = rt::Scalar(-1f32);
-                    let _e77 = self.v_least_at(above_3, span_5);
-                    let _e78 = self.v_quadratic(above_3, _e77);
-                    if rt::Scalar::into_branch_condition(_e78.elementwise_gt(of_heights)) {
+                    let _e82 = self.v_least_at(above_3, span_5);
+                    let _e83 = self.v_quadratic(above_3, _e82);
+                    if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
                         local_12 = above_3.x().elementwise_gt(of_heights);
                     } else {
                         local_12 = rt::Scalar(false);
                     }
-                    let _e85 = local_12;
-                    if rt::Scalar::into_branch_condition(_e85) {
-                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_18.exit))) {
-                            let _e88 = cell_9;
-                            let _e90 = self.v_frustum_slope(path_18, _e88.cast_elem_as_i32(), forward_2);
-                            slope_1 = _e90;
-                            let _e91 = reads_5;
-                            let _e94 = slope_1;
-                            reads_5 = (_e91 + rt::Scalar(0u32).select(rt::Scalar(1u32), _e94.elementwise_ge(rt::Scalar(0f32))));
+                    let _e90 = local_12;
+                    if rt::Scalar::into_branch_condition(_e90) {
+                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_19.exit))) {
+                            let _e93 = cell_9;
+                            let _e95 = self.v_frustum_slope(path_19, _e93.cast_elem_as_i32(), forward_2);
+                            slope_1 = _e95;
+                            let _e96 = slope_1;
+                            if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
+                                let _e99 = cost_5;
+                                let _e101 = self.v_map_read(path_19, rt::Scalar(1u32));
+                                cost_5 = (_e99 + _e101);
+                            }
                         }
                     } else {
-                        let _e99 = cell_9;
-                        let _e100 = t_10;
-                        let _e101 = self.v_gap_to(path_18, _e2, _e99, _e25, _e100);
-                        let _e102 = t_10;
-                        let _e103 = reads_5;
-                        let _e104 = self.v_found_in_cell(_e101, _e102, span_5, first_2, _e103);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e104.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e104;
+                        let _e103 = cell_9;
+                        let _e104 = t_10;
+                        let _e105 = self.v_gap_to(path_19, _e2, _e103, _e30, _e104);
+                        let _e106 = t_10;
+                        let _e107 = cost_5;
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_5, first_2, _e107);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e108;
                         }
                     }
-                    let _e108 = slope_1;
-                    if rt::Scalar::into_branch_condition(_e108.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e112 = cell_9;
-                        let _e115 = t_10;
-                        let at_40 = ((_e2.origin - _e112) + (_e2.step * _e115));
+                    let _e112 = slope_1;
+                    if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e116 = cell_9;
+                        let _e119 = t_10;
+                        let at_40 = ((_e2.origin - _e116) + (_e2.step * _e119));
                         let left_1 = at_40.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_40), forward_2);
-                        let _e127 = t_10;
-                        let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e127)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                        let _e135 = slope_1;
-                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e135) * far_4));
-                        let _e141 = t_10;
-                        let rest_1 = (rt::Scalar(path_18.exit) - _e141);
-                        let _e143 = slope_1;
-                        let _e148 = self.v_stays_above(above_3, _e143, left_1.x(), _e2.step.x(), lost_1.x(), rest_1);
-                        let _e149 = slope_1;
-                        let _e154 = self.v_stays_above(above_3, _e149, left_1.y(), _e2.step.y(), lost_1.y(), rest_1);
-                        let _e155 = next_1;
-                        let _e156 = t_10;
-                        next_1 = _e155.max((_e156 + _e148.min(_e154)));
+                        let _e131 = t_10;
+                        let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
+                        let _e139 = slope_1;
+                        let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
+                        let _e145 = t_10;
+                        let rest_1 = (rt::Scalar(path_19.exit) - _e145);
+                        let _e147 = slope_1;
+                        let _e152 = self.v_stays_above(above_3, _e147, left_1.x(), _e2.step.x(), lost_1.x(), rest_1);
+                        let _e153 = slope_1;
+                        let _e158 = self.v_stays_above(above_3, _e153, left_1.y(), _e2.step.y(), lost_1.y(), rest_1);
+                        let _e159 = next_1;
+                        let _e160 = t_10;
+                        next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
-                    let _e160 = next_1;
-                    if rt::Scalar::into_branch_condition(_e160.elementwise_ge(rt::Scalar(path_18.exit))) {
-                        let _e164 = t_10;
-                        let _e166 = reads_5;
-                        return <Found>::new(FOUND_MISS, _e164, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e166);
+                    let _e164 = next_1;
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_19.exit))) {
+                        let _e168 = t_10;
+                        let _e170 = cost_5;
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_19.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
-                    let _e170 = slope_1;
-                    if rt::Scalar::into_branch_condition(_e170.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e173 = cell_9;
-                        let _e174 = next_1;
-                        let _e175 = self.v_cell_after(_e2, _e173, _e30, forward_2, _e174);
-                        cell_9 = _e175;
+                    let _e174 = slope_1;
+                    if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
+                        let _e177 = cell_9;
+                        let _e178 = next_1;
+                        let _e179 = self.v_cell_after(_e2, _e177, _e35, forward_2, _e178);
+                        cell_9 = _e179;
                     } else {
-                        let _e176 = cell_9;
-                        let _e177 = self.v_cell_next(_e2, _e176, _e30);
-                        cell_9 = _e177;
+                        let _e180 = cell_9;
+                        let _e181 = self.v_cell_next(_e2, _e180, _e35);
+                        cell_9 = _e181;
                     }
-                    let _e178 = next_1;
-                    t_10 = _e178;
+                    let _e182 = next_1;
+                    t_10 = _e182;
                 }
             }
         }
-        let _e180 = t_10;
-        let _e182 = reads_5;
-        return <Found>::new(FOUND_EXHAUSTED, _e180, rt::Scalar(path_18.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e182);
+        let _e184 = t_10;
+        let _e186 = cost_5;
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_19.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
     pub(crate) fn nearest_corner(&self, at_17: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_nearest_corner(rt::into(at_17)))
@@ -2751,19 +2799,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn stays_inside(
         &self,
-        path_19: Path,
+        path_20: Path,
         grid_6: Grid,
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_2: impl rt::Into<rt::Scalar<f32>>,
         t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_19, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_2), rt::into(t_11)))
+        rt::into(self.v_stays_inside(path_20, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_2), rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_19: Path,
+        path_20: Path,
         grid_6: Grid,
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -2774,12 +2822,12 @@ impl<'g> Resources<'g> {
         let mut local_13: rt::Scalar<bool>;
         let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_2 = (rt::Scalar(path_19.exit) - t_11);
-        let _e8 = self.v_path_height(path_19, t_11);
+        let rest_2 = (rt::Scalar(path_20.exit) - t_11);
+        let _e8 = self.v_path_height(path_20, t_11);
         let height_2 = (_e8 - apex);
-        let terms = (path_19.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_19.exit)) * path_19.h.z().abs()));
-        let _e21 = self.v_path_slope(path_19, t_11);
-        let rise_1 = ((_e21 + (path_19.h.z().min(rt::Scalar(0f32)) * rest_2)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_20.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_20.exit)) * path_20.h.z().abs()));
+        let _e21 = self.v_path_slope(path_20, t_11);
+        let rise_1 = ((_e21 + (path_20.h.z().min(rt::Scalar(0f32)) * rest_2)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_2;
         if rt::Scalar::into_branch_condition(rise_1.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
@@ -2787,12 +2835,12 @@ impl<'g> Resources<'g> {
         }
         let _e39 = most;
         let end_3 = (t_11 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_19.level));
+        let _e52 = self.v_height_size(rt::Scalar(path_20.level));
         let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_19.h.x().abs() + (end_3 * (path_19.h.y().abs() + (end_3 * path_19.h.z().abs())))));
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_20.h.x().abs() + (end_3 * (path_20.h.y().abs() + (end_3 * path_20.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_2) * (far_5.x() + far_5.y())));
         let gap_3 = (height_2 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_19.level));
+        let _e85 = self.v_height_size(rt::Scalar(path_20.level));
         let aside_1 = (((grid_6.origin - offset) + (grid_6.step * t_11)) / _e85);
         let c_5 = (((slope_2 * aside_1.length()) - gap_3) * ((slope_2 * aside_1.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
@@ -2804,8 +2852,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_2 * slope_2) * aside_1.dot(path_19.duv)) - (gap_3 * rise_1));
-        let a_5 = (((slope_2 * slope_2) * path_19.duv.dot(path_19.duv)) - (rise_1 * rise_1));
+        let b_3 = (((slope_2 * slope_2) * aside_1.dot(path_20.duv)) - (gap_3 * rise_1));
+        let a_5 = (((slope_2 * slope_2) * path_20.duv.dot(path_20.duv)) - (rise_1 * rise_1));
         let discriminant_1 = ((b_3 * b_3) - (a_5 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -2822,7 +2870,7 @@ impl<'g> Resources<'g> {
         leave_4 = _e135.min(_e136);
         let _e139 = leave_4;
         let _e145 = leave_4;
-        if rt::Scalar::into_branch_condition(((slope_2 * (aside_1 + (path_19.duv * _e139)).length()) + lost_2).elementwise_le((height_2 + (rise_1 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_2 * (aside_1 + (path_20.duv * _e139)).length()) + lost_2).elementwise_le((height_2 + (rise_1 * _e145)))) {
             let _e149 = leave_4;
             return _e149;
         }
@@ -2830,100 +2878,103 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_20: Path,
+        path_21: Path,
         params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_20, rt::into(params_12)))
+        rt::into(self.v_search_cone(path_21, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_20: Path,
+        path_21: Path,
         params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
         let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_6: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_6: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_20);
+        let _e2 = self.v_grid_of(path_21);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
         let limit_2 = params_12.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e17 = reads_6;
-                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(limit_2)) {
+                let _e18 = cost_6.x();
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = reads_6;
-                    let first_3 = _e19.elementwise_eq(rt::Scalar(0u32));
-                    let _e22 = cell_10;
-                    let _e25 = self.v_height_cell(_e22.cast_elem_as_i32(), rt::Scalar(path_20.level));
-                    let _e26 = reads_6;
-                    reads_6 = (_e26 + rt::Scalar(1u32));
-                    let _e29 = cell_10;
-                    let _e30 = self.v_cell_leave(_e2, _e29);
-                    let end_4 = _e30.x().min(_e30.y()).min(rt::Scalar(path_20.exit));
-                    let _e36 = t_12;
-                    let span_6 = (end_4 - _e36).max(rt::Scalar(0f32));
-                    let _e41 = cell_10;
-                    let _e44 = t_12;
-                    let at_41 = ((_e2.origin - _e41) + (_e2.step * _e44));
-                    let _e47 = self.v_nearest_corner(at_41);
-                    let _e48 = self.v_corner_height(_e25, _e47);
+                    let _e20 = cost_6;
+                    cost_6 = (_e20 + STEP);
+                    let _e24 = cost_6.x();
+                    let first_3 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let _e27 = cell_10;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_21.level));
+                    let _e31 = cost_6;
+                    cost_6 = (_e31 + HEIGHTS_READ);
+                    let _e34 = cell_10;
+                    let _e35 = self.v_cell_leave(_e2, _e34);
+                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_21.exit));
+                    let _e41 = t_12;
+                    let span_6 = (end_4 - _e41).max(rt::Scalar(0f32));
+                    let _e46 = cell_10;
                     let _e49 = t_12;
-                    next_2 = _e49;
-                    let _e51 = t_12;
-                    let _e52 = self.v_path_height(path_20, _e51);
-                    if rt::Scalar::into_branch_condition(_e52.elementwise_gt(_e48)) {
-                        let _e54 = cell_10;
-                        let texel_6 = (_e54 + _e47);
-                        let _e56 = self.v_cone_slope(path_20, texel_6);
-                        let _e57 = reads_6;
-                        reads_6 = (_e57 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e56.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e62 = t_12;
-                            let _e63 = t_12;
-                            let _e64 = self.v_stays_inside(path_20, _e2, texel_6, _e48, _e56, _e63);
-                            next_2 = (_e62 + _e64);
+                    let at_41 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_41);
+                    let _e53 = self.v_corner_height(_e30, _e52);
+                    let _e54 = t_12;
+                    next_2 = _e54;
+                    let _e56 = t_12;
+                    let _e57 = self.v_path_height(path_21, _e56);
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
+                        let _e59 = cell_10;
+                        let texel_6 = (_e59 + _e52);
+                        let _e61 = self.v_cone_slope(path_21, texel_6);
+                        let _e62 = cost_6;
+                        let _e64 = self.v_map_read(path_21, rt::Scalar(1u32));
+                        cost_6 = (_e62 + _e64);
+                        if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e68 = t_12;
+                            let _e69 = t_12;
+                            let _e70 = self.v_stays_inside(path_21, _e2, texel_6, _e53, _e61, _e69);
+                            next_2 = (_e68 + _e70);
                         }
                     }
-                    let _e66 = next_2;
-                    if rt::Scalar::into_branch_condition(_e66.elementwise_lt(end_4)) {
-                        let _e68 = cell_10;
-                        let _e69 = t_12;
-                        let _e70 = self.v_gap_to(path_20, _e2, _e68, _e25, _e69);
-                        let _e71 = t_12;
-                        let _e72 = reads_6;
-                        let _e73 = self.v_found_in_cell(_e70, _e71, span_6, first_3, _e72);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e73.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e73;
-                        }
+                    let _e72 = next_2;
+                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_4)) {
+                        let _e74 = cell_10;
+                        let _e75 = t_12;
+                        let _e76 = self.v_gap_to(path_21, _e2, _e74, _e30, _e75);
                         let _e77 = t_12;
-                        next_2 = _e77.max(end_4);
-                    }
-                    let _e79 = next_2;
-                    if rt::Scalar::into_branch_condition(_e79.elementwise_ge(rt::Scalar(path_20.exit))) {
+                        let _e78 = cost_6;
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_6, first_3, _e78);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e79;
+                        }
                         let _e83 = t_12;
-                        let _e85 = reads_6;
-                        return <Found>::new(FOUND_MISS, _e83, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e85);
+                        next_2 = _e83.max(end_4);
                     }
-                    let _e89 = cell_10;
-                    let _e90 = next_2;
-                    let _e91 = self.v_cell_after(_e2, _e89, _e30, forward_3, _e90);
-                    cell_10 = _e91;
-                    let _e92 = next_2;
-                    t_12 = _e92;
+                    let _e85 = next_2;
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_21.exit))) {
+                        let _e89 = t_12;
+                        let _e91 = cost_6;
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                    }
+                    let _e95 = cell_10;
+                    let _e96 = next_2;
+                    let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_3, _e96);
+                    cell_10 = _e97;
+                    let _e98 = next_2;
+                    t_12 = _e98;
                 }
             }
         }
-        let _e94 = t_12;
-        let _e96 = reads_6;
-        return <Found>::new(FOUND_EXHAUSTED, _e94, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e96);
+        let _e100 = t_12;
+        let _e102 = cost_6;
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
@@ -2991,15 +3042,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_21: Path,
+        path_22: Path,
         params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_21, rt::into(params_13)))
+        rt::into(self.v_search_pyramid(path_22, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_21: Path,
+        path_22: Path,
         params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -3007,15 +3058,15 @@ impl<'g> Resources<'g> {
         let mut cell_12: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_7: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_7: rt::Vec3<u32> = NO_COST;
         let mut local_15: rt::Scalar<bool>;
         let mut local_16: rt::Scalar<bool>;
         let mut local_17: rt::Scalar<bool>;
         let mut local_18: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_21);
-        let _e4 = self.v_height_texels(rt::Scalar(path_21.level));
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_21.exit));
+        let _e2 = self.v_grid_of(path_22);
+        let _e4 = self.v_height_texels(rt::Scalar(path_22.level));
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_22.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -3039,136 +3090,141 @@ impl<'g> Resources<'g> {
         let limit_3 = params_13.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e50 = reads_7;
-                if rt::Scalar::into_branch_condition(_e50.elementwise_lt(limit_3)) {
+                let _e51 = cost_7.x();
+                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_3)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e53 = cell_12.x();
-                    let _e55 = self.v_image_of(_e53, _e4.x());
-                    let _e57 = cell_12.y();
-                    let _e59 = self.v_image_of(_e57, _e4.y());
-                    let place_6 = <rt::Vec2<i32>>::from_scalars(_e55.x(), _e59.x());
-                    let _e63 = level_14;
-                    let above_level = (_e63 + rt::Scalar(1u32));
+                    let _e53 = cost_7;
+                    cost_7 = (_e53 + STEP);
+                    let _e57 = cell_12.x();
+                    let _e59 = self.v_image_of(_e57, _e4.x());
+                    let _e61 = cell_12.y();
+                    let _e63 = self.v_image_of(_e61, _e4.y());
+                    let place_6 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_14;
+                    let above_level = (_e67 + rt::Scalar(1u32));
                     let over = <rt::Vec2<i32>>::from_scalars((place_6.x() >> above_level), (place_6.y() >> above_level));
-                    let _e72 = parent.x();
-                    if rt::Scalar::into_branch_condition(_e72.elementwise_ge(rt::Scalar(0i32))) {
-                        let _e78 = parent.x();
-                        if rt::Scalar::into_branch_condition((!_e78.elementwise_ne(over.x()))) {
-                            let _e85 = parent.y();
-                            local_16 = _e85.elementwise_ne(over.y());
+                    let _e76 = parent.x();
+                    if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
+                        let _e82 = parent.x();
+                        if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over.x()))) {
+                            let _e89 = parent.y();
+                            local_16 = _e89.elementwise_ne(over.y());
                         } else {
                             local_16 = rt::Scalar(true);
                         }
-                        let _e89 = local_16;
-                        local_15 = _e89;
+                        let _e93 = local_16;
+                        local_15 = _e93;
                     } else {
                         local_15 = rt::Scalar(false);
                     }
                     let left_2 = local_15;
                     if rt::Scalar::into_branch_condition(left_2) {
-                        let _e94 = level_14;
-                        let _e95 = top;
-                        local_17 = _e94.elementwise_lt(_e95);
+                        let _e98 = level_14;
+                        let _e99 = top;
+                        local_17 = _e98.elementwise_lt(_e99);
                     } else {
                         local_17 = rt::Scalar(false);
                     }
-                    let _e98 = local_17;
-                    if rt::Scalar::into_branch_condition(_e98) {
+                    let _e102 = local_17;
+                    if rt::Scalar::into_branch_condition(_e102) {
                         level_14 = above_level;
                     }
-                    let _e100 = cell_12.x();
-                    let _e102 = level_14;
-                    let _e103 = self.v_node_extent(_e100, _e55, _e4.x(), _e102);
-                    let _e105 = cell_12.y();
-                    let _e107 = level_14;
-                    let _e108 = self.v_node_extent(_e105, _e59, _e4.y(), _e107);
-                    let _e113 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e103);
-                    let _e118 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e108);
-                    let end_5 = _e113.min(_e118).min(rt::Scalar(path_21.exit));
-                    let _e122 = t_13;
-                    let span_7 = (end_5 - _e122).max(rt::Scalar(0f32));
-                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e103.x(), _e108.x());
-                    let last_2 = <rt::Vec2<i32>>::from_scalars((_e103.y() - rt::Scalar(1i32)), (_e108.y() - rt::Scalar(1i32)));
-                    let _e136 = reads_7;
-                    reads_7 = (_e136 + rt::Scalar(1u32));
-                    let _e139 = level_14;
-                    if rt::Scalar::into_branch_condition(_e139.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e142 = cell_12;
-                        let _e144 = cell_12;
-                        let _e146 = self.v_height_cell(_e144, rt::Scalar(path_21.level));
-                        let _e147 = t_13;
-                        let _e148 = self.v_gap_to(path_21, _e2, _e142.cast_elem_as_f32(), _e146, _e147);
-                        let _e149 = t_13;
-                        let _e150 = t_13;
-                        let _e153 = reads_7;
-                        let _e154 = self.v_found_in_cell(_e148, _e149, span_7, _e150.elementwise_eq(rt::Scalar(0f32)), _e153);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e154.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e154;
+                    let _e104 = cell_12.x();
+                    let _e106 = level_14;
+                    let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
+                    let _e109 = cell_12.y();
+                    let _e111 = level_14;
+                    let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
+                    let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
+                    let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
+                    let end_5 = _e117.min(_e122).min(rt::Scalar(path_22.exit));
+                    let _e126 = t_13;
+                    let span_7 = (end_5 - _e126).max(rt::Scalar(0f32));
+                    let low_1 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
+                    let last_2 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let _e140 = level_14;
+                    if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e143 = cost_7;
+                        cost_7 = (_e143 + HEIGHTS_READ);
+                        let _e146 = cell_12;
+                        let _e148 = cell_12;
+                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_22.level));
+                        let _e151 = t_13;
+                        let _e152 = self.v_gap_to(path_22, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
+                        let _e153 = t_13;
+                        let _e154 = t_13;
+                        let _e157 = cost_7;
+                        let _e158 = self.v_found_in_cell(_e152, _e153, span_7, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e158;
                         }
                     } else {
-                        let _e159 = level_14;
-                        let _e162 = level_14;
-                        let _e166 = level_14;
-                        let _e170 = self.v_search_texel(path_21, <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e159), (place_6.y() >> _e162)), rt::Scalar(0i32), (_e166.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        let highest_1 = _e170.y();
-                        let _e172 = t_13;
-                        let furthest = (_e172 + span_7);
-                        let rounded = (path_21.h.x().abs() + (furthest * (path_21.h.y().abs() + (furthest * path_21.h.z().abs()))));
-                        let _e187 = t_13;
-                        let _e188 = self.v_path_height(path_21, _e187);
-                        let _e193 = t_13;
-                        let _e194 = self.v_path_slope(path_21, _e193);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e188 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e194, path_21.h.z());
+                        let _e162 = cost_7;
+                        let _e164 = self.v_map_read(path_22, rt::Scalar(1u32));
+                        cost_7 = (_e162 + _e164);
+                        let _e167 = level_14;
+                        let _e170 = level_14;
+                        let _e174 = level_14;
+                        let _e178 = self.v_search_texel(path_22, <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e167), (place_6.y() >> _e170)), rt::Scalar(0i32), (_e174.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let highest_1 = _e178.y();
+                        let _e180 = t_13;
+                        let furthest = (_e180 + span_7);
+                        let rounded = (path_22.h.x().abs() + (furthest * (path_22.h.y().abs() + (furthest * path_22.h.z().abs()))));
+                        let _e195 = t_13;
+                        let _e196 = self.v_path_height(path_22, _e195);
+                        let _e201 = t_13;
+                        let _e202 = self.v_path_slope(path_22, _e201);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_22.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e204 = self.v_least_at(gap_4, span_7);
-                            let _e205 = self.v_quadratic(gap_4, _e204);
-                            local_18 = _e205.elementwise_le(rt::Scalar(0f32));
+                            let _e212 = self.v_least_at(gap_4, span_7);
+                            let _e213 = self.v_quadratic(gap_4, _e212);
+                            local_18 = _e213.elementwise_le(rt::Scalar(0f32));
                         } else {
                             local_18 = rt::Scalar(true);
                         }
-                        let _e209 = local_18;
-                        if rt::Scalar::into_branch_condition(_e209) {
+                        let _e217 = local_18;
+                        if rt::Scalar::into_branch_condition(_e217) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e213 = t_13;
-                                let _e214 = self.v_first_root(gap_4, span_7);
-                                t_13 = (_e213 + _e214.min(span_7));
+                                let _e221 = t_13;
+                                let _e222 = self.v_first_root(gap_4, span_7);
+                                t_13 = (_e221 + _e222.min(span_7));
                             }
-                            let _e219 = t_13;
-                            let _e222 = self.v_cell_of((_e2.origin + (_e2.step * _e219)));
-                            cell_12 = _e222.cast_elem_as_i32().clamp(low_1, last_2);
-                            let _e225 = level_14;
-                            level_14 = (_e225 - rt::Scalar(1u32));
+                            let _e227 = t_13;
+                            let _e230 = self.v_cell_of((_e2.origin + (_e2.step * _e227)));
+                            cell_12 = _e230.cast_elem_as_i32().clamp(low_1, last_2);
+                            let _e233 = level_14;
+                            level_14 = (_e233 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_21.exit))) {
-                        let _e234 = t_13;
-                        let _e236 = reads_7;
-                        return <Found>::new(FOUND_MISS, _e234, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e236);
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_22.exit))) {
+                        let _e242 = t_13;
+                        let _e244 = cost_7;
+                        return <Found>::new(FOUND_MISS, _e242, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e244);
                     }
-                    let _e244 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
-                    cell_12 = _e244.cast_elem_as_i32().clamp(low_1, last_2);
-                    if rt::Scalar::into_branch_condition(_e113.elementwise_le(end_5)) {
-                        cell_12.set_x((low_1.x() - rt::Scalar(1i32)).select(_e103.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    let _e252 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
+                    cell_12 = _e252.cast_elem_as_i32().clamp(low_1, last_2);
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_5)) {
+                        cell_12.set_x((low_1.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e118.elementwise_le(end_5)) {
-                        cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e108.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_5)) {
+                        cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e270 = level_14;
-                    let _e275 = level_14;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_6.x() >> (_e270 + rt::Scalar(1u32))), (place_6.y() >> (_e275 + rt::Scalar(1u32))));
-                    let _e280 = t_13;
-                    t_13 = _e280.max(end_5);
+                    let _e278 = level_14;
+                    let _e283 = level_14;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_6.x() >> (_e278 + rt::Scalar(1u32))), (place_6.y() >> (_e283 + rt::Scalar(1u32))));
+                    let _e288 = t_13;
+                    t_13 = _e288.max(end_5);
                 }
             }
         }
-        let _e283 = t_13;
-        let _e285 = reads_7;
-        return <Found>::new(FOUND_EXHAUSTED, _e283, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e285);
+        let _e291 = t_13;
+        let _e293 = cost_7;
+        return <Found>::new(FOUND_EXHAUSTED, _e291, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e293);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -3213,29 +3269,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_22: Path,
+        path_23: Path,
         params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_22, rt::into(params_14)))
+        rt::into(self.v_search_pyramid_texels(path_23, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_22: Path,
+        path_23: Path,
         params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut level_16: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_8: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_8: rt::Vec3<u32> = NO_COST;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_22.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_22.level));
-        let origin_2 = (path_22.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_22.level));
-        let step_1 = (path_22.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_23.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_23.level));
+        let origin_2 = (path_23.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_23.level));
+        let step_1 = (path_23.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_16;
@@ -3254,95 +3310,100 @@ impl<'g> Resources<'g> {
         let limit_4 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e33 = reads_8;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_lt(limit_4)) {
+                let _e34 = cost_8.x();
+                if rt::Scalar::into_branch_condition(_e34.elementwise_lt(limit_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e36 = texel_3.x();
-                    let _e38 = self.v_wrap_index(_e36, _e3.x());
-                    let _e40 = texel_3.y();
-                    let _e42 = self.v_wrap_index(_e40, _e3.y());
-                    let place_7 = <rt::Vec2<i32>>::from_scalars(_e38, _e42);
+                    let _e36 = cost_8;
+                    cost_8 = (_e36 + STEP);
+                    let _e40 = texel_3.x();
+                    let _e42 = self.v_wrap_index(_e40, _e3.x());
+                    let _e44 = texel_3.y();
+                    let _e46 = self.v_wrap_index(_e44, _e3.y());
+                    let place_7 = <rt::Vec2<i32>>::from_scalars(_e42, _e46);
                     highest = rt::Scalar(0f32);
-                    let _e46 = level_16;
-                    if rt::Scalar::into_branch_condition(_e46.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e51 = rt::texture::Read::read_texel((&self.height_map), place_7, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-                        highest = _e51.x();
+                    let _e50 = level_16;
+                    if rt::Scalar::into_branch_condition(_e50.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e53 = cost_8;
+                        cost_8 = (_e53 + HEIGHT_READ);
+                        let _e58 = rt::texture::Read::read_texel((&self.height_map), place_7, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        highest = _e58.x();
                     } else {
-                        let _e54 = level_16;
-                        let _e57 = level_16;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e54), (place_7.y() >> _e57));
                         let _e61 = level_16;
-                        let _e65 = self.v_search_texel(path_22, node, rt::Scalar(0i32), (_e61.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        highest = _e65.y();
+                        let _e64 = level_16;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e61), (place_7.y() >> _e64));
+                        let _e67 = cost_8;
+                        let _e69 = self.v_map_read(path_23, rt::Scalar(1u32));
+                        cost_8 = (_e67 + _e69);
+                        let _e72 = level_16;
+                        let _e76 = self.v_search_texel(path_23, node, rt::Scalar(0i32), (_e72.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        highest = _e76.y();
                     }
-                    let _e67 = reads_8;
-                    reads_8 = (_e67 + rt::Scalar(1u32));
-                    let _e71 = texel_3.x();
-                    let _e73 = level_16;
-                    let _e74 = self.v_texel_extent(_e71, _e3.x(), _e73);
-                    let _e76 = texel_3.y();
-                    let _e78 = level_16;
-                    let _e79 = self.v_texel_extent(_e76, _e3.y(), _e78);
-                    let _e82 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e74);
-                    let _e85 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e79);
-                    let leave_5 = <rt::Vec2<f32>>::from_scalars(_e82, _e85);
-                    let _e92 = t_14;
-                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_22.exit)).max(_e92);
-                    let _e94 = t_14;
-                    let _e95 = self.v_path_height(path_22, _e94);
-                    let _e96 = highest;
-                    let _e98 = t_14;
-                    let _e99 = self.v_path_slope(path_22, _e98);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e95 - _e96), _e99, path_22.h.z());
+                    let _e79 = texel_3.x();
+                    let _e81 = level_16;
+                    let _e82 = self.v_texel_extent(_e79, _e3.x(), _e81);
+                    let _e84 = texel_3.y();
+                    let _e86 = level_16;
+                    let _e87 = self.v_texel_extent(_e84, _e3.y(), _e86);
+                    let _e90 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e82);
+                    let _e93 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e87);
+                    let leave_5 = <rt::Vec2<f32>>::from_scalars(_e90, _e93);
+                    let _e100 = t_14;
+                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_23.exit)).max(_e100);
+                    let _e102 = t_14;
+                    let _e103 = self.v_path_height(path_23, _e102);
+                    let _e104 = highest;
+                    let _e106 = t_14;
+                    let _e107 = self.v_path_slope(path_23, _e106);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e103 - _e104), _e107, path_23.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e108 = t_14;
-                        let _e110 = self.v_first_root(gap_5, (end_6 - _e108));
-                        sinks = _e110;
+                        let _e116 = t_14;
+                        let _e118 = self.v_first_root(gap_5, (end_6 - _e116));
+                        sinks = _e118;
                     }
-                    let low_2 = <rt::Vec2<i32>>::from_scalars(_e74.x(), _e79.x());
-                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e74.y() - rt::Scalar(1i32)), (_e79.y() - rt::Scalar(1i32)));
-                    let _e121 = sinks;
-                    if rt::Scalar::into_branch_condition(_e121.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e124 = t_14;
-                        let _e125 = sinks;
-                        t_14 = (_e124 + _e125);
-                        let _e127 = level_16;
-                        if rt::Scalar::into_branch_condition(_e127.elementwise_eq(rt::Scalar(0u32))) {
-                            let _e131 = t_14;
-                            let _e132 = reads_8;
-                            return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e131, rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                    let low_2 = <rt::Vec2<i32>>::from_scalars(_e82.x(), _e87.x());
+                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e82.y() - rt::Scalar(1i32)), (_e87.y() - rt::Scalar(1i32)));
+                    let _e129 = sinks;
+                    if rt::Scalar::into_branch_condition(_e129.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e132 = t_14;
+                        let _e133 = sinks;
+                        t_14 = (_e132 + _e133);
+                        let _e135 = level_16;
+                        if rt::Scalar::into_branch_condition(_e135.elementwise_eq(rt::Scalar(0u32))) {
+                            let _e139 = t_14;
+                            let _e140 = cost_8;
+                            return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e139, rt::Scalar(0f32), rt::Scalar(0f32), _e140);
                         }
-                        let _e137 = level_16;
-                        level_16 = (_e137 - rt::Scalar(1u32));
-                        let _e140 = t_14;
-                        let _e143 = self.v_cell_of((origin_2 + (step_1 * _e140)));
-                        texel_3 = _e143.cast_elem_as_i32().clamp(low_2, last_4);
+                        let _e145 = level_16;
+                        level_16 = (_e145 - rt::Scalar(1u32));
+                        let _e148 = t_14;
+                        let _e151 = self.v_cell_of((origin_2 + (step_1 * _e148)));
+                        texel_3 = _e151.cast_elem_as_i32().clamp(low_2, last_4);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_22.exit))) {
-                            let _e149 = t_14;
-                            let _e151 = reads_8;
-                            return <Found>::new(FOUND_MISS, _e149, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e151);
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_23.exit))) {
+                            let _e157 = t_14;
+                            let _e159 = cost_8;
+                            return <Found>::new(FOUND_MISS, _e157, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e159);
                         }
-                        let _e157 = self.v_cell_of((origin_2 + (step_1 * end_6)));
-                        texel_3 = _e157.cast_elem_as_i32().clamp(low_2, last_4);
+                        let _e165 = self.v_cell_of((origin_2 + (step_1 * end_6)));
+                        texel_3 = _e165.cast_elem_as_i32().clamp(low_2, last_4);
                         if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_6)) {
-                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e74.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e82.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_6)) {
-                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e79.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e87.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_14 = end_6;
                     }
                 }
             }
         }
-        let _e183 = t_14;
-        let _e185 = reads_8;
-        return <Found>::new(FOUND_EXHAUSTED, _e183, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e185);
+        let _e191 = t_14;
+        let _e193 = cost_8;
+        return <Found>::new(FOUND_EXHAUSTED, _e191, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e193);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -3367,21 +3428,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_23: Path,
+        path_24: Path,
         params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_23, rt::into(params_15)))
+        rt::into(self.v_search_dilation_erosion(path_24, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_23: Path,
+        path_24: Path,
         params_15: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_14: rt::Vec2<f32>;
         let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_9: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_9: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
         let mut local_20: rt::Scalar<bool>;
@@ -3389,274 +3450,281 @@ impl<'g> Resources<'g> {
         let mut local_22: rt::Scalar<bool>;
         let mut local_23: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_23);
-        let _e4 = self.v_height_texels(rt::Scalar(path_23.level));
+        let _e2 = self.v_grid_of(path_24);
+        let _e4 = self.v_height_texels(rt::Scalar(path_24.level));
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_14 = _e11;
         let limit_5 = params_15.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e21 = reads_9;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(limit_5)) {
+                let _e22 = cost_9.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_5)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e23 = cell_14;
-                    let _e24 = self.v_cell_leave(_e2, _e23);
-                    let end_7 = _e24.x().min(_e24.y()).min(rt::Scalar(path_23.exit));
-                    let _e30 = t_15;
-                    let span_8 = (end_7 - _e30).max(rt::Scalar(0f32));
+                    let _e24 = cost_9;
+                    cost_9 = (_e24 + STEP);
+                    let _e27 = cell_14;
+                    let _e28 = self.v_cell_leave(_e2, _e27);
+                    let end_7 = _e28.x().min(_e28.y()).min(rt::Scalar(path_24.exit));
                     let _e34 = t_15;
-                    next_3 = _e34;
+                    let span_8 = (end_7 - _e34).max(rt::Scalar(0f32));
+                    let _e38 = t_15;
+                    next_3 = _e38;
                     looks = params_15.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e41 = cell_14.x();
-                    let _e44 = self.v_image_of(_e41.cast_elem_as_i32(), _e4.x());
-                    let _e46 = cell_14.y();
-                    let _e49 = self.v_image_of(_e46.cast_elem_as_i32(), _e4.y());
-                    if rt::Scalar::into_branch_condition((!_e44.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_20 = _e49.y().elementwise_eq(rt::Scalar(2i32));
+                    let _e45 = cell_14.x();
+                    let _e48 = self.v_image_of(_e45.cast_elem_as_i32(), _e4.x());
+                    let _e50 = cell_14.y();
+                    let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
+                    if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
+                        local_20 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
                         local_20 = rt::Scalar(true);
                     }
-                    let _e60 = local_20;
-                    if rt::Scalar::into_branch_condition(_e60) {
+                    let _e64 = local_20;
+                    if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e68 = self.v_search_texel(path_23, <rt::Vec2<i32>>::from_scalars(_e44.x(), _e49.x()), rt::Scalar(0i32), rt::Scalar(path_23.level).cast_elem_as_i32());
-                        let _e69 = reads_9;
-                        reads_9 = (_e69 + rt::Scalar(1u32));
-                        let _e72 = cell_14;
-                        let _e74 = self.v_leaves_window(_e2, _e72, params_15.z());
-                        let _e77 = t_15;
-                        let reach = (_e74.min(rt::Scalar(path_23.exit)) - _e77).max(rt::Scalar(0f32));
-                        let _e81 = t_15;
-                        let furthest_1 = (_e81 + reach);
-                        let rounded_1 = (path_23.h.x().abs() + (furthest_1 * (path_23.h.y().abs() + (furthest_1 * path_23.h.z().abs()))));
-                        let _e96 = t_15;
-                        let _e97 = self.v_path_height(path_23, _e96);
-                        let _e103 = t_15;
-                        let _e104 = self.v_path_slope(path_23, _e103);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e97 - _e68.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e104, path_23.h.z());
+                        let _e72 = self.v_search_texel(path_24, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_24.level).cast_elem_as_i32());
+                        let _e73 = cost_9;
+                        let _e75 = self.v_map_read(path_24, rt::Scalar(1u32));
+                        cost_9 = (_e73 + _e75);
+                        let _e77 = cell_14;
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_15.z());
+                        let _e82 = t_15;
+                        let reach = (_e79.min(rt::Scalar(path_24.exit)) - _e82).max(rt::Scalar(0f32));
+                        let _e86 = t_15;
+                        let furthest_1 = (_e86 + reach);
+                        let rounded_1 = (path_24.h.x().abs() + (furthest_1 * (path_24.h.y().abs() + (furthest_1 * path_24.h.z().abs()))));
+                        let _e101 = t_15;
+                        let _e102 = self.v_path_height(path_24, _e101);
+                        let _e108 = t_15;
+                        let _e109 = self.v_path_slope(path_24, _e108);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_24.h.z());
                         if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e111 = t_15;
-                            safe_ = _e111;
-                            let _e112 = t_15;
-                            next_3 = (_e112 + reach);
-                            let _e114 = self.v_least_at(gap_6, reach);
-                            let _e115 = self.v_quadratic(gap_6, _e114);
-                            if rt::Scalar::into_branch_condition(_e115.elementwise_le(rt::Scalar(0f32))) {
-                                let _e118 = t_15;
-                                let _e119 = self.v_first_root(gap_6, reach);
-                                next_3 = (_e118 + _e119.min(reach));
+                            let _e116 = t_15;
+                            safe_ = _e116;
+                            let _e117 = t_15;
+                            next_3 = (_e117 + reach);
+                            let _e119 = self.v_least_at(gap_6, reach);
+                            let _e120 = self.v_quadratic(gap_6, _e119);
+                            if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
+                                let _e123 = t_15;
+                                let _e124 = self.v_first_root(gap_6, reach);
+                                next_3 = (_e123 + _e124.min(reach));
                             }
                         }
-                        let _e122 = looks;
-                        if rt::Scalar::into_branch_condition((!_e122)) {
-                            let _e126 = next_3;
-                            local_21 = _e126.elementwise_lt(end_7);
+                        let _e127 = looks;
+                        if rt::Scalar::into_branch_condition((!_e127)) {
+                            let _e131 = next_3;
+                            local_21 = _e131.elementwise_lt(end_7);
                         } else {
                             local_21 = rt::Scalar(false);
                         }
-                        let _e129 = local_21;
-                        if rt::Scalar::into_branch_condition(_e129) {
-                            let _e132 = self.v_path_height(path_23, end_7);
-                            local_22 = _e132.elementwise_lt(_e68.x());
+                        let _e134 = local_21;
+                        if rt::Scalar::into_branch_condition(_e134) {
+                            let _e137 = self.v_path_height(path_24, end_7);
+                            local_22 = _e137.elementwise_lt(_e72.x());
                         } else {
                             local_22 = rt::Scalar(false);
                         }
-                        let _e136 = local_22;
-                        if rt::Scalar::into_branch_condition(_e136) {
-                            let _e137 = safe_;
-                            let _e138 = reads_9;
-                            let _e139 = self.v_bracket_between(path_23, _e137, end_7, _e138);
-                            return _e139;
+                        let _e141 = local_22;
+                        if rt::Scalar::into_branch_condition(_e141) {
+                            let _e142 = safe_;
+                            let _e143 = cost_9;
+                            let _e144 = self.v_bracket_between(path_24, _e142, end_7, _e143);
+                            return _e144;
                         }
                     }
-                    let _e140 = next_3;
-                    if rt::Scalar::into_branch_condition((!_e140.elementwise_lt(end_7))) {
-                        let _e145 = t_15;
-                        local_23 = (!end_7.elementwise_gt(_e145));
+                    let _e145 = next_3;
+                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_7))) {
+                        let _e150 = t_15;
+                        local_23 = (!end_7.elementwise_gt(_e150));
                     } else {
                         local_23 = rt::Scalar(true);
                     }
-                    let _e149 = local_23;
-                    if rt::Scalar::into_branch_condition(_e149) {
-                        let _e150 = looks;
-                        if rt::Scalar::into_branch_condition(_e150) {
-                            let _e151 = reads_9;
-                            reads_9 = (_e151 + rt::Scalar(1u32));
-                            let _e154 = cell_14;
-                            let _e157 = self.v_height_cell(_e154.cast_elem_as_i32(), rt::Scalar(path_23.level));
-                            let _e158 = cell_14;
-                            let _e159 = t_15;
-                            let _e160 = self.v_gap_to(path_23, _e2, _e158, _e157, _e159);
-                            let _e161 = t_15;
-                            let _e162 = t_15;
-                            let _e165 = reads_9;
-                            let _e166 = self.v_found_in_cell(_e160, _e161, span_8, _e162.elementwise_eq(rt::Scalar(0f32)), _e165);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e166.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e166;
+                    let _e154 = local_23;
+                    if rt::Scalar::into_branch_condition(_e154) {
+                        let _e155 = looks;
+                        if rt::Scalar::into_branch_condition(_e155) {
+                            let _e156 = cost_9;
+                            cost_9 = (_e156 + HEIGHTS_READ);
+                            let _e159 = cell_14;
+                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_24.level));
+                            let _e163 = cell_14;
+                            let _e164 = t_15;
+                            let _e165 = self.v_gap_to(path_24, _e2, _e163, _e162, _e164);
+                            let _e166 = t_15;
+                            let _e167 = t_15;
+                            let _e170 = cost_9;
+                            let _e171 = self.v_found_in_cell(_e165, _e166, span_8, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e171;
                             }
                         }
-                        let _e170 = t_15;
-                        next_3 = _e170.max(end_7);
+                        let _e175 = t_15;
+                        next_3 = _e175.max(end_7);
                     }
-                    let _e172 = next_3;
-                    if rt::Scalar::into_branch_condition(_e172.elementwise_ge(rt::Scalar(path_23.exit))) {
-                        let _e176 = t_15;
-                        let _e178 = reads_9;
-                        return <Found>::new(FOUND_MISS, _e176, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e178);
+                    let _e177 = next_3;
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_24.exit))) {
+                        let _e181 = t_15;
+                        let _e183 = cost_9;
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
-                    let _e182 = cell_14;
-                    let _e183 = next_3;
-                    let _e184 = self.v_cell_after(_e2, _e182, _e24, forward_4, _e183);
-                    cell_14 = _e184;
-                    let _e185 = next_3;
-                    t_15 = _e185;
+                    let _e187 = cell_14;
+                    let _e188 = next_3;
+                    let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_4, _e188);
+                    cell_14 = _e189;
+                    let _e190 = next_3;
+                    t_15 = _e190;
                 }
             }
         }
-        let _e187 = t_15;
-        let _e189 = reads_9;
-        return <Found>::new(FOUND_EXHAUSTED, _e187, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e189);
+        let _e192 = t_15;
+        let _e194 = cost_9;
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_24: Path,
+        path_25: Path,
         params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_24, rt::into(params_16)))
+        rt::into(self.v_search_sphere(path_25, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_24: Path,
+        path_25: Path,
         params_16: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_15: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_10: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_10: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
         let mut local_24: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_24);
+        let _e2 = self.v_grid_of(path_25);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_24, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_24, rt::Scalar(path_24.exit));
+        let _e9 = self.v_path_slope(path_25, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_25, rt::Scalar(path_25.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_24.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_25.duv, climb_1).length();
         let speed_1 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_6 = (path_24.uv.abs() + (path_24.duv.abs() * rt::Scalar(path_24.exit)));
-        let height_terms = (path_24.h.x().abs() + (rt::Scalar(path_24.exit) * (path_24.h.y().abs() + (rt::Scalar(path_24.exit) * path_24.h.z().abs()))));
+        let far_6 = (path_25.uv.abs() + (path_25.duv.abs() * rt::Scalar(path_25.exit)));
+        let height_terms = (path_25.h.x().abs() + (rt::Scalar(path_25.exit) * (path_25.h.y().abs() + (rt::Scalar(path_25.exit) * path_25.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_15 = _e52;
         let limit_6 = params_16.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e60 = reads_10;
-                if rt::Scalar::into_branch_condition(_e60.elementwise_lt(limit_6)) {
+                let _e61 = cost_10.x();
+                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e62 = cell_15;
-                    let _e63 = self.v_cell_leave(_e2, _e62);
-                    let end_8 = _e63.x().min(_e63.y()).min(rt::Scalar(path_24.exit));
-                    let _e69 = t_16;
-                    let span_9 = (end_8 - _e69).max(rt::Scalar(0f32));
+                    let _e63 = cost_10;
+                    cost_10 = (_e63 + STEP);
+                    let _e66 = cell_15;
+                    let _e67 = self.v_cell_leave(_e2, _e66);
+                    let end_8 = _e67.x().min(_e67.y()).min(rt::Scalar(path_25.exit));
                     let _e73 = t_16;
-                    let _e74 = self.v_path_uv(path_24, _e73);
-                    let _e75 = t_16;
-                    let _e76 = self.v_path_height(path_24, _e75);
-                    let _e78 = self.v_distance_at(path_24, _e74, _e76, params_16.z());
-                    let free_1 = (_e78 - lost_3);
-                    let _e80 = reads_10;
-                    reads_10 = (_e80 + rt::Scalar(2u32));
-                    let _e83 = t_16;
-                    next_4 = _e83;
+                    let span_9 = (end_8 - _e73).max(rt::Scalar(0f32));
+                    let _e77 = t_16;
+                    let _e78 = self.v_path_uv(path_25, _e77);
+                    let _e79 = t_16;
+                    let _e80 = self.v_path_height(path_25, _e79);
+                    let _e82 = self.v_distance_at(path_25, _e78, _e80, params_16.z());
+                    let free_1 = (_e82 - lost_3);
+                    let _e84 = cost_10;
+                    let _e86 = self.v_map_read(path_25, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_25, rt::Scalar(4u32));
+                    cost_10 = ((_e84 + _e86) + _e89);
+                    let _e91 = t_16;
+                    next_4 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e87 = t_16;
-                        next_4 = (_e87 + (free_1 / speed_1));
+                        let _e95 = t_16;
+                        next_4 = (_e95 + (free_1 / speed_1));
                     }
                     if rt::Scalar::into_branch_condition(params_16.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e93 = next_4;
-                        let _e94 = t_16;
-                        if rt::Scalar::into_branch_condition((!(_e93 - _e94).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_24.exit))))) {
-                            let _e102 = t_16;
-                            let _e104 = reads_10;
-                            return <Found>::new(FOUND_ABOVE, _e102, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e104);
+                        let _e101 = next_4;
+                        let _e102 = t_16;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_25.exit))))) {
+                            let _e110 = t_16;
+                            let _e112 = cost_10;
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
-                        let _e108 = next_4;
-                        if rt::Scalar::into_branch_condition((!_e108.elementwise_lt(end_8))) {
-                            let _e113 = t_16;
-                            local_24 = (!end_8.elementwise_gt(_e113));
+                        let _e116 = next_4;
+                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_8))) {
+                            let _e121 = t_16;
+                            local_24 = (!end_8.elementwise_gt(_e121));
                         } else {
                             local_24 = rt::Scalar(true);
                         }
-                        let _e117 = local_24;
-                        if rt::Scalar::into_branch_condition(_e117) {
-                            let _e118 = reads_10;
-                            reads_10 = (_e118 + rt::Scalar(1u32));
-                            let _e121 = cell_15;
-                            let _e122 = cell_15;
-                            let _e125 = self.v_height_cell(_e122.cast_elem_as_i32(), rt::Scalar(path_24.level));
-                            let _e126 = t_16;
-                            let _e127 = self.v_gap_to(path_24, _e2, _e121, _e125, _e126);
-                            let _e128 = t_16;
-                            let _e129 = t_16;
-                            let _e132 = reads_10;
-                            let _e133 = self.v_found_in_cell(_e127, _e128, span_9, _e129.elementwise_eq(rt::Scalar(0f32)), _e132);
-                            if rt::Scalar::into_branch_condition(rt::Scalar(_e133.status).elementwise_ne(FOUND_ABOVE)) {
-                                return _e133;
-                            }
+                        let _e125 = local_24;
+                        if rt::Scalar::into_branch_condition(_e125) {
+                            let _e126 = cost_10;
+                            cost_10 = (_e126 + HEIGHTS_READ);
+                            let _e129 = cell_15;
+                            let _e130 = cell_15;
+                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_25.level));
+                            let _e134 = t_16;
+                            let _e135 = self.v_gap_to(path_25, _e2, _e129, _e133, _e134);
+                            let _e136 = t_16;
                             let _e137 = t_16;
-                            next_4 = _e137.max(end_8);
+                            let _e140 = cost_10;
+                            let _e141 = self.v_found_in_cell(_e135, _e136, span_9, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
+                            if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
+                                return _e141;
+                            }
+                            let _e145 = t_16;
+                            next_4 = _e145.max(end_8);
                         }
                     }
-                    let _e139 = next_4;
-                    if rt::Scalar::into_branch_condition(_e139.elementwise_ge(rt::Scalar(path_24.exit))) {
-                        let _e143 = t_16;
-                        let _e145 = reads_10;
-                        return <Found>::new(FOUND_MISS, _e143, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e145);
+                    let _e147 = next_4;
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_25.exit))) {
+                        let _e151 = t_16;
+                        let _e153 = cost_10;
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
-                    let _e149 = cell_15;
-                    let _e150 = next_4;
-                    let _e151 = self.v_cell_after(_e2, _e149, _e63, forward_5, _e150);
-                    cell_15 = _e151;
-                    let _e152 = next_4;
-                    t_16 = _e152;
+                    let _e157 = cell_15;
+                    let _e158 = next_4;
+                    let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_5, _e158);
+                    cell_15 = _e159;
+                    let _e160 = next_4;
+                    t_16 = _e160;
                 }
             }
         }
-        let _e154 = t_16;
-        let _e156 = reads_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e154, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e156);
+        let _e162 = t_16;
+        let _e164 = cost_10;
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_25: Path,
+        path_26: Path,
         params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_25, rt::into(params_17)))
+        rt::into(self.v_search_cone_moved(path_26, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_25: Path,
+        path_26: Path,
         params_17: rt::Vec4<f32>,
     ) -> Found {
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_11: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_11: rt::Vec3<u32> = NO_COST;
         let mut k_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_25: rt::Scalar<bool>;
 
-        let aside_2 = path_25.duv.length();
+        let aside_2 = path_26.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_1;
@@ -3665,434 +3733,443 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = t_17;
-                    let _e18 = self.v_path_gap(path_25, _e17);
-                    let _e19 = reads_11;
-                    reads_11 = (_e19 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e18.elementwise_le(rt::Scalar(0f32))) {
-                        let _e24 = t_17;
-                        if rt::Scalar::into_branch_condition(_e24.elementwise_eq(rt::Scalar(0f32))) {
-                            local_25 = _e18.elementwise_lt(rt::Scalar(0f32));
+                    let _e17 = cost_11;
+                    cost_11 = (_e17 + STEP);
+                    let _e20 = t_17;
+                    let _e21 = self.v_path_gap(path_26, _e20);
+                    let _e22 = cost_11;
+                    cost_11 = (_e22 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
+                        let _e27 = t_17;
+                        if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
+                            local_25 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
                             local_25 = rt::Scalar(false);
                         }
-                        let _e32 = local_25;
-                        if rt::Scalar::into_branch_condition(_e32) {
-                            let _e34 = reads_11;
-                            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e18, _e18, _e34);
+                        let _e35 = local_25;
+                        if rt::Scalar::into_branch_condition(_e35) {
+                            let _e37 = cost_11;
+                            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
-                        let _e39 = near_3;
-                        let _e40 = t_17;
-                        let _e41 = near_gap_2;
-                        let _e42 = reads_11;
-                        return <Found>::new(FOUND_BRACKET, _e39, _e40, _e41, _e18, _e42);
+                        let _e42 = near_3;
+                        let _e43 = t_17;
+                        let _e44 = near_gap_2;
+                        let _e45 = cost_11;
+                        return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e44 = t_17;
-                    near_3 = _e44;
-                    near_gap_2 = _e18;
-                    let _e45 = t_17;
-                    let _e46 = self.v_path_uv(path_25, _e45);
-                    let _e48 = self.v_search_texel_between(path_25, _e46, rt::Scalar(0i32));
-                    let _e50 = self.v_slope_of(_e48.x());
-                    let _e51 = reads_11;
-                    reads_11 = (_e51 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e50.elementwise_lt(rt::Scalar(0f32))) {
+                    let _e47 = t_17;
+                    near_3 = _e47;
+                    near_gap_2 = _e21;
+                    let _e48 = t_17;
+                    let _e49 = self.v_path_uv(path_26, _e48);
+                    let _e51 = self.v_search_texel_between(path_26, _e49, rt::Scalar(0i32));
+                    let _e53 = self.v_slope_of(_e51.x());
+                    let _e54 = cost_11;
+                    let _e56 = self.v_map_read(path_26, rt::Scalar(4u32));
+                    cost_11 = (_e54 + _e56);
+                    if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e57 = t_17;
-                    let rest_3 = (rt::Scalar(path_25.exit) - _e57);
-                    let _e59 = t_17;
-                    let _e60 = self.v_path_slope(path_25, _e59);
-                    let rise_2 = (_e60 + (path_25.h.z().min(rt::Scalar(0f32)) * rest_3));
-                    let terms_1 = (path_25.h.x().abs() + (rt::Scalar(path_25.exit) * (path_25.h.y().abs() + (rt::Scalar(path_25.exit) * path_25.h.z().abs()))));
-                    let far_7 = (((path_25.uv.abs() + (path_25.duv.abs() * rt::Scalar(path_25.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e50);
+                    let _e61 = t_17;
+                    let rest_3 = (rt::Scalar(path_26.exit) - _e61);
+                    let _e63 = t_17;
+                    let _e64 = self.v_path_slope(path_26, _e63);
+                    let rise_2 = (_e64 + (path_26.h.z().min(rt::Scalar(0f32)) * rest_3));
+                    let terms_1 = (path_26.h.x().abs() + (rt::Scalar(path_26.exit) * (path_26.h.y().abs() + (rt::Scalar(path_26.exit) * path_26.h.z().abs()))));
+                    let far_7 = (((path_26.uv.abs() + (path_26.duv.abs() * rt::Scalar(path_26.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
-                    let nearing = ((_e50 * aside_2) - rise_2);
+                    let nearing = ((_e53 * aside_2) - rise_2);
                     let closing_1 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_1.elementwise_le(rt::Scalar(0f32))) {
-                        let _e108 = t_17;
-                        let _e110 = reads_11;
-                        return <Found>::new(FOUND_MISS, _e108, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e110);
+                        let _e112 = t_17;
+                        let _e114 = cost_11;
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e114 = t_17;
-                    t_17 = (_e114 + ((_e18 - lost_4).max(rt::Scalar(0f32)) / closing_1));
-                    let _e120 = t_17;
-                    if rt::Scalar::into_branch_condition(_e120.elementwise_ge(rt::Scalar(path_25.exit))) {
-                        let _e124 = near_3;
-                        let _e126 = reads_11;
-                        return <Found>::new(FOUND_MISS, _e124, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e126);
+                    let _e118 = t_17;
+                    t_17 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_1));
+                    let _e124 = t_17;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_26.exit))) {
+                        let _e128 = near_3;
+                        let _e130 = cost_11;
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e130 = k_1;
-                    k_1 = (_e130 + rt::Scalar(1f32));
+                    let _e134 = k_1;
+                    k_1 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e134 = t_17;
-        let _e136 = t_17;
-        let _e137 = self.v_path_height(path_25, _e136);
-        let _e138 = reads_11;
-        return <Found>::new(FOUND_ABOVE, _e134, rt::Scalar(path_25.exit), _e137, rt::Scalar(0f32), _e138);
+        let _e138 = t_17;
+        let _e140 = t_17;
+        let _e141 = self.v_path_height(path_26, _e140);
+        let _e142 = cost_11;
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_26.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_26: Path,
+        path_27: Path,
         params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_26, rt::into(params_18)))
+        rt::into(self.v_search_relaxed_cone(path_27, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_26: Path,
+        path_27: Path,
         params_18: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
         let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_12: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut local_26: rt::Scalar<bool>;
         let mut start: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
         let mut local_27: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_26);
+        let _e2 = self.v_grid_of(path_27);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_3 = path_26.duv.length();
-        let _e11 = self.v_path_slope(path_26, rt::Scalar(0f32));
-        let terms_2 = (path_26.h.x().abs() + (rt::Scalar(path_26.exit) * path_26.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_26.level));
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_26.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_3 = path_27.duv.length();
+        let _e11 = self.v_path_slope(path_27, rt::Scalar(0f32));
+        let terms_2 = (path_27.h.x().abs() + (rt::Scalar(path_27.exit) * path_27.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_27.level));
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_27.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_16 = _e36;
         let limit_7 = params_18.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e48 = reads_12;
-                if rt::Scalar::into_branch_condition(_e48.elementwise_lt(limit_7)) {
+                let _e49 = cost_12.x();
+                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e50 = cell_16;
-                    let _e51 = self.v_cell_leave(_e2, _e50);
-                    let end_9 = _e51.x().min(_e51.y()).min(rt::Scalar(path_26.exit));
-                    let _e57 = t_18;
-                    let span_10 = (end_9 - _e57).max(rt::Scalar(0f32));
-                    let _e61 = cell_16;
-                    let _e62 = cell_16;
-                    let _e65 = self.v_height_cell(_e62.cast_elem_as_i32(), rt::Scalar(path_26.level));
-                    let _e66 = t_18;
-                    let _e67 = self.v_gap_to(path_26, _e2, _e61, _e65, _e66);
-                    let _e68 = reads_12;
-                    reads_12 = (_e68 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e67.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e74 = near_4;
-                        let _e75 = t_18;
-                        if rt::Scalar::into_branch_condition(_e74.elementwise_lt(_e75)) {
-                            let _e79 = near_gap_3;
-                            local_26 = _e79.elementwise_gt(rt::Scalar(0f32));
+                    let _e51 = cost_12;
+                    cost_12 = (_e51 + STEP);
+                    let _e54 = cell_16;
+                    let _e55 = self.v_cell_leave(_e2, _e54);
+                    let end_9 = _e55.x().min(_e55.y()).min(rt::Scalar(path_27.exit));
+                    let _e61 = t_18;
+                    let span_10 = (end_9 - _e61).max(rt::Scalar(0f32));
+                    let _e65 = cell_16;
+                    let _e66 = cell_16;
+                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_27.level));
+                    let _e70 = t_18;
+                    let _e71 = self.v_gap_to(path_27, _e2, _e65, _e69, _e70);
+                    let _e72 = cost_12;
+                    cost_12 = (_e72 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e78 = near_4;
+                        let _e79 = t_18;
+                        if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
+                            let _e83 = near_gap_3;
+                            local_26 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
                             local_26 = rt::Scalar(false);
                         }
-                        let _e83 = local_26;
-                        if rt::Scalar::into_branch_condition(_e83) {
-                            let _e84 = near_4;
-                            let _e85 = t_18;
-                            let _e86 = near_gap_3;
-                            let _e88 = reads_12;
-                            let _e89 = self.v_entered_once(path_26, _e2, _e84, _e85, _e86, _e67.x(), _e88);
-                            return _e89;
+                        let _e87 = local_26;
+                        if rt::Scalar::into_branch_condition(_e87) {
+                            let _e88 = near_4;
+                            let _e89 = t_18;
+                            let _e90 = near_gap_3;
+                            let _e92 = cost_12;
+                            let _e93 = self.v_entered_once(path_27, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            return _e93;
                         }
-                        let _e90 = t_18;
-                        let _e91 = t_18;
-                        let _e94 = reads_12;
-                        let _e95 = self.v_found_in_cell(_e67, _e90, span_10, _e91.elementwise_eq(rt::Scalar(0f32)), _e94);
-                        return _e95;
+                        let _e94 = t_18;
+                        let _e95 = t_18;
+                        let _e98 = cost_12;
+                        let _e99 = self.v_found_in_cell(_e71, _e94, span_10, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
+                        return _e99;
                     }
-                    let _e96 = t_18;
-                    start = _e96;
-                    gap = _e67.x();
+                    let _e100 = t_18;
+                    start = _e100;
+                    gap = _e71.x();
                     if rt::Scalar::into_branch_condition(params_18.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e103 = t_18;
-                        let _e104 = t_18;
-                        let _e107 = reads_12;
-                        let _e108 = self.v_found_in_cell(_e67, _e103, span_10, _e104.elementwise_eq(rt::Scalar(0f32)), _e107);
-                        if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
-                            return _e108;
+                        let _e107 = t_18;
+                        let _e108 = t_18;
+                        let _e111 = cost_12;
+                        let _e112 = self.v_found_in_cell(_e71, _e107, span_10, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
+                        if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
+                            return _e112;
                         }
-                        let _e112 = t_18;
-                        start = _e112.max(end_9);
-                        gap = rt::Scalar(_e108.far_gap);
+                        let _e116 = t_18;
+                        start = _e116.max(end_9);
+                        gap = rt::Scalar(_e112.far_gap);
                     }
-                    let _e115 = start;
-                    if rt::Scalar::into_branch_condition(_e115.elementwise_ge(rt::Scalar(path_26.exit))) {
-                        let _e119 = t_18;
-                        let _e121 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e119, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e121);
+                    let _e119 = start;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_27.exit))) {
+                        let _e123 = t_18;
+                        let _e125 = cost_12;
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
-                    let _e125 = start;
-                    near_4 = _e125;
-                    let _e126 = gap;
-                    near_gap_3 = _e126;
-                    let _e127 = cell_16;
-                    let _e129 = cell_16;
-                    let _e132 = start;
-                    let _e135 = self.v_nearest_corner(((_e2.origin - _e129) + (_e2.step * _e132)));
-                    let _e137 = self.v_cone_slope(path_26, (_e127 + _e135));
-                    let _e138 = reads_12;
-                    reads_12 = (_e138 + rt::Scalar(1u32));
-                    let _e141 = start;
-                    next_5 = _e141;
-                    if rt::Scalar::into_branch_condition(_e137.elementwise_ge(rt::Scalar(0f32))) {
-                        let nearing_1 = ((_e137 * aside_3) - _e11);
+                    let _e129 = start;
+                    near_4 = _e129;
+                    let _e130 = gap;
+                    near_gap_3 = _e130;
+                    let _e131 = cell_16;
+                    let _e133 = cell_16;
+                    let _e136 = start;
+                    let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
+                    let _e141 = self.v_cone_slope(path_27, (_e131 + _e139));
+                    let _e142 = cost_12;
+                    let _e144 = self.v_map_read(path_27, rt::Scalar(1u32));
+                    cost_12 = (_e142 + _e144);
+                    let _e146 = start;
+                    next_5 = _e146;
+                    if rt::Scalar::into_branch_condition(_e141.elementwise_ge(rt::Scalar(0f32))) {
+                        let nearing_1 = ((_e141 * aside_3) - _e11);
                         let closing_2 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
-                        let _e150 = gap;
-                        let room = (_e150 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e137 * (far_8.x() + far_8.y())))));
+                        let _e155 = gap;
+                        let room = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_8.x() + far_8.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
-                            let _e162 = start;
-                            next_5 = (_e162 + (room.max(rt::Scalar(0f32)) / closing_2));
+                            let _e167 = start;
+                            next_5 = (_e167 + (room.max(rt::Scalar(0f32)) / closing_2));
                         }
                     }
                     if rt::Scalar::into_branch_condition(params_18.y().elementwise_lt(rt::Scalar(0.5f32))) {
-                        let _e172 = next_5;
-                        let _e173 = t_18;
-                        local_27 = (!(_e172 - _e173).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))));
+                        let _e177 = next_5;
+                        let _e178 = t_18;
+                        local_27 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_27.exit))));
                     } else {
                         local_27 = rt::Scalar(false);
                     }
-                    let _e181 = local_27;
-                    if rt::Scalar::into_branch_condition(_e181) {
-                        let _e183 = t_18;
-                        let _e185 = gap;
-                        let _e186 = reads_12;
-                        return <Found>::new(FOUND_ABOVE, _e183, rt::Scalar(path_26.exit), _e185, rt::Scalar(0f32), _e186);
+                    let _e186 = local_27;
+                    if rt::Scalar::into_branch_condition(_e186) {
+                        let _e188 = t_18;
+                        let _e190 = gap;
+                        let _e191 = cost_12;
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_27.exit), _e190, rt::Scalar(0f32), _e191);
                     }
-                    let _e189 = next_5;
-                    if rt::Scalar::into_branch_condition(_e189.elementwise_ge(rt::Scalar(path_26.exit))) {
-                        let _e193 = self.v_path_gap(path_26, rt::Scalar(path_26.exit));
-                        let _e194 = reads_12;
-                        reads_12 = (_e194 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e193.elementwise_le(rt::Scalar(0f32))) {
-                            let _e199 = start;
-                            let _e201 = gap;
-                            let _e202 = reads_12;
-                            let _e203 = self.v_entered_once(path_26, _e2, _e199, rt::Scalar(path_26.exit), _e201, _e193, _e202);
-                            return _e203;
+                    let _e194 = next_5;
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_27.exit))) {
+                        let _e198 = self.v_path_gap(path_27, rt::Scalar(path_27.exit));
+                        let _e199 = cost_12;
+                        cost_12 = (_e199 + HEIGHTS_READ);
+                        if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
+                            let _e204 = start;
+                            let _e206 = gap;
+                            let _e207 = cost_12;
+                            let _e208 = self.v_entered_once(path_27, _e2, _e204, rt::Scalar(path_27.exit), _e206, _e198, _e207);
+                            return _e208;
                         }
-                        let _e205 = start;
-                        let _e207 = reads_12;
-                        return <Found>::new(FOUND_MISS, _e205, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e207);
+                        let _e210 = start;
+                        let _e212 = cost_12;
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
-                    let _e211 = cell_16;
-                    let _e212 = next_5;
-                    let _e213 = self.v_cell_after(_e2, _e211, _e51, forward_6, _e212);
-                    cell_16 = _e213;
-                    let _e214 = next_5;
-                    t_18 = _e214;
+                    let _e216 = cell_16;
+                    let _e217 = next_5;
+                    let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_6, _e217);
+                    cell_16 = _e218;
+                    let _e219 = next_5;
+                    t_18 = _e219;
                 }
             }
         }
-        let _e216 = t_18;
-        let _e218 = reads_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e216, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e218);
+        let _e221 = t_18;
+        let _e223 = cost_12;
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_27: Path,
+        path_28: Path,
         params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_27, rt::into(params_19)))
+        rt::into(self.v_search_relaxed_cone_resting(path_28, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_27: Path,
+        path_28: Path,
         params_19: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut reads_13: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut local_28: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_27);
+        let _e2 = self.v_grid_of(path_28);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_17 = _e9;
         let limit_8 = params_19.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e21 = reads_13;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(limit_8)) {
+                let _e22 = cost_13.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_8)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e23 = cell_17;
-                    let _e26 = self.v_height_cell(_e23.cast_elem_as_i32(), rt::Scalar(path_27.level));
-                    let _e27 = reads_13;
-                    reads_13 = (_e27 + rt::Scalar(1u32));
-                    let _e30 = cell_17;
-                    let _e31 = self.v_cell_leave(_e2, _e30);
-                    let end_10 = _e31.x().min(_e31.y()).min(rt::Scalar(path_27.exit));
-                    let _e37 = t_19;
-                    let span_11 = (end_10 - _e37).max(rt::Scalar(0f32));
-                    let _e41 = cell_17;
-                    let _e42 = t_19;
-                    let _e43 = self.v_gap_to(path_27, _e2, _e41, _e26, _e42);
-                    if rt::Scalar::into_branch_condition(_e43.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e47 = near_5;
-                        let _e48 = t_19;
-                        if rt::Scalar::into_branch_condition(_e47.elementwise_lt(_e48)) {
-                            let _e52 = near_gap_4;
-                            local_28 = _e52.elementwise_gt(rt::Scalar(0f32));
+                    let _e24 = cost_13;
+                    cost_13 = (_e24 + STEP);
+                    let _e27 = cell_17;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_28.level));
+                    let _e31 = cost_13;
+                    cost_13 = (_e31 + HEIGHTS_READ);
+                    let _e34 = cell_17;
+                    let _e35 = self.v_cell_leave(_e2, _e34);
+                    let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_28.exit));
+                    let _e41 = t_19;
+                    let span_11 = (end_10 - _e41).max(rt::Scalar(0f32));
+                    let _e45 = cell_17;
+                    let _e46 = t_19;
+                    let _e47 = self.v_gap_to(path_28, _e2, _e45, _e30, _e46);
+                    if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e51 = near_5;
+                        let _e52 = t_19;
+                        if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
+                            let _e56 = near_gap_4;
+                            local_28 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
                             local_28 = rt::Scalar(false);
                         }
-                        let _e56 = local_28;
-                        if rt::Scalar::into_branch_condition(_e56) {
-                            let _e57 = near_5;
-                            let _e58 = t_19;
-                            let _e59 = near_gap_4;
-                            let _e61 = reads_13;
-                            let _e62 = self.v_entered_once(path_27, _e2, _e57, _e58, _e59, _e43.x(), _e61);
-                            return _e62;
+                        let _e60 = local_28;
+                        if rt::Scalar::into_branch_condition(_e60) {
+                            let _e61 = near_5;
+                            let _e62 = t_19;
+                            let _e63 = near_gap_4;
+                            let _e65 = cost_13;
+                            let _e66 = self.v_entered_once(path_28, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            return _e66;
                         }
-                        let _e63 = t_19;
-                        let _e64 = t_19;
-                        let _e67 = reads_13;
-                        let _e68 = self.v_found_in_cell(_e43, _e63, span_11, _e64.elementwise_eq(rt::Scalar(0f32)), _e67);
-                        return _e68;
+                        let _e67 = t_19;
+                        let _e68 = t_19;
+                        let _e71 = cost_13;
+                        let _e72 = self.v_found_in_cell(_e47, _e67, span_11, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
+                        return _e72;
                     }
-                    let _e69 = t_19;
-                    let _e70 = t_19;
-                    let _e73 = reads_13;
-                    let _e74 = self.v_found_in_cell(_e43, _e69, span_11, _e70.elementwise_eq(rt::Scalar(0f32)), _e73);
-                    if rt::Scalar::into_branch_condition(rt::Scalar(_e74.status).elementwise_ne(FOUND_ABOVE)) {
-                        return _e74;
+                    let _e73 = t_19;
+                    let _e74 = t_19;
+                    let _e77 = cost_13;
+                    let _e78 = self.v_found_in_cell(_e47, _e73, span_11, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
+                        return _e78;
                     }
-                    let _e78 = t_19;
-                    let start_1 = _e78.max(end_10);
-                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_27.exit))) {
-                        let _e83 = t_19;
-                        let _e85 = reads_13;
-                        return <Found>::new(FOUND_MISS, _e83, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e85);
+                    let _e82 = t_19;
+                    let start_1 = _e82.max(end_10);
+                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_28.exit))) {
+                        let _e87 = t_19;
+                        let _e89 = cost_13;
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_5 = start_1;
-                    near_gap_4 = rt::Scalar(_e74.far_gap);
-                    let _e91 = cell_17;
-                    let _e96 = self.v_nearest_corner(((_e2.origin - _e91) + (_e2.step * start_1)));
-                    let _e97 = self.v_corner_height(_e26, _e96);
+                    near_gap_4 = rt::Scalar(_e78.far_gap);
+                    let _e95 = cell_17;
+                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_1)));
+                    let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_1;
-                    let _e99 = self.v_path_height(path_27, start_1);
-                    if rt::Scalar::into_branch_condition(_e99.elementwise_gt(_e97)) {
-                        let _e101 = cell_17;
-                        let texel_7 = (_e101 + _e96);
-                        let _e103 = self.v_cone_slope(path_27, texel_7);
-                        let _e104 = reads_13;
-                        reads_13 = (_e104 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e103.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e109 = self.v_stays_inside(path_27, _e2, texel_7, _e97, _e103, start_1);
-                            next_6 = (start_1 + _e109);
+                    let _e103 = self.v_path_height(path_28, start_1);
+                    if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
+                        let _e105 = cell_17;
+                        let texel_7 = (_e105 + _e100);
+                        let _e107 = self.v_cone_slope(path_28, texel_7);
+                        let _e108 = cost_13;
+                        let _e110 = self.v_map_read(path_28, rt::Scalar(1u32));
+                        cost_13 = (_e108 + _e110);
+                        if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
+                            let _e114 = self.v_stays_inside(path_28, _e2, texel_7, _e101, _e107, start_1);
+                            next_6 = (start_1 + _e114);
                         }
                     }
-                    let _e111 = next_6;
-                    if rt::Scalar::into_branch_condition(_e111.elementwise_ge(rt::Scalar(path_27.exit))) {
-                        let _e115 = self.v_path_gap(path_27, rt::Scalar(path_27.exit));
-                        let _e116 = reads_13;
-                        reads_13 = (_e116 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e115.elementwise_le(rt::Scalar(0f32))) {
-                            let _e122 = near_gap_4;
-                            let _e123 = reads_13;
-                            let _e124 = self.v_entered_once(path_27, _e2, start_1, rt::Scalar(path_27.exit), _e122, _e115, _e123);
-                            return _e124;
+                    let _e116 = next_6;
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_28.exit))) {
+                        let _e120 = self.v_path_gap(path_28, rt::Scalar(path_28.exit));
+                        let _e121 = cost_13;
+                        cost_13 = (_e121 + HEIGHTS_READ);
+                        if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
+                            let _e127 = near_gap_4;
+                            let _e128 = cost_13;
+                            let _e129 = self.v_entered_once(path_28, _e2, start_1, rt::Scalar(path_28.exit), _e127, _e120, _e128);
+                            return _e129;
                         }
-                        let _e127 = reads_13;
-                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e127);
+                        let _e132 = cost_13;
+                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
-                    let _e131 = cell_17;
-                    let _e132 = next_6;
-                    let _e133 = self.v_cell_after(_e2, _e131, _e31, forward_7, _e132);
-                    cell_17 = _e133;
-                    let _e134 = next_6;
-                    t_19 = _e134;
+                    let _e136 = cell_17;
+                    let _e137 = next_6;
+                    let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_7, _e137);
+                    cell_17 = _e138;
+                    let _e139 = next_6;
+                    t_19 = _e139;
                 }
             }
         }
-        let _e136 = t_19;
-        let _e138 = reads_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e136, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e138);
+        let _e141 = t_19;
+        let _e143 = cost_13;
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn shadow_search_stage(&self, path_28: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_28))
+    pub(crate) fn shadow_search_stage(&self, path_29: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_28: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_29: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_28, _e10);
+                let _e11 = self.v_search_none(path_29, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_28, _e16);
+                let _e17 = self.v_search_linear(path_29, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_28, _e22);
+                let _e23 = self.v_search_cells(path_29, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_28, _e28);
+                let _e29 = self.v_search_frustum(path_29, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_28, _e34);
+                let _e35 = self.v_search_cone(path_29, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_28, _e40);
+                let _e41 = self.v_search_pyramid(path_29, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_28, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_29, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_28, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_29, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_28, _e58);
+                let _e59 = self.v_search_sphere(path_29, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_28, _e64);
+                let _e65 = self.v_search_cone_moved(path_29, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_28, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_29, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_28, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_29, _e76);
                 return _e77;
             }
         }
@@ -4165,47 +4242,47 @@ impl<'g> Resources<'g> {
         let right_1 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
         return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_2 - top_5) * f_1.y())), ((right_1 - left_3) * _e2.x()), ((bottom_2 - top_5) * _e2.y()));
     }
-    pub(crate) fn miss(&self, reads_14: impl rt::Into<rt::Scalar<u32>>) -> Hit {
-        rt::into(self.v_miss(rt::into(reads_14)))
+    pub(crate) fn miss(&self, cost_14: impl rt::Into<rt::Vec3<u32>>) -> Hit {
+        rt::into(self.v_miss(rt::into(cost_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_miss(&self, reads_14: rt::Scalar<u32>) -> Hit {
-        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), reads_14);
+    fn v_miss(&self, cost_14: rt::Vec3<u32>) -> Hit {
+        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), cost_14);
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_29: Path,
+        path_30: Path,
         t_20: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
-        reads_15: impl rt::Into<rt::Scalar<u32>>,
+        cost_15: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_29, rt::into(t_20), rt::into(exhausted), rt::into(reads_15)))
+        rt::into(self.v_hit_on_path(path_30, rt::into(t_20), rt::into(exhausted), rt::into(cost_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_29: Path,
+        path_30: Path,
         t_20: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
-        reads_15: rt::Scalar<u32>,
+        cost_15: rt::Vec3<u32>,
     ) -> Hit {
         let mut local_32: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_20.elementwise_gt(rt::Scalar(path_29.exit))) {
-            let _e9 = self.v_path_height(path_29, rt::Scalar(path_29.exit));
+        if rt::Scalar::into_branch_condition(t_20.elementwise_gt(rt::Scalar(path_30.exit))) {
+            let _e9 = self.v_path_height(path_30, rt::Scalar(path_30.exit));
             local_32 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
             local_32 = rt::Scalar(false);
         }
         let _e13 = local_32;
         if rt::Scalar::into_branch_condition(_e13) {
-            let _e14 = self.v_miss(reads_15);
+            let _e14 = self.v_miss(cost_15);
             return _e14;
         }
-        let inside_1 = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
-        let _e19 = self.v_path_uv(path_29, inside_1);
-        let _e20 = self.v_path_height(path_29, inside_1);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_1, reads_15);
+        let inside_1 = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_30.exit));
+        let _e19 = self.v_path_uv(path_30, inside_1);
+        let _e20 = self.v_path_height(path_30, inside_1);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_1, cost_15);
     }
     pub(crate) fn hit_position(&self, at_19: Entered, hit_9: Hit) -> rt::Vec3<f32> {
         rt::into(self.v_hit_position(at_19, hit_9))
@@ -4372,9 +4449,9 @@ impl<'g> Resources<'g> {
 
         let upright_2 = at_23.normal.dot(view_7);
         let _e8 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_1 = ((rt::Scalar(at_23.footprint) * _e8) * upright_2.max(rt::Scalar(0.5f32)));
+        let texels_2 = ((rt::Scalar(at_23.footprint) * _e8) * upright_2.max(rt::Scalar(0.5f32)));
         let _e15 = rt::Scalar(self.surface_settings.normal_levels);
-        let _e16 = self.v_levels_of(texels_1, _e15);
+        let _e16 = self.v_levels_of(texels_2, _e15);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e16.fine).elementwise_eq(rt::Scalar(0u32))) {
             local_33 = (!rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
@@ -4436,15 +4513,15 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn starting_point(&self, path_30: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_30, found_1))
+    pub(crate) fn starting_point(&self, path_31: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_31, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_30: Path, found_1: Found) -> rt::Scalar<f32> {
+    fn v_starting_point(&self, path_31: Path, found_1: Found) -> rt::Scalar<f32> {
         let mut local_34: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_30.base);
+            return rt::Scalar(path_31.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
             local_34 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
@@ -4459,89 +4536,90 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_31: Path,
+        path_32: Path,
         found_2: Found,
         params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_31, found_2, rt::into(params_22)))
+        rt::into(self.v_refine_none(path_32, found_2, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_31: Path,
+        path_32: Path,
         found_2: Found,
         params_22: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_2.reads));
+            let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_31, found_2);
-        let _e16 = self.v_hit_on_path(path_31, _e14, exhausted_1, rt::Scalar(found_2.reads));
+        let _e14 = self.v_starting_point(path_32, found_2);
+        let _e16 = self.v_hit_on_path(path_32, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_32: Path,
+        path_33: Path,
         found_3: Found,
         params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_32, found_3, rt::into(params_23)))
+        rt::into(self.v_refine_offset(path_33, found_3, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_32: Path,
+        path_33: Path,
         found_3: Found,
         params_23: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_21: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_3.reads));
+            let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_32, found_3);
-        let _e9 = self.v_path_uv(path_32, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_32.level));
-        let _e12 = self.v_path_slope(path_32, _e8);
+        let _e8 = self.v_starting_point(path_33, found_3);
+        let _e9 = self.v_path_uv(path_33, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_33.level));
+        let _e12 = self.v_path_slope(path_33, _e8);
         t_21 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_32, _e8);
+            let _e16 = self.v_path_height(path_33, _e8);
             t_21 = (_e8 + ((_e11 - _e16) / _e12));
         }
         let _e20 = t_21;
-        let _e30 = self.v_hit_on_path(path_32, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_3.reads) + rt::Scalar(1u32)));
+        let _e30 = self.v_hit_on_path(path_33, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_33: Path,
+        path_34: Path,
         found_4: Found,
         params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_33, found_4, rt::into(params_24)))
+        rt::into(self.v_refine_offset_limited(path_34, found_4, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_33: Path,
+        path_34: Path,
         found_4: Found,
         params_24: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_12: Hit;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_4.reads));
+            let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_33, found_4);
-        let _e9 = self.v_path_uv(path_33, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_33.level));
-        let _e12 = self.v_path_height(path_33, _e8);
-        let rise_m = ((_e11 - _e12) * path_33.metric.w());
-        let _e27 = self.v_hit_on_path(path_33, (_e8 - rise_m), rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_4.reads) + rt::Scalar(1u32)));
+        let _e8 = self.v_starting_point(path_34, found_4);
+        let _e9 = self.v_path_uv(path_34, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_34.level));
+        let _e12 = self.v_path_height(path_34, _e8);
+        let rise_m = ((_e11 - _e12) * path_34.metric.w());
+        let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
+        let _e27 = self.v_hit_on_path(path_34, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
         hit_12 = _e27;
         let _e30 = rt::Scalar(hit_12.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
@@ -4552,89 +4630,89 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_z(
         &self,
-        path_34: Path,
+        path_35: Path,
         slope_3: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_34, rt::into(slope_3)))
+        rt::into(self.v_normal_z(path_35, rt::into(slope_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_34: Path,
+        path_35: Path,
         slope_3: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m = path_34.metric;
+        let m = path_35.metric;
         let area_3 = ((m.x() * m.z()) - (m.y() * m.y()));
         let squared_2 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_3);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_35: Path,
+        path_36: Path,
         found_5: Found,
         params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_35, found_5, rt::into(params_25)))
+        rt::into(self.v_refine_slope(path_36, found_5, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_35: Path,
+        path_36: Path,
         found_5: Found,
         params_25: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_5.reads));
+            let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_35, found_5);
-        let _e9 = self.v_path_uv(path_35, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_35.level));
-        let _e13 = self.v_path_height(path_35, _e8);
+        let _e8 = self.v_starting_point(path_36, found_5);
+        let _e9 = self.v_path_uv(path_36, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_36.level));
+        let _e13 = self.v_path_height(path_36, _e8);
         let rise_3 = (_e11.x() - _e13);
         t_22 = _e8;
         if rt::Scalar::into_branch_condition(params_25.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_35, _e8);
-            let closing_3 = (_e19 - ((_e11.y() * path_35.duv.x()) + (_e11.z() * path_35.duv.y())));
+            let _e19 = self.v_path_slope(path_36, _e8);
+            let closing_3 = (_e19 - ((_e11.y() * path_36.duv.x()) + (_e11.z() * path_36.duv.y())));
             if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
                 t_22 = (_e8 + (rise_3 / closing_3));
             }
         } else {
-            let _e40 = self.v_normal_z(path_35, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_22 = (_e8 - ((rise_3 * path_35.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_36, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_22 = (_e8 - ((rise_3 * path_36.metric.w()) * _e40));
         }
         let _e43 = t_22;
-        let _e53 = self.v_hit_on_path(path_35, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (rt::Scalar(found_5.reads) + rt::Scalar(1u32)));
+        let _e53 = self.v_hit_on_path(path_36, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_36: Path,
+        path_37: Path,
         found_6: Found,
         params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_36, found_6, rt::into(params_26)))
+        rt::into(self.v_refine_slope_iterative(path_37, found_6, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_36: Path,
+        path_37: Path,
         found_6: Found,
         params_26: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_23: rt::Scalar<f32>;
-        let mut reads_16: rt::Scalar<u32>;
+        let mut cost_16: rt::Vec3<u32>;
         let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_6.reads));
+            let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_36, found_6);
+        let _e8 = self.v_starting_point(path_37, found_6);
         t_23 = _e8;
-        reads_16 = rt::Scalar(found_6.reads);
+        cost_16 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_2;
@@ -4643,72 +4721,74 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = t_23;
-                    let _e18 = self.v_path_uv(path_36, _e17);
-                    let _e20 = self.v_height_and_slope(_e18, rt::Scalar(path_36.level));
-                    let _e21 = reads_16;
-                    reads_16 = (_e21 + rt::Scalar(1u32));
-                    let _e25 = t_23;
-                    let _e26 = self.v_path_height(path_36, _e25);
-                    let rise_4 = (_e20.x() - _e26);
+                    let _e17 = cost_16;
+                    cost_16 = (_e17 + STEP);
+                    let _e20 = t_23;
+                    let _e21 = self.v_path_uv(path_37, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_37.level));
+                    let _e24 = cost_16;
+                    cost_16 = (_e24 + HEIGHTS_READ);
+                    let _e28 = t_23;
+                    let _e29 = self.v_path_height(path_37, _e28);
+                    let rise_4 = (_e23.x() - _e29);
                     if rt::Scalar::into_branch_condition(params_26.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e31 = t_23;
-                        let _e32 = self.v_path_slope(path_36, _e31);
-                        let closing_4 = (_e32 - ((_e20.y() * path_36.duv.x()) + (_e20.z() * path_36.duv.y())));
+                        let _e34 = t_23;
+                        let _e35 = self.v_path_slope(path_37, _e34);
+                        let closing_4 = (_e35 - ((_e23.y() * path_37.duv.x()) + (_e23.z() * path_37.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e45 = t_23;
-                            t_23 = (_e45 + (rise_4 / closing_4));
+                            let _e48 = t_23;
+                            t_23 = (_e48 + (rise_4 / closing_4));
                         }
                     } else {
-                        let _e48 = t_23;
-                        let _e55 = self.v_normal_z(path_36, <rt::Vec2<f32>>::from_scalars(_e20.y(), _e20.z()));
-                        t_23 = (_e48 - ((rise_4 * path_36.metric.w()) * _e55));
+                        let _e51 = t_23;
+                        let _e58 = self.v_normal_z(path_37, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_23 = (_e51 - ((rise_4 * path_37.metric.w()) * _e58));
                     }
-                    let _e58 = t_23;
-                    t_23 = _e58.clamp(rt::Scalar(0f32), rt::Scalar(path_36.exit));
-                    let _e62 = k_2;
-                    k_2 = (_e62 + rt::Scalar(1f32));
+                    let _e61 = t_23;
+                    t_23 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_37.exit));
+                    let _e65 = k_2;
+                    k_2 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e65 = t_23;
-        let _e72 = reads_16;
-        let _e73 = self.v_hit_on_path(path_36, _e65, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e72);
-        return _e73;
+        let _e68 = t_23;
+        let _e75 = cost_16;
+        let _e76 = self.v_hit_on_path(path_37, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        return _e76;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_37: Path,
+        path_38: Path,
         found_7: Found,
         params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_37, found_7, rt::into(params_27)))
+        rt::into(self.v_refine_binary(path_38, found_7, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_37: Path,
+        path_38: Path,
         found_7: Found,
         params_27: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
-        let mut reads_17: rt::Scalar<u32>;
+        let mut cost_17: rt::Vec3<u32>;
         let mut local_35: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_37, found_7, params_27);
+            let _e5 = self.v_refine_none(path_38, found_7, params_27);
             return _e5;
         }
         near_6 = rt::Scalar(found_7.near);
         far_2 = rt::Scalar(found_7.far);
-        reads_17 = rt::Scalar(found_7.reads);
+        cost_17 = found_7.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_37, _e18);
+            let _e19 = self.v_path_height(path_38, _e18);
             local_35 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_35 = rt::Scalar(true);
@@ -4723,47 +4803,49 @@ impl<'g> Resources<'g> {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = near_6;
-                    let _e31 = far_2;
-                    let middle_4 = (rt::Scalar(0.5f32) * (_e30 + _e31));
-                    let _e35 = reads_17;
-                    reads_17 = (_e35 + rt::Scalar(1u32));
-                    let _e38 = self.v_path_gap(path_37, middle_4);
-                    if rt::Scalar::into_branch_condition(_e38.elementwise_le(rt::Scalar(0f32))) {
+                    let _e30 = cost_17;
+                    cost_17 = (_e30 + STEP);
+                    let _e33 = near_6;
+                    let _e34 = far_2;
+                    let middle_4 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let _e38 = cost_17;
+                    cost_17 = (_e38 + HEIGHTS_READ);
+                    let _e41 = self.v_path_gap(path_38, middle_4);
+                    if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
                         far_2 = middle_4;
                         crossed = rt::Scalar(true);
                     } else {
                         near_6 = middle_4;
                     }
-                    let _e42 = k_3;
-                    k_3 = (_e42 + rt::Scalar(1f32));
+                    let _e45 = k_3;
+                    k_3 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e45 = crossed;
-        if rt::Scalar::into_branch_condition((!_e45)) {
-            let _e47 = reads_17;
-            let _e48 = self.v_miss(_e47);
-            return _e48;
+        let _e48 = crossed;
+        if rt::Scalar::into_branch_condition((!_e48)) {
+            let _e50 = cost_17;
+            let _e51 = self.v_miss(_e50);
+            return _e51;
         }
-        let _e49 = near_6;
-        let _e50 = far_2;
-        let _e55 = reads_17;
-        let _e56 = self.v_hit_on_path(path_37, (rt::Scalar(0.5f32) * (_e49 + _e50)), rt::Scalar(0u32), _e55);
-        return _e56;
+        let _e52 = near_6;
+        let _e53 = far_2;
+        let _e58 = cost_17;
+        let _e59 = self.v_hit_on_path(path_38, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_38: Path,
+        path_39: Path,
         found_8: Found,
         params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_38, found_8, rt::into(params_28)))
+        rt::into(self.v_refine_secant(path_39, found_8, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_38: Path,
+        path_39: Path,
         found_8: Found,
         params_28: rt::Vec4<f32>,
     ) -> Hit {
@@ -4771,95 +4853,97 @@ impl<'g> Resources<'g> {
         let mut far_3: rt::Scalar<f32>;
         let mut near_gap_5: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
-        let mut reads_18: rt::Scalar<u32>;
+        let mut cost_18: rt::Vec3<u32>;
         let mut t_24: rt::Scalar<f32>;
         let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_38, found_8, params_28);
+            let _e5 = self.v_refine_none(path_39, found_8, params_28);
             return _e5;
         }
         near_7 = rt::Scalar(found_8.near);
         far_3 = rt::Scalar(found_8.far);
         near_gap_5 = rt::Scalar(found_8.near_gap);
         far_gap_1 = rt::Scalar(found_8.far_gap);
-        reads_18 = rt::Scalar(found_8.reads);
+        cost_18 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_7;
-            let _e20 = self.v_path_gap(path_38, _e19);
+            let _e20 = self.v_path_gap(path_39, _e19);
             near_gap_5 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_38, _e21);
+            let _e22 = self.v_path_gap(path_39, _e21);
             far_gap_1 = _e22;
-            let _e23 = reads_18;
-            reads_18 = (_e23 + rt::Scalar(2u32));
-            let _e26 = far_gap_1;
-            if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_18;
-                let _e30 = self.v_miss(_e29);
-                return _e30;
+            let _e23 = cost_18;
+            cost_18 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
+            let _e28 = far_gap_1;
+            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
+                let _e31 = cost_18;
+                let _e32 = self.v_miss(_e31);
+                return _e32;
             }
         }
-        let _e31 = far_3;
-        t_24 = _e31;
+        let _e33 = far_3;
+        t_24 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_4;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_28.x())) {
+                let _e37 = k_4;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_28.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e38 = near_gap_5;
-                    let _e39 = far_gap_1;
-                    let drop = (_e38 - _e39);
+                    let _e40 = cost_18;
+                    cost_18 = (_e40 + STEP);
+                    let _e43 = near_gap_5;
+                    let _e44 = far_gap_1;
+                    let drop = (_e43 - _e44);
                     if rt::Scalar::into_branch_condition((!drop.elementwise_gt(rt::Scalar(0f32)))) {
                         break 'naga_break;
                     }
-                    let _e44 = near_7;
-                    let _e45 = far_3;
-                    let _e46 = near_7;
-                    let _e48 = near_gap_5;
-                    t_24 = (_e44 + ((_e45 - _e46) * (_e48 / drop)));
-                    let _e52 = k_4;
-                    if rt::Scalar::into_branch_condition(_e52.elementwise_lt(params_28.x())) {
-                        let _e55 = t_24;
-                        let _e56 = self.v_path_gap(path_38, _e55);
-                        let _e57 = reads_18;
-                        reads_18 = (_e57 + rt::Scalar(1u32));
-                        if rt::Scalar::into_branch_condition(_e56.elementwise_le(rt::Scalar(0f32))) {
-                            let _e62 = t_24;
-                            far_3 = _e62;
-                            far_gap_1 = _e56;
+                    let _e49 = near_7;
+                    let _e50 = far_3;
+                    let _e51 = near_7;
+                    let _e53 = near_gap_5;
+                    t_24 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
+                    let _e57 = k_4;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_28.x())) {
+                        let _e60 = t_24;
+                        let _e61 = self.v_path_gap(path_39, _e60);
+                        let _e62 = cost_18;
+                        cost_18 = (_e62 + HEIGHTS_READ);
+                        if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
+                            let _e67 = t_24;
+                            far_3 = _e67;
+                            far_gap_1 = _e61;
                         } else {
-                            let _e63 = t_24;
-                            near_7 = _e63;
-                            near_gap_5 = _e56;
+                            let _e68 = t_24;
+                            near_7 = _e68;
+                            near_gap_5 = _e61;
                         }
                     }
-                    let _e64 = k_4;
-                    k_4 = (_e64 + rt::Scalar(1f32));
+                    let _e69 = k_4;
+                    k_4 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e67 = t_24;
-        let _e69 = reads_18;
-        let _e70 = self.v_hit_on_path(path_38, _e67, rt::Scalar(0u32), _e69);
-        return _e70;
+        let _e72 = t_24;
+        let _e74 = cost_18;
+        let _e75 = self.v_hit_on_path(path_39, _e72, rt::Scalar(0u32), _e74);
+        return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_39: Path,
+        path_40: Path,
         found_9: Found,
         params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_39, found_9, rt::into(params_29)))
+        rt::into(self.v_refine_true_secant(path_40, found_9, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_39: Path,
+        path_40: Path,
         found_9: Found,
         params_29: rt::Vec4<f32>,
     ) -> Hit {
@@ -4867,146 +4951,150 @@ impl<'g> Resources<'g> {
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
-        let mut reads_19: rt::Scalar<u32>;
+        let mut cost_19: rt::Vec3<u32>;
         let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_39, found_9, params_29);
+            let _e5 = self.v_refine_none(path_40, found_9, params_29);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
         last = rt::Scalar(found_9.far);
         before_gap = rt::Scalar(found_9.near_gap);
         last_gap = rt::Scalar(found_9.far_gap);
-        reads_19 = rt::Scalar(found_9.reads);
+        cost_19 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_39, _e19);
+            let _e20 = self.v_path_gap(path_40, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_39, _e21);
+            let _e22 = self.v_path_gap(path_40, _e21);
             last_gap = _e22;
-            let _e23 = reads_19;
-            reads_19 = (_e23 + rt::Scalar(2u32));
-            let _e26 = last_gap;
-            if rt::Scalar::into_branch_condition(_e26.elementwise_gt(rt::Scalar(0f32))) {
-                let _e29 = reads_19;
-                let _e30 = self.v_miss(_e29);
-                return _e30;
+            let _e23 = cost_19;
+            cost_19 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
+            let _e28 = last_gap;
+            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
+                let _e31 = cost_19;
+                let _e32 = self.v_miss(_e31);
+                return _e32;
             }
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e33 = k_5;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_le(params_29.x())) {
+                let _e35 = k_5;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_29.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e36 = before_gap;
-                    let _e37 = last_gap;
-                    let change = (_e36 - _e37);
+                    let _e38 = cost_19;
+                    cost_19 = (_e38 + STEP);
+                    let _e41 = before_gap;
+                    let _e42 = last_gap;
+                    let change = (_e41 - _e42);
                     if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e41 = last;
-                    let _e42 = last;
-                    let _e43 = before;
-                    let _e45 = last_gap;
-                    let t_28 = (_e41 + ((_e42 - _e43) * (_e45 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
-                    let _e52 = last;
-                    before = _e52;
-                    let _e53 = last_gap;
-                    before_gap = _e53;
+                    let _e46 = last;
+                    let _e47 = last;
+                    let _e48 = before;
+                    let _e50 = last_gap;
+                    let t_28 = (_e46 + ((_e47 - _e48) * (_e50 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let _e57 = last;
+                    before = _e57;
+                    let _e58 = last_gap;
+                    before_gap = _e58;
                     last = t_28;
-                    let _e54 = k_5;
-                    if rt::Scalar::into_branch_condition(_e54.elementwise_lt(params_29.x())) {
-                        let _e57 = self.v_path_gap(path_39, t_28);
-                        last_gap = _e57;
-                        let _e58 = reads_19;
-                        reads_19 = (_e58 + rt::Scalar(1u32));
+                    let _e59 = k_5;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_29.x())) {
+                        let _e62 = self.v_path_gap(path_40, t_28);
+                        last_gap = _e62;
+                        let _e63 = cost_19;
+                        cost_19 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e61 = k_5;
-                    k_5 = (_e61 + rt::Scalar(1f32));
+                    let _e66 = k_5;
+                    k_5 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e64 = last;
-        let _e66 = reads_19;
-        let _e67 = self.v_hit_on_path(path_39, _e64, rt::Scalar(0u32), _e66);
-        return _e67;
+        let _e69 = last;
+        let _e71 = cost_19;
+        let _e72 = self.v_hit_on_path(path_40, _e69, rt::Scalar(0u32), _e71);
+        return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_40: Path,
+        path_41: Path,
         found_10: Found,
         params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_40, found_10, rt::into(params_30)))
+        rt::into(self.v_refine_patch(path_41, found_10, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_40: Path,
+        path_41: Path,
         found_10: Found,
         params_30: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_25: rt::Scalar<f32>;
         let mut cell_18: rt::Vec2<f32>;
-        let mut reads_20: rt::Scalar<u32>;
+        let mut cost_20: rt::Vec3<u32>;
         let mut local_36: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(rt::Scalar(found_10.reads));
+            let _e7 = self.v_miss(found_10.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_40, rt::Scalar(found_10.near), rt::Scalar(1u32), rt::Scalar(found_10.reads));
+            let _e14 = self.v_hit_on_path(path_41, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_40, rt::Scalar(found_10.near), rt::Scalar(0u32), rt::Scalar(found_10.reads));
+            let _e21 = self.v_hit_on_path(path_41, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_40);
+        let _e22 = self.v_grid_of(path_41);
         t_25 = rt::Scalar(found_10.near);
         let _e27 = t_25;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_18 = _e30;
-        reads_20 = rt::Scalar(found_10.reads);
-        let _e34 = reads_20;
-        let limit_9 = (_e34 + params_30.x().cast_elem_as_u32());
+        cost_20 = found_10.cost;
+        let _e35 = cost_20.x();
+        let limit_9 = (_e35 + params_30.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
-                let _e38 = reads_20;
-                if rt::Scalar::into_branch_condition(_e38.elementwise_lt(limit_9)) {
+                let _e40 = cost_20.x();
+                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit_9)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e40 = cell_18;
-                    let _e41 = self.v_cell_leave(_e22, _e40);
-                    let end_11 = _e41.x().min(_e41.y()).min(rt::Scalar(found_10.far));
-                    let _e47 = t_25;
-                    let span_12 = (end_11 - _e47).max(rt::Scalar(0f32));
-                    let _e51 = cell_18;
+                    let _e42 = cost_20;
+                    cost_20 = (_e42 + STEP);
+                    let _e45 = cell_18;
+                    let _e46 = self.v_cell_leave(_e22, _e45);
+                    let end_11 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
                     let _e52 = t_25;
-                    let _e53 = self.v_cell_gap(path_40, _e22, _e51, _e52);
-                    let _e54 = reads_20;
-                    reads_20 = (_e54 + rt::Scalar(1u32));
-                    if rt::Scalar::into_branch_condition(_e53.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e60 = t_25;
-                        let _e62 = reads_20;
-                        let _e63 = self.v_hit_on_path(path_40, _e60, rt::Scalar(0u32), _e62);
-                        return _e63;
+                    let span_12 = (end_11 - _e52).max(rt::Scalar(0f32));
+                    let _e56 = cell_18;
+                    let _e57 = t_25;
+                    let _e58 = self.v_cell_gap(path_41, _e22, _e56, _e57);
+                    let _e59 = cost_20;
+                    cost_20 = (_e59 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e65 = t_25;
+                        let _e67 = cost_20;
+                        let _e68 = self.v_hit_on_path(path_41, _e65, rt::Scalar(0u32), _e67);
+                        return _e68;
                     }
-                    let _e64 = self.v_first_root(_e53, span_12);
-                    if rt::Scalar::into_branch_condition(_e64.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e67 = t_25;
-                        let _e70 = reads_20;
-                        let _e71 = self.v_hit_on_path(path_40, (_e67 + _e64), rt::Scalar(0u32), _e70);
-                        return _e71;
+                    let _e69 = self.v_first_root(_e58, span_12);
+                    if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e72 = t_25;
+                        let _e75 = cost_20;
+                        let _e76 = self.v_hit_on_path(path_41, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
@@ -5014,194 +5102,195 @@ impl<'g> Resources<'g> {
                         } else {
                             local_36 = rt::Scalar(true);
                         }
-                        let _e84 = local_36;
-                        if rt::Scalar::into_branch_condition(_e84) {
-                            let _e87 = reads_20;
-                            let _e88 = self.v_hit_on_path(path_40, rt::Scalar(found_10.far), rt::Scalar(0u32), _e87);
-                            return _e88;
+                        let _e89 = local_36;
+                        if rt::Scalar::into_branch_condition(_e89) {
+                            let _e92 = cost_20;
+                            let _e93 = self.v_hit_on_path(path_41, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
+                            return _e93;
                         }
-                        let _e89 = reads_20;
-                        let _e90 = self.v_miss(_e89);
-                        return _e90;
+                        let _e94 = cost_20;
+                        let _e95 = self.v_miss(_e94);
+                        return _e95;
                     }
-                    let _e91 = cell_18;
-                    let _e92 = self.v_cell_next(_e22, _e91, _e41);
-                    cell_18 = _e92;
-                    let _e93 = t_25;
-                    t_25 = _e93.max(end_11);
+                    let _e96 = cell_18;
+                    let _e97 = self.v_cell_next(_e22, _e96, _e46);
+                    cell_18 = _e97;
+                    let _e98 = t_25;
+                    t_25 = _e98.max(end_11);
                 }
             }
         }
-        let _e95 = t_25;
-        let _e97 = reads_20;
-        let _e98 = self.v_hit_on_path(path_40, _e95, rt::Scalar(1u32), _e97);
-        return _e98;
+        let _e100 = t_25;
+        let _e102 = cost_20;
+        let _e103 = self.v_hit_on_path(path_41, _e100, rt::Scalar(1u32), _e102);
+        return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_41: Path,
+        path_42: Path,
         found_11: Found,
         params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_41, found_11, rt::into(params_31)))
+        rt::into(self.v_refine_half_texel(path_42, found_11, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_41: Path,
+        path_42: Path,
         found_11: Found,
         params_31: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_41, found_11, params_31);
+            let _e6 = self.v_refine_none(path_42, found_11, params_31);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_41.level));
-        let speed_2 = (path_41.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_41.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_41, found_11, params_31);
+        let _e9 = self.v_height_size(rt::Scalar(path_42.level));
+        let speed_2 = (path_42.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_42.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_42, found_11, params_31);
             return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_2);
         let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
-        let forward_8 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_41.exit));
-        let _e28 = self.v_path_gap(path_41, backward);
+        let forward_8 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_42.exit));
+        let _e28 = self.v_path_gap(path_42, backward);
         let before_1 = _e28.abs();
-        let _e30 = self.v_path_gap(path_41, forward_8);
+        let _e30 = self.v_path_gap(path_42, forward_8);
         let behind_1 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
             part_1 = (before_1 / (before_1 + behind_1));
         }
-        let _e40 = part_1;
-        let _e47 = self.v_hit_on_path(path_41, (backward + ((forward_8 - backward) * _e40)), rt::Scalar(0u32), (rt::Scalar(found_11.reads) + rt::Scalar(2u32)));
-        return _e47;
+        let cost_21 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let _e45 = part_1;
+        let _e49 = self.v_hit_on_path(path_42, (backward + ((forward_8 - backward) * _e45)), rt::Scalar(0u32), cost_21);
+        return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_42: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_42, found_12))
+    pub(crate) fn refine_stage(&self, path_43: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_43, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_42: Path, found_12: Found) -> Hit {
+    fn v_refine_stage(&self, path_43: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_refine_none(path_42, found_12, _e11);
+                let _e12 = self.v_refine_none(path_43, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_refine_offset(path_42, found_12, _e17);
+                let _e18 = self.v_refine_offset(path_43, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_refine_offset_limited(path_42, found_12, _e23);
+                let _e24 = self.v_refine_offset_limited(path_43, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_refine_slope(path_42, found_12, _e29);
+                let _e30 = self.v_refine_slope(path_43, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[3usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_42, found_12, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_43, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[3usize].params;
-                let _e42 = self.v_refine_binary(path_42, found_12, _e41);
+                let _e42 = self.v_refine_binary(path_43, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[3usize].params;
-                let _e48 = self.v_refine_secant(path_42, found_12, _e47);
+                let _e48 = self.v_refine_secant(path_43, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[3usize].params;
-                let _e54 = self.v_refine_true_secant(path_42, found_12, _e53);
+                let _e54 = self.v_refine_true_secant(path_43, found_12, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[3usize].params;
-                let _e60 = self.v_refine_patch(path_42, found_12, _e59);
+                let _e60 = self.v_refine_patch(path_43, found_12, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[3usize].params;
-                let _e66 = self.v_refine_half_texel(path_42, found_12, _e65);
+                let _e66 = self.v_refine_half_texel(path_43, found_12, _e65);
                 return _e66;
             }
         }
     }
-    pub(crate) fn search_stage(&self, path_43: Path) -> Found {
-        rt::into(self.v_search_stage(path_43))
+    pub(crate) fn search_stage(&self, path_44: Path) -> Found {
+        rt::into(self.v_search_stage(path_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_43: Path) -> Found {
+    fn v_search_stage(&self, path_44: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[2usize].params;
-                let _e11 = self.v_search_none(path_43, _e10);
+                let _e11 = self.v_search_none(path_44, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[2usize].params;
-                let _e17 = self.v_search_linear(path_43, _e16);
+                let _e17 = self.v_search_linear(path_44, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[2usize].params;
-                let _e23 = self.v_search_cells(path_43, _e22);
+                let _e23 = self.v_search_cells(path_44, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[2usize].params;
-                let _e29 = self.v_search_frustum(path_43, _e28);
+                let _e29 = self.v_search_frustum(path_44, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[2usize].params;
-                let _e35 = self.v_search_cone(path_43, _e34);
+                let _e35 = self.v_search_cone(path_44, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[2usize].params;
-                let _e41 = self.v_search_pyramid(path_43, _e40);
+                let _e41 = self.v_search_pyramid(path_44, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[2usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_43, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_44, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[2usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_43, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_44, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[2usize].params;
-                let _e59 = self.v_search_sphere(path_43, _e58);
+                let _e59 = self.v_search_sphere(path_44, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[2usize].params;
-                let _e65 = self.v_search_cone_moved(path_43, _e64);
+                let _e65 = self.v_search_cone_moved(path_44, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[2usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_43, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_44, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[2usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_43, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_44, _e76);
                 return _e77;
             }
         }
@@ -6025,27 +6114,27 @@ impl<'g> Resources<'g> {
         }
         let _e14 = local_38;
         if rt::Scalar::into_branch_condition(_e14) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), rt::Scalar(hit_24.reads), rt::Scalar(0f32), rt::Scalar(0u32));
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e46 = self.v_height_at(hit_24.uv, rt::Scalar(at_37.path.level));
-        let _e47 = self.v_hit_position(at_37, hit_24);
-        let view_11 = (pixel_10.origin - _e47).normalize();
-        let _e52 = self.v_mesostructure_normals(at_37, hit_24.uv, view_11);
-        let _e55 = self.v_color_or_white(hit_24.uv, rt::Scalar(at_37.footprint));
-        let _e56 = self.v_reflected_light(_e47, at_37, hit_24, _e52, view_11, _e55, visible_1);
-        let _e61 = self.frame.forward;
-        let depth = (_e47 - pixel_10.origin).dot(_e61.xyz());
-        let _e66 = self.v_height_size(rt::Scalar(0u32));
-        let _e72 = self.v_cell_of(((hit_24.uv * _e66) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e56, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), hit_24.uv, _e46, _e47, _e52.normal, depth, rt::Scalar(hit_24.t), _e72.cast_elem_as_i32(), rt::Scalar(hit_24.reads), visible_1[0usize].x(), rt::Scalar(at_37.path.level));
+        let _e51 = self.v_height_at(hit_24.uv, rt::Scalar(at_37.path.level));
+        let _e52 = self.v_hit_position(at_37, hit_24);
+        let view_11 = (pixel_10.origin - _e52).normalize();
+        let _e57 = self.v_mesostructure_normals(at_37, hit_24.uv, view_11);
+        let _e60 = self.v_color_or_white(hit_24.uv, rt::Scalar(at_37.footprint));
+        let _e61 = self.v_reflected_light(_e52, at_37, hit_24, _e57, view_11, _e60, visible_1);
+        let _e66 = self.frame.forward;
+        let depth = (_e52 - pixel_10.origin).dot(_e66.xyz());
+        let _e71 = self.v_height_size(rt::Scalar(0u32));
+        let _e77 = self.v_cell_of(((hit_24.uv * _e71) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e61, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), hit_24.uv, _e51, _e52, _e57.normal, depth, rt::Scalar(hit_24.t), _e77.cast_elem_as_i32(), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), visible_1[0usize].x(), rt::Scalar(at_37.path.level));
     }
-    pub(crate) fn trace(&self, path_44: Path) -> Hit {
-        rt::into(self.v_trace(path_44))
+    pub(crate) fn trace(&self, path_45: Path) -> Hit {
+        rt::into(self.v_trace(path_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_44: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_44);
-        let _e2 = self.v_refine_stage(path_44, _e1);
+    fn v_trace(&self, path_45: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_45);
+        let _e2 = self.v_refine_stage(path_45, _e1);
         return _e2;
     }
     pub(crate) fn visible_lights(&self, at_38: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
@@ -6099,7 +6188,7 @@ impl<'g> Resources<'g> {
         let mut hit_26: Hit;
 
         let _e1 = self.v_enter_relief(pixel_11);
-        let _e3 = self.v_miss(rt::Scalar(0u32));
+        let _e3 = self.v_miss(NO_COST);
         hit_26 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_trace(_e1.path);

@@ -16,6 +16,10 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/cone", head: r#"// Cones on texels, shared by the searches that step over them.
 "# },
+    Module { path: "shared/cost", head: r#"// What search and refinement have cost so far, in one vector: reads, turns of their loops, and the bytes that
+// the reads fetched. Heights count as 32-bit floats, texels of baked maps as they are stored. What a cache
+// keeps from the GPU's memory is not taken off.
+"# },
     Module { path: "shared/disc", head: r#"// The disc of a light, as a point of the surface sees it.
 "# },
     Module { path: "shared/displacement", head: r#"// The space that the relief fills above the base surface: how deep it is, where the base lies in it, how
@@ -937,19 +941,19 @@ fn first_root(c: vec3f, span: f32) -> f32 {
         uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "least_at", "quadratic"],
         text: r#"// What a search knows after a cell over which the gap is c, from parameter t on to t + span: a bracket that
 // ends where the gap is least, or that the path stays above. `first` says that the path begins here.
-fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, reads: u32) -> Found {
+fn found_in_cell(c: vec3f, t: f32, span: f32, first: bool, cost: vec3u) -> Found {
     if (c.x <= 0.0) {
         if (first && c.x < 0.0) {
-            return Found(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, reads);
+            return Found(FOUND_STARTED_BELOW, 0.0, 0.0, c.x, c.x, cost);
         }
-        return Found(FOUND_BRACKET, t, t, c.x, c.x, reads);
+        return Found(FOUND_BRACKET, t, t, c.x, c.x, cost);
     }
     let s = least_at(c, span);
     let gap = quadratic(c, s);
     if (gap <= 0.0) {
-        return Found(FOUND_BRACKET, t, t + s, c.x, gap, reads);
+        return Found(FOUND_BRACKET, t, t + s, c.x, gap, cost);
     }
-    return Found(FOUND_ABOVE, t, t + span, c.x, quadratic(c, span), reads);
+    return Found(FOUND_ABOVE, t, t + span, c.x, quadratic(c, span), cost);
 }"#,
     },
     Declaration {
@@ -1061,7 +1065,7 @@ fn stays_inside(path: Path, grid: Grid, offset: vec2f, apex: f32, slope: f32, t:
         module: "shared/cone",
         name: "entered_once",
         sampling: None,
-        uses: &["FEW_CELLS", "FOUND_BRACKET", "Found", "Grid", "Path", "path_gap"],
+        uses: &["FEW_CELLS", "FOUND_BRACKET", "Found", "Grid", "HEIGHTS_READ", "Path", "STEP", "path_gap"],
         text: r#"// The bracket of the only entry between two places, above and below the surface: halved until few cells are
 // left.
 fn entered_once(
@@ -1071,21 +1075,22 @@ fn entered_once(
     below: f32,
     above_gap: f32,
     below_gap: f32,
-    read: u32,
+    so_far: vec3u,
 ) -> Found {
     var near = above;
     var far = below;
     var near_gap = above_gap;
     var far_gap = below_gap;
-    var reads = read;
+    var cost = so_far;
     let wide = abs(grid.step.x) + abs(grid.step.y);
     while (wide * (far - near) > FEW_CELLS) {
+        cost = cost + STEP;
         let middle = 0.5 * (near + far);
         if (!(middle > near && middle < far)) {
             break;
         }
         let gap = path_gap(path, middle);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         if (gap <= 0.0) {
             far = middle;
             far_gap = gap;
@@ -1094,8 +1099,39 @@ fn entered_once(
             near_gap = gap;
         }
     }
-    return Found(FOUND_BRACKET, near, far, near_gap, far_gap, reads);
+    return Found(FOUND_BRACKET, near, far, near_gap, far_gap, cost);
 }"#,
+    },
+    Declaration {
+        module: "shared/cost",
+        name: "NO_COST",
+        sampling: None,
+        uses: &[],
+        text: r#"const NO_COST = vec3u(0u, 0u, 0u);"#,
+    },
+    Declaration {
+        module: "shared/cost",
+        name: "STEP",
+        sampling: None,
+        uses: &[],
+        text: r#"// A turn of a loop.
+const STEP = vec3u(0u, 1u, 0u);"#,
+    },
+    Declaration {
+        module: "shared/cost",
+        name: "HEIGHTS_READ",
+        sampling: None,
+        uses: &[],
+        text: r#"// One read of the four heights of a cell, or between four texels.
+const HEIGHTS_READ = vec3u(1u, 0u, 16u);"#,
+    },
+    Declaration {
+        module: "shared/cost",
+        name: "HEIGHT_READ",
+        sampling: None,
+        uses: &[],
+        text: r#"// One read of a single height.
+const HEIGHT_READ = vec3u(1u, 0u, 4u);"#,
     },
     Declaration {
         module: "shared/disc",
@@ -1796,6 +1832,17 @@ fn search_texel(path: Path, place: vec2i, layer: i32, level: i32) -> vec4f {
     },
     Declaration {
         module: "shared/maps",
+        name: "map_read",
+        sampling: None,
+        uses: &["Path", "RAY_SHADOW", "SLOT_SEARCH", "SLOT_SHADOW_SEARCH", "surface_settings"],
+        text: r#"// What one read of so many texels of that map costs.
+fn map_read(path: Path, texels: u32) -> vec3u {
+    let slot = select(SLOT_SEARCH, SLOT_SHADOW_SEARCH, path.ray == RAY_SHADOW);
+    return vec3u(1u, 0u, texels * surface_settings.maps[slot].texel_bytes);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
         name: "search_texel_between",
         sampling: None,
         uses: &["Path", "bilinear", "height_texels", "search_texel", "texels_around"],
@@ -1940,7 +1987,7 @@ fn finest_normal(at: Entered, uv: vec2f) -> vec3f {
         sampling: None,
         uses: &[],
         text: r#"// What is known of a traced pixel travels in integers: the triangle's number plus 1, negative for a back
-// face; the reads, with this bit set where the search was exhausted.
+// face; the reads, with this bit set where the search was exhausted; the steps; the bytes.
 const EXHAUSTED_BIT = 1073741824i;"#,
     },
     Declaration {
@@ -1948,11 +1995,11 @@ const EXHAUSTED_BIT = 1073741824i;"#,
         name: "Traced",
         sampling: None,
         uses: &[],
-        text: r#"// What the first pass knows of a pixel: of the hit uv, height and t; the triangle and the reads. Zeros where
+        text: r#"// What the first pass knows of a pixel: of the hit uv, height and t; the triangle and what it cost. Zeros where
 // nothing is.
 struct Traced {
     @location(0) hit: vec4f,
-    @location(1) what: vec2i,
+    @location(1) what: vec4i,
 }"#,
     },
     Declaration {
@@ -2019,8 +2066,8 @@ fn path_gap(path: Path, t: f32) -> f32 {
         name: "miss",
         sampling: None,
         uses: &["Hit"],
-        text: r#"fn miss(reads: u32) -> Hit {
-    return Hit(0u, 0u, vec2f(0.0, 0.0), 0.0, 0.0, reads);
+        text: r#"fn miss(cost: vec3u) -> Hit {
+    return Hit(0u, 0u, vec2f(0.0, 0.0), 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
@@ -2029,12 +2076,12 @@ fn path_gap(path: Path, t: f32) -> f32 {
         sampling: None,
         uses: &["FLOOR", "Hit", "Path", "miss", "path_height", "path_uv"],
         text: r#"// A hit on the path. Beyond the exit there is none, unless the path has crossed the floor by then.
-fn hit_on_path(path: Path, t: f32, exhausted: u32, reads: u32) -> Hit {
+fn hit_on_path(path: Path, t: f32, exhausted: u32, cost: vec3u) -> Hit {
     if (t > path.exit && path_height(path, path.exit) > FLOOR) {
-        return miss(reads);
+        return miss(cost);
     }
     let inside = clamp(t, 0.0, path.exit);
-    return Hit(1u, exhausted, path_uv(path, inside), path_height(path, inside), inside, reads);
+    return Hit(1u, exhausted, path_uv(path, inside), path_height(path, inside), inside, cost);
 }"#,
     },
     Declaration {
@@ -2234,7 +2281,9 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
             0.0,
             0.0,
             vec2i(0, 0),
-            hit.reads,
+            hit.cost.x,
+            hit.cost.y,
+            hit.cost.z,
             0.0,
             0u,
         );
@@ -2257,7 +2306,9 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         depth,
         hit.t,
         vec2i(cell),
-        hit.reads,
+        hit.cost.x,
+        hit.cost.y,
+        hit.cost.z,
         visible[0].x,
         at.path.level,
     );
@@ -2267,10 +2318,10 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         module: "shared/pixel",
         name: "shade_pixel",
         sampling: None,
-        uses: &["PixelIn", "PixelOut", "enter_relief", "miss", "shade_hit", "trace", "visible_lights"],
+        uses: &["NO_COST", "PixelIn", "PixelOut", "enter_relief", "miss", "shade_hit", "trace", "visible_lights"],
         text: r#"fn shade_pixel(pixel: PixelIn) -> PixelOut {
     let at = enter_relief(pixel);
-    var hit = miss(0u);
+    var hit = miss(NO_COST);
     if (at.valid == 1u) {
         hit = trace(at.path);
     }
@@ -2305,7 +2356,7 @@ struct Triangle {
         name: "Record",
         sampling: None,
         uses: &[],
-        text: r#"// What is read back of a pixel. 20 words.
+        text: r#"// What is read back of a pixel. 22 words, and 2 that are left over.
 struct Record {
     color: vec4f,
     position: vec3f,
@@ -2319,6 +2370,8 @@ struct Record {
     hit: u32,
     cell: vec2i,
     reads: u32,
+    steps: u32,
+    bytes: u32,
     lit: f32,
 }"#,
     },
@@ -2344,6 +2397,8 @@ struct Probe {
     height: f32,
     t: f32,
     reads: u32,
+    steps: u32,
+    bytes: u32,
     // The part of `mirrored_light` that arrives at the hit.
     lit: f32,
 }"#,
@@ -2710,6 +2765,8 @@ struct MapSettings {
     coded: u32,
     // Layers of each level.
     layers: u32,
+    // Bytes of a texel.
+    texel_bytes: u32,
     low: vec4f,
     step: vec4f,
     // Metres of a tile along u and v in the metric that it was baked in.
@@ -2885,7 +2942,8 @@ struct Found {
     far: f32,
     near_gap: f32,
     far_gap: f32,
-    reads: u32,
+    // As in `Hit`.
+    cost: vec3u,
 }"#,
     },
     Declaration {
@@ -2900,7 +2958,8 @@ struct Hit {
     uv: vec2f,
     height: f32,
     t: f32,
-    reads: u32,
+    // Reads, steps and bytes of the search and the refinement.
+    cost: vec3u,
 }"#,
     },
     Declaration {
@@ -3021,8 +3080,13 @@ struct PixelOut {
     t: f32,
     // Column and row of the first texel of the dual cell that the hit lies in.
     cell: vec2i,
-    // Texels and cells that the search and the refinement read.
+    // How often the search and the refinement read: a cell, a place between texels, a texel or a node each
+    // time.
     reads: u32,
+    // Turns of the loops of the search and the refinement.
+    steps: u32,
+    // What the reads fetched, caches aside.
+    bytes: u32,
     // The part of the first light that arrives, from 0 to 1, whichever way the surface faces; 0 without
     // lights.
     lit: f32,
@@ -3173,48 +3237,50 @@ fn footprint_axis(
         module: "search/cells",
         name: "search_cells",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "found_in_cell", "grid_of"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_gap", "cell_leave", "cell_next", "cell_of", "found_in_cell", "grid_of"],
         text: r#"fn search_cells(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
+    while (cost.x < limit) {
+        cost = cost + STEP;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let c = cell_gap(path, grid, cell, t);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         let span = max(end - t, 0.0);
-        let found = found_in_cell(c, t, span, reads == 1u, reads);
+        let found = found_in_cell(c, t, span, cost.x == 1u, cost);
         if (found.status != FOUND_ABOVE) {
             return found;
         }
         if (end >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, c.x, found.far_gap, reads);
+            return Found(FOUND_MISS, t, path.exit, c.x, found.far_gap, cost);
         }
         cell = cell_next(grid, cell, leave);
         t = max(t, end);
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/cone",
         name: "search_cone",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "found_in_cell", "gap_to", "grid_of", "height_cell", "nearest_corner", "path_height", "stays_inside"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_height", "stays_inside"],
         text: r#"fn search_cone(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
-        let first = reads == 0u;
+    while (cost.x < limit) {
+        cost = cost + STEP;
+        let first = cost.x == 0u;
         let heights = height_cell(vec2i(cell), path.level);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
@@ -3225,52 +3291,53 @@ fn footprint_axis(
         if (path_height(path, t) > apex) {
             let texel = cell + corner;
             let slope = cone_slope(path, texel);
-            reads = reads + 1u;
+            cost = cost + map_read(path, 1u);
             if (slope >= 0.0) {
                 next = t + stays_inside(path, grid, texel, apex, slope, t);
             }
         }
         if (next < end) {
-            let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, first, reads);
+            let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, first, cost);
             if (found.status != FOUND_ABOVE) {
                 return found;
             }
             next = max(t, end);
         }
         if (next >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/cone_moved",
         name: "search_cone_moved",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "Path", "ROUNDING", "path_gap", "path_height", "path_slope", "path_uv", "search_texel_between", "slope_of"],
+        uses: &["FOUND_ABOVE", "FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "map_read", "path_gap", "path_height", "path_slope", "path_uv", "search_texel_between", "slope_of"],
         text: r#"fn search_cone_moved(path: Path, params: vec4f) -> Found {
     let aside = length(path.duv);
     var t = 0.0;
     var near = 0.0;
     var near_gap = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     var k = 0.0;
     while (k < params.x) {
+        cost = cost + STEP;
         let gap = path_gap(path, t);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         if (gap <= 0.0) {
             if (t == 0.0 && gap < 0.0) {
-                return Found(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, reads);
+                return Found(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, cost);
             }
-            return Found(FOUND_BRACKET, near, t, near_gap, gap, reads);
+            return Found(FOUND_BRACKET, near, t, near_gap, gap, cost);
         }
         near = t;
         near_gap = gap;
         let slope = slope_of(search_texel_between(path, path_uv(path, t), 0).x);
-        reads = reads + 1u;
+        cost = cost + map_read(path, 4u);
         if (slope < 0.0) {
             break;
         }
@@ -3283,15 +3350,15 @@ fn footprint_axis(
         let nearing = slope * aside - rise;
         let closing = nearing + ROUNDING * nearing;
         if (closing <= 0.0) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         t = t + max(gap - lost, 0.0) / closing;
         if (t >= path.exit) {
-            return Found(FOUND_MISS, near, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, near, path.exit, 0.0, 0.0, cost);
         }
         k = k + 1.0;
     }
-    return Found(FOUND_ABOVE, t, path.exit, path_height(path, t), 0.0, reads);
+    return Found(FOUND_ABOVE, t, path.exit, path_height(path, t), 0.0, cost);
 }"#,
     },
     Declaration {
@@ -3312,21 +3379,21 @@ fn leaves_window(grid: Grid, cell: vec2f, radius: f32) -> f32 {
         module: "search/dilation_erosion",
         name: "bracket_between",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "Path", "path_gap"],
+        uses: &["FOUND_BRACKET", "FOUND_STARTED_BELOW", "Found", "HEIGHTS_READ", "Path", "path_gap"],
         text: r#"// A bracket whose ends are looked at. Two reads.
-fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
+fn bracket_between(path: Path, near: f32, far: f32, cost: vec3u) -> Found {
     let gap = path_gap(path, near);
     if (near == 0.0 && gap < 0.0) {
-        return Found(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, reads + 1u);
+        return Found(FOUND_STARTED_BELOW, 0.0, 0.0, gap, gap, cost + HEIGHTS_READ);
     }
-    return Found(FOUND_BRACKET, near, far, gap, path_gap(path, far), reads + 2u);
+    return Found(FOUND_BRACKET, near, far, gap, path_gap(path, far), cost + HEIGHTS_READ + HEIGHTS_READ);
 }"#,
     },
     Declaration {
         module: "search/dilation_erosion",
         name: "search_dilation_erosion",
         sampling: None,
-        uses: &["BESIDE", "FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "bracket_between", "cell_after", "cell_leave", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_window", "path_height", "path_slope", "quadratic", "search_texel"],
+        uses: &["BESIDE", "FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "bracket_between", "cell_after", "cell_leave", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_window", "map_read", "path_height", "path_slope", "quadratic", "search_texel"],
         text: r#"fn search_dilation_erosion(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let n = height_texels(path.level);
@@ -3335,9 +3402,10 @@ fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
     var t = 0.0;
     // Where the path was last known to be above the surface.
     var safe = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
+    while (cost.x < limit) {
+        cost = cost + STEP;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
@@ -3349,7 +3417,7 @@ fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
             looks = true;
         } else {
             let bounds = search_texel(path, vec2i(u.x, v.x), 0, i32(path.level));
-            reads = reads + 1u;
+            cost = cost + map_read(path, 1u);
             let reach = max(min(leaves_window(grid, cell, params.z), path.exit) - t, 0.0);
             let furthest = t + reach;
             let rounded = abs(path.h.x) + furthest * (abs(path.h.y) + furthest * abs(path.h.z));
@@ -3366,14 +3434,14 @@ fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
                 }
             }
             if (!looks && next < end && path_height(path, end) < bounds.x) {
-                return bracket_between(path, safe, end, reads);
+                return bracket_between(path, safe, end, cost);
             }
         }
         if (next < end || !(end > t)) {
             if (looks) {
-                reads = reads + 1u;
+                cost = cost + HEIGHTS_READ;
                 let heights = height_cell(vec2i(cell), path.level);
-                let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, t == 0.0, reads);
+                let found = found_in_cell(gap_to(path, grid, cell, heights, t), t, span, t == 0.0, cost);
                 if (found.status != FOUND_ABOVE) {
                     return found;
                 }
@@ -3381,12 +3449,12 @@ fn bracket_between(path: Path, near: f32, far: f32, reads: u32) -> Found {
             next = max(t, end);
         }
         if (next >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
@@ -3438,18 +3506,19 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         module: "search/frustum",
         name: "search_frustum",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_after", "cell_leave", "cell_next", "cell_of", "found_in_cell", "frustum_slope", "gap_to", "grid_of", "height_cell", "least_at", "path_height", "path_slope", "quadratic", "stays_above"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_next", "cell_of", "found_in_cell", "frustum_slope", "gap_to", "grid_of", "height_cell", "least_at", "map_read", "path_height", "path_slope", "quadratic", "stays_above"],
         text: r#"fn search_frustum(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
-        let first = reads == 0u;
+    while (cost.x < limit) {
+        cost = cost + STEP;
+        let first = cost.x == 0u;
         let heights = height_cell(vec2i(cell), path.level);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
@@ -3461,11 +3530,13 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         if (quadratic(above, least_at(above, span)) > of_heights && above.x > of_heights) {
             if (end < path.exit) {
                 slope = frustum_slope(path, vec2i(cell), forward);
-                reads = reads + select(0u, 1u, slope >= 0.0);
+                if (slope >= 0.0) {
+                    cost = cost + map_read(path, 1u);
+                }
             }
         } else {
             let c = gap_to(path, grid, cell, heights, t);
-            let found = found_in_cell(c, t, span, first, reads);
+            let found = found_in_cell(c, t, span, first, cost);
             if (found.status != FOUND_ABOVE) {
                 return found;
             }
@@ -3481,7 +3552,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
             next = max(next, t + min(u, v));
         }
         if (next >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         if (slope >= 0.0) {
             cell = cell_after(grid, cell, leave, forward, next);
@@ -3490,46 +3561,47 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         }
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/linear",
         name: "search_linear",
         sampling: None,
-        uses: &["FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "Path", "path_gap"],
+        uses: &["FOUND_BRACKET", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "HEIGHTS_READ", "Path", "STEP", "path_gap"],
         text: r#"fn search_linear(path: Path, params: vec4f) -> Found {
     // Cosine between ray and normal: the descent of a metre of the ray.
     let cosine = clamp(abs(path.h.y) * path.metric.w, 0.0, 1.0);
     let steps = max(1.0, ceil(params.x * mix(params.y, 1.0, cosine)));
     var near = 0.0;
     var near_gap = path_gap(path, 0.0);
-    var reads = 1u;
+    var cost = HEIGHTS_READ;
     if (near_gap < 0.0) {
-        return Found(FOUND_STARTED_BELOW, 0.0, 0.0, near_gap, near_gap, reads);
+        return Found(FOUND_STARTED_BELOW, 0.0, 0.0, near_gap, near_gap, cost);
     }
     var k = 1.0;
     while (k <= steps) {
+        cost = cost + STEP;
         let t = path.exit * (k / steps);
         let gap = path_gap(path, t);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         if (gap <= 0.0) {
-            return Found(FOUND_BRACKET, near, t, near_gap, gap, reads);
+            return Found(FOUND_BRACKET, near, t, near_gap, gap, cost);
         }
         near = t;
         near_gap = gap;
         k = k + 1.0;
     }
-    return Found(FOUND_MISS, near, near, near_gap, near_gap, reads);
+    return Found(FOUND_MISS, near, near, near_gap, near_gap, cost);
 }"#,
     },
     Declaration {
         module: "search/none",
         name: "search_none",
         sampling: None,
-        uses: &["FOUND_UNBRACKETED", "Found", "Path"],
+        uses: &["FOUND_UNBRACKETED", "Found", "NO_COST", "Path"],
         text: r#"fn search_none(path: Path, params: vec4f) -> Found {
-    return Found(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, 0u);
+    return Found(FOUND_UNBRACKETED, 0.0, path.exit, 0.0, 0.0, NO_COST);
 }"#,
     },
     Declaration {
@@ -3568,7 +3640,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         module: "search/pyramid",
         name: "search_pyramid",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_extent", "node_extent", "path_height", "path_slope", "quadratic", "search_texel"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_of", "first_root", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_texels", "image_of", "least_at", "leaves_extent", "map_read", "node_extent", "path_height", "path_slope", "quadratic", "search_texel"],
         text: r#"fn search_pyramid(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let n = height_texels(path.level);
@@ -3585,9 +3657,10 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
     var cell = vec2i(cell_of(grid.origin));
     var parent = vec2i(-1, -1);
     var t = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
+    while (cost.x < limit) {
+        cost = cost + STEP;
         let u = image_of(cell.x, n.x);
         let v = image_of(cell.y, n.y);
         let place = vec2i(u.x, v.x);
@@ -3605,14 +3678,15 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         let span = max(end - t, 0.0);
         let low = vec2i(columns.x, rows.x);
         let last = vec2i(columns.y - 1, rows.y - 1);
-        reads = reads + 1u;
         if (level == 0u) {
+            cost = cost + HEIGHTS_READ;
             let c = gap_to(path, grid, vec2f(cell), height_cell(cell, path.level), t);
-            let found = found_in_cell(c, t, span, t == 0.0, reads);
+            let found = found_in_cell(c, t, span, t == 0.0, cost);
             if (found.status != FOUND_ABOVE) {
                 return found;
             }
         } else {
+            cost = cost + map_read(path, 1u);
             let highest = search_texel(path, vec2i(place.x >> level, place.y >> level), 0, i32(level) - 1).y;
             let furthest = t + span;
             let rounded = abs(path.h.x) + furthest * (abs(path.h.y) + furthest * abs(path.h.z));
@@ -3633,7 +3707,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
             }
         }
         if (end >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         cell = clamp(vec2i(cell_of(grid.origin + grid.step * end)), low, last);
         if (leave_u <= end) {
@@ -3645,7 +3719,7 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
         parent = vec2i(place.x >> (level + 1u), place.y >> (level + 1u));
         t = max(t, end);
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
@@ -3677,7 +3751,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         module: "search/pyramid_texels",
         name: "search_pyramid_texels",
         sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "NEVER", "Path", "cell_of", "first_root", "height_map", "height_size", "height_texels", "leaves_extent", "path_height", "path_slope", "search_texel", "texel_extent", "wrap_index"],
+        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHT_READ", "NEVER", "NO_COST", "Path", "STEP", "cell_of", "first_root", "height_map", "height_size", "height_texels", "leaves_extent", "map_read", "path_height", "path_slope", "search_texel", "texel_extent", "wrap_index"],
         text: r#"fn search_pyramid_texels(path: Path, params: vec4f) -> Found {
     let n = height_texels(path.level);
     let origin = path.uv * height_size(path.level);
@@ -3688,18 +3762,20 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     }
     var texel = vec2i(cell_of(origin));
     var t = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
+    while (cost.x < limit) {
+        cost = cost + STEP;
         let place = vec2i(wrap_index(texel.x, n.x), wrap_index(texel.y, n.y));
         var highest = 0.0;
         if (level == 0u) {
+            cost = cost + HEIGHT_READ;
             highest = textureLoad(height_map, place, 0).x;
         } else {
             let node = vec2i(place.x >> level, place.y >> level);
+            cost = cost + map_read(path, 1u);
             highest = search_texel(path, node, 0, i32(level) - 1).y;
         }
-        reads = reads + 1u;
         let columns = texel_extent(texel.x, n.x, level);
         let rows = texel_extent(texel.y, n.y, level);
         let leave = vec2f(
@@ -3717,13 +3793,13 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         if (sinks < NEVER) {
             t = t + sinks;
             if (level == 0u) {
-                return Found(FOUND_BELOW, 0.0, t, 0.0, 0.0, reads);
+                return Found(FOUND_BELOW, 0.0, t, 0.0, 0.0, cost);
             }
             level = level - 1u;
             texel = clamp(vec2i(cell_of(origin + step * t)), low, last);
         } else {
             if (end >= path.exit) {
-                return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+                return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
             }
             texel = clamp(vec2i(cell_of(origin + step * end)), low, last);
             if (leave.x <= end) {
@@ -3735,14 +3811,14 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             t = end;
         }
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/relaxed_cone",
         name: "search_relaxed_cone",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "NEVER", "Path", "ROUNDING", "cell_after", "cell_leave", "cell_of", "cone_slope", "entered_once", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_size", "nearest_corner", "path_gap", "path_slope"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NEVER", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "entered_once", "found_in_cell", "gap_to", "grid_of", "height_cell", "height_size", "map_read", "nearest_corner", "path_gap", "path_slope"],
         text: r#"fn search_relaxed_cone(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -3755,25 +3831,26 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     // Where the path was last seen above the surface, and how far.
     var near = 0.0;
     var near_gap = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
+    while (cost.x < limit) {
+        cost = cost + STEP;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
         let c = gap_to(path, grid, cell, height_cell(vec2i(cell), path.level), t);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         if (c.x <= 0.0) {
             if (near < t && near_gap > 0.0) {
-                return entered_once(path, grid, near, t, near_gap, c.x, reads);
+                return entered_once(path, grid, near, t, near_gap, c.x, cost);
             }
-            return found_in_cell(c, t, span, t == 0.0, reads);
+            return found_in_cell(c, t, span, t == 0.0, cost);
         }
         // The cone is asked where the patch has nothing more to say: where the path leaves the cell.
         var start = t;
         var gap = c.x;
         if (params.y > 0.5) {
-            let found = found_in_cell(c, t, span, t == 0.0, reads);
+            let found = found_in_cell(c, t, span, t == 0.0, cost);
             if (found.status != FOUND_ABOVE) {
                 return found;
             }
@@ -3781,12 +3858,12 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             gap = found.far_gap;
         }
         if (start >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         near = start;
         near_gap = gap;
         let slope = cone_slope(path, cell + nearest_corner((grid.origin - cell) + grid.step * start));
-        reads = reads + 1u;
+        cost = cost + map_read(path, 1u);
         var next = start;
         if (slope >= 0.0) {
             let nearing = slope * aside - rise;
@@ -3798,27 +3875,27 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
             }
         }
         if (params.y < 0.5 && !(next - t > ROUNDING * path.exit)) {
-            return Found(FOUND_ABOVE, t, path.exit, gap, 0.0, reads);
+            return Found(FOUND_ABOVE, t, path.exit, gap, 0.0, cost);
         }
         if (next >= path.exit) {
             let last = path_gap(path, path.exit);
-            reads = reads + 1u;
+            cost = cost + HEIGHTS_READ;
             if (last <= 0.0) {
-                return entered_once(path, grid, start, path.exit, gap, last, reads);
+                return entered_once(path, grid, start, path.exit, gap, last, cost);
             }
-            return Found(FOUND_MISS, start, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, start, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "search/relaxed_cone_resting",
         name: "search_relaxed_cone_resting",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "entered_once", "found_in_cell", "gap_to", "grid_of", "height_cell", "nearest_corner", "path_gap", "path_height", "stays_inside"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "STEP", "cell_after", "cell_leave", "cell_of", "cone_slope", "corner_height", "entered_once", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "nearest_corner", "path_gap", "path_height", "stays_inside"],
         text: r#"fn search_relaxed_cone_resting(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -3827,28 +3904,29 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     // Where the path was last seen above the surface, and how far.
     var near = 0.0;
     var near_gap = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
+    while (cost.x < limit) {
+        cost = cost + STEP;
         let heights = height_cell(vec2i(cell), path.level);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
         let c = gap_to(path, grid, cell, heights, t);
         if (c.x <= 0.0) {
             if (near < t && near_gap > 0.0) {
-                return entered_once(path, grid, near, t, near_gap, c.x, reads);
+                return entered_once(path, grid, near, t, near_gap, c.x, cost);
             }
-            return found_in_cell(c, t, span, t == 0.0, reads);
+            return found_in_cell(c, t, span, t == 0.0, cost);
         }
-        let found = found_in_cell(c, t, span, t == 0.0, reads);
+        let found = found_in_cell(c, t, span, t == 0.0, cost);
         if (found.status != FOUND_ABOVE) {
             return found;
         }
         let start = max(t, end);
         if (start >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         near = start;
         near_gap = found.far_gap;
@@ -3859,23 +3937,23 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         if (path_height(path, start) > apex) {
             let texel = cell + corner;
             let slope = cone_slope(path, texel);
-            reads = reads + 1u;
+            cost = cost + map_read(path, 1u);
             if (slope >= 0.0) {
                 next = start + stays_inside(path, grid, texel, apex, slope, start);
             }
         }
         if (next >= path.exit) {
             let last = path_gap(path, path.exit);
-            reads = reads + 1u;
+            cost = cost + HEIGHTS_READ;
             if (last <= 0.0) {
-                return entered_once(path, grid, start, path.exit, near_gap, last, reads);
+                return entered_once(path, grid, start, path.exit, near_gap, last, cost);
             }
-            return Found(FOUND_MISS, start, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, start, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
@@ -3896,7 +3974,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "search/sphere",
         name: "search_sphere",
         sampling: None,
-        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Path", "ROUNDING", "cell_after", "cell_leave", "cell_of", "climb", "distance_at", "found_in_cell", "gap_to", "grid_of", "height_cell", "path_height", "path_slope", "path_uv"],
+        uses: &["FOUND_ABOVE", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "NO_COST", "Path", "ROUNDING", "STEP", "cell_after", "cell_leave", "cell_of", "climb", "distance_at", "found_in_cell", "gap_to", "grid_of", "height_cell", "map_read", "path_height", "path_slope", "path_uv"],
         text: r#"fn search_sphere(path: Path, params: vec4f) -> Found {
     let grid = grid_of(path);
     let forward = grid.step >= vec2f(0.0, 0.0);
@@ -3910,57 +3988,59 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     let lost = ROUNDING * (far.x + far.y + height_terms + 1.0);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    var reads = 0u;
+    var cost = NO_COST;
     let limit = u32(params.x);
-    while (reads < limit) {
+    while (cost.x < limit) {
+        cost = cost + STEP;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
         let span = max(end - t, 0.0);
         let free = distance_at(path, path_uv(path, t), path_height(path, t), params.z) - lost;
-        reads = reads + 2u;
+        cost = cost + map_read(path, 4u) + map_read(path, 4u);
         var next = t;
         if (free > 0.0) {
             next = t + free / speed;
         }
         if (params.y < 0.5) {
             if (!(next - t > ROUNDING * path.exit)) {
-                return Found(FOUND_ABOVE, t, path.exit, 0.0, 0.0, reads);
+                return Found(FOUND_ABOVE, t, path.exit, 0.0, 0.0, cost);
             }
         } else if (next < end || !(end > t)) {
-            reads = reads + 1u;
+            cost = cost + HEIGHTS_READ;
             let c = gap_to(path, grid, cell, height_cell(vec2i(cell), path.level), t);
-            let found = found_in_cell(c, t, span, t == 0.0, reads);
+            let found = found_in_cell(c, t, span, t == 0.0, cost);
             if (found.status != FOUND_ABOVE) {
                 return found;
             }
             next = max(t, end);
         }
         if (next >= path.exit) {
-            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, reads);
+            return Found(FOUND_MISS, t, path.exit, 0.0, 0.0, cost);
         }
         cell = cell_after(grid, cell, leave, forward, next);
         t = next;
     }
-    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, reads);
+    return Found(FOUND_EXHAUSTED, t, path.exit, 0.0, 0.0, cost);
 }"#,
     },
     Declaration {
         module: "refine/binary",
         name: "refine_binary",
         sampling: None,
-        uses: &["FLOOR", "FOUND_BRACKET", "Found", "Hit", "Path", "has_interval", "hit_on_path", "miss", "path_gap", "path_height", "refine_none"],
+        uses: &["FLOOR", "FOUND_BRACKET", "Found", "HEIGHTS_READ", "Hit", "Path", "STEP", "has_interval", "hit_on_path", "miss", "path_gap", "path_height", "refine_none"],
         text: r#"fn refine_binary(path: Path, found: Found, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
     }
     var near = found.near;
     var far = found.far;
-    var reads = found.reads;
+    var cost = found.cost;
     var crossed = found.status == FOUND_BRACKET || path_height(path, far) <= FLOOR;
     var k = 0.0;
     while (k < params.x) {
+        cost = cost + STEP;
         let middle = 0.5 * (near + far);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         if (path_gap(path, middle) <= 0.0) {
             far = middle;
             crossed = true;
@@ -3970,16 +4050,16 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         k = k + 1.0;
     }
     if (!crossed) {
-        return miss(reads);
+        return miss(cost);
     }
-    return hit_on_path(path, 0.5 * (near + far), 0u, reads);
+    return hit_on_path(path, 0.5 * (near + far), 0u, cost);
 }"#,
     },
     Declaration {
         module: "refine/half_texel",
         name: "refine_half_texel",
         sampling: None,
-        uses: &["FOUND_BELOW", "Found", "Hit", "Path", "height_size", "hit_on_path", "path_gap", "refine_none"],
+        uses: &["FOUND_BELOW", "Found", "HEIGHTS_READ", "Hit", "Path", "height_size", "hit_on_path", "path_gap", "refine_none"],
         text: r#"fn refine_half_texel(path: Path, found: Found, params: vec4f) -> Hit {
     if (found.status != FOUND_BELOW) {
         return refine_none(path, found, params);
@@ -3998,7 +4078,8 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     if (before + behind > 0.0) {
         part = before / (before + behind);
     }
-    return hit_on_path(path, backward + (forward - backward) * part, 0u, found.reads + 2u);
+    let cost = found.cost + HEIGHTS_READ + HEIGHTS_READ;
+    return hit_on_path(path, backward + (forward - backward) * part, 0u, cost);
 }"#,
     },
     Declaration {
@@ -4008,20 +4089,20 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "hit_on_path", "miss", "starting_point"],
         text: r#"fn refine_none(path: Path, found: Found, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
-        return miss(found.reads);
+        return miss(found.cost);
     }
     let exhausted = select(0u, 1u, found.status == FOUND_EXHAUSTED);
-    return hit_on_path(path, starting_point(path, found), exhausted, found.reads);
+    return hit_on_path(path, starting_point(path, found), exhausted, found.cost);
 }"#,
     },
     Declaration {
         module: "refine/offset",
         name: "refine_offset",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "height_at", "hit_on_path", "miss", "path_height", "path_slope", "path_uv", "starting_point"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "Hit", "Path", "height_at", "hit_on_path", "miss", "path_height", "path_slope", "path_uv", "starting_point"],
         text: r#"fn refine_offset(path: Path, found: Found, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
-        return miss(found.reads);
+        return miss(found.cost);
     }
     let start = starting_point(path, found);
     let level = height_at(path_uv(path, start), path.level);
@@ -4030,23 +4111,24 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     if (slope != 0.0) {
         t = start + (level - path_height(path, start)) / slope;
     }
-    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.reads + 1u);
+    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.cost + HEIGHTS_READ);
 }"#,
     },
     Declaration {
         module: "refine/offset_limited",
         name: "refine_offset_limited",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "height_at", "hit_on_path", "miss", "path_height", "path_uv", "starting_point"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "Hit", "Path", "height_at", "hit_on_path", "miss", "path_height", "path_uv", "starting_point"],
         text: r#"fn refine_offset_limited(path: Path, found: Found, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
-        return miss(found.reads);
+        return miss(found.cost);
     }
     let start = starting_point(path, found);
     let level = height_at(path_uv(path, start), path.level);
     // Metres above the starting point, moved as many metres along the view ray.
     let rise_m = (level - path_height(path, start)) * path.metric.w;
-    var hit = hit_on_path(path, start - rise_m, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.reads + 1u);
+    let exhausted = select(0u, 1u, found.status == FOUND_EXHAUSTED);
+    var hit = hit_on_path(path, start - rise_m, exhausted, found.cost + HEIGHTS_READ);
     if (hit.found == 1u) {
         hit.height = level;
     }
@@ -4057,53 +4139,54 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         module: "refine/patch",
         name: "refine_patch",
         sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "Hit", "NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "hit_on_path", "miss"],
+        uses: &["FOUND_BELOW", "FOUND_BRACKET", "FOUND_EXHAUSTED", "FOUND_MISS", "FOUND_STARTED_BELOW", "Found", "HEIGHTS_READ", "Hit", "NEVER", "Path", "STEP", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "hit_on_path", "miss"],
         text: r#"fn refine_patch(path: Path, found: Found, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
-        return miss(found.reads);
+        return miss(found.cost);
     }
     if (found.status == FOUND_EXHAUSTED) {
-        return hit_on_path(path, found.near, 1u, found.reads);
+        return hit_on_path(path, found.near, 1u, found.cost);
     }
     if (found.status == FOUND_STARTED_BELOW) {
-        return hit_on_path(path, found.near, 0u, found.reads);
+        return hit_on_path(path, found.near, 0u, found.cost);
     }
     let grid = grid_of(path);
     var t = found.near;
     var cell = cell_of(grid.origin + grid.step * t);
-    var reads = found.reads;
-    let limit = reads + u32(params.x);
-    while (reads < limit) {
+    var cost = found.cost;
+    let limit = cost.x + u32(params.x);
+    while (cost.x < limit) {
+        cost = cost + STEP;
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), found.far);
         let span = max(end - t, 0.0);
         let c = cell_gap(path, grid, cell, t);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         if (c.x <= 0.0) {
-            return hit_on_path(path, t, 0u, reads);
+            return hit_on_path(path, t, 0u, cost);
         }
         let s = first_root(c, span);
         if (s < NEVER) {
-            return hit_on_path(path, t + s, 0u, reads);
+            return hit_on_path(path, t + s, 0u, cost);
         }
         if (end >= found.far) {
             if (found.status == FOUND_BRACKET || found.status == FOUND_BELOW) {
                 // The search saw the far end below; here it touches zero from above, to rounding.
-                return hit_on_path(path, found.far, 0u, reads);
+                return hit_on_path(path, found.far, 0u, cost);
             }
-            return miss(reads);
+            return miss(cost);
         }
         cell = cell_next(grid, cell, leave);
         t = max(t, end);
     }
-    return hit_on_path(path, t, 1u, reads);
+    return hit_on_path(path, t, 1u, cost);
 }"#,
     },
     Declaration {
         module: "refine/secant",
         name: "refine_secant",
         sampling: None,
-        uses: &["FOUND_BRACKET", "Found", "Hit", "Path", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
+        uses: &["FOUND_BRACKET", "Found", "HEIGHTS_READ", "Hit", "Path", "STEP", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
         text: r#"fn refine_secant(path: Path, found: Found, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
@@ -4112,18 +4195,19 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     var far = found.far;
     var near_gap = found.near_gap;
     var far_gap = found.far_gap;
-    var reads = found.reads;
+    var cost = found.cost;
     if (found.status != FOUND_BRACKET) {
         near_gap = path_gap(path, near);
         far_gap = path_gap(path, far);
-        reads = reads + 2u;
+        cost = cost + HEIGHTS_READ + HEIGHTS_READ;
         if (far_gap > 0.0) {
-            return miss(reads);
+            return miss(cost);
         }
     }
     var t = far;
     var k = 1.0;
     while (k <= params.x) {
+        cost = cost + STEP;
         let drop = near_gap - far_gap;
         if (!(drop > 0.0)) {
             break;
@@ -4131,7 +4215,7 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         t = near + (far - near) * (near_gap / drop);
         if (k < params.x) {
             let gap = path_gap(path, t);
-            reads = reads + 1u;
+            cost = cost + HEIGHTS_READ;
             if (gap <= 0.0) {
                 far = t;
                 far_gap = gap;
@@ -4142,17 +4226,17 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         }
         k = k + 1.0;
     }
-    return hit_on_path(path, t, 0u, reads);
+    return hit_on_path(path, t, 0u, cost);
 }"#,
     },
     Declaration {
         module: "refine/slope",
         name: "refine_slope",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "Hit", "Path", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
         text: r#"fn refine_slope(path: Path, found: Found, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
-        return miss(found.reads);
+        return miss(found.cost);
     }
     let start = starting_point(path, found);
     let plane = height_and_slope(path_uv(path, start), path.level);
@@ -4166,24 +4250,25 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     } else {
         t = start - rise * path.metric.w * normal_z(path, vec2f(plane.y, plane.z));
     }
-    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.reads + 1u);
+    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), found.cost + HEIGHTS_READ);
 }"#,
     },
     Declaration {
         module: "refine/slope_iterative",
         name: "refine_slope_iterative",
         sampling: None,
-        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "Hit", "Path", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
+        uses: &["FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHTS_READ", "Hit", "Path", "STEP", "height_and_slope", "hit_on_path", "miss", "normal_z", "path_height", "path_slope", "path_uv", "starting_point"],
         text: r#"fn refine_slope_iterative(path: Path, found: Found, params: vec4f) -> Hit {
     if (found.status == FOUND_MISS) {
-        return miss(found.reads);
+        return miss(found.cost);
     }
     var t = starting_point(path, found);
-    var reads = found.reads;
+    var cost = found.cost;
     var k = 0.0;
     while (k < params.x) {
+        cost = cost + STEP;
         let plane = height_and_slope(path_uv(path, t), path.level);
-        reads = reads + 1u;
+        cost = cost + HEIGHTS_READ;
         let rise = plane.x - path_height(path, t);
         if (params.y > 0.5) {
             let closing = path_slope(path, t) - (plane.y * path.duv.x + plane.z * path.duv.y);
@@ -4196,14 +4281,14 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         t = clamp(t, 0.0, path.exit);
         k = k + 1.0;
     }
-    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), reads);
+    return hit_on_path(path, t, select(0u, 1u, found.status == FOUND_EXHAUSTED), cost);
 }"#,
     },
     Declaration {
         module: "refine/true_secant",
         name: "refine_true_secant",
         sampling: None,
-        uses: &["FOUND_BRACKET", "Found", "Hit", "Path", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
+        uses: &["FOUND_BRACKET", "Found", "HEIGHTS_READ", "Hit", "Path", "STEP", "has_interval", "hit_on_path", "miss", "path_gap", "refine_none"],
         text: r#"fn refine_true_secant(path: Path, found: Found, params: vec4f) -> Hit {
     if (!has_interval(found)) {
         return refine_none(path, found, params);
@@ -4212,17 +4297,18 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
     var last = found.far;
     var before_gap = found.near_gap;
     var last_gap = found.far_gap;
-    var reads = found.reads;
+    var cost = found.cost;
     if (found.status != FOUND_BRACKET) {
         before_gap = path_gap(path, before);
         last_gap = path_gap(path, last);
-        reads = reads + 2u;
+        cost = cost + HEIGHTS_READ + HEIGHTS_READ;
         if (last_gap > 0.0) {
-            return miss(reads);
+            return miss(cost);
         }
     }
     var k = 1.0;
     while (k <= params.x) {
+        cost = cost + STEP;
         let change = before_gap - last_gap;
         if (change == 0.0) {
             break;
@@ -4233,11 +4319,11 @@ fn distance_at(path: Path, uv: vec2f, height: f32, slices: f32) -> f32 {
         last = t;
         if (k < params.x) {
             last_gap = path_gap(path, t);
-            reads = reads + 1u;
+            cost = cost + HEIGHTS_READ;
         }
         k = k + 1.0;
     }
-    return hit_on_path(path, last, 0u, reads);
+    return hit_on_path(path, last, 0u, cost);
 }"#,
     },
     Declaration {
@@ -4642,7 +4728,9 @@ fn probe_main(@builtin(global_invocation_id) id: vec3u) {
         hit.uv,
         hit.height,
         hit.t,
-        hit.reads,
+        hit.cost.x,
+        hit.cost.y,
+        hit.cost.z,
         mirrored_light(pixels[index], at, hit),
     );
 }"#,
@@ -4732,7 +4820,8 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let traced = textureLoad(traced_hit, vec2i(id.xy), 0);
     let exhausted = select(0u, 1u, what.y >= EXHAUSTED_BIT);
     let reads = u32(select(what.y, what.y - EXHAUSTED_BIT, exhausted == 1u));
-    let hit = Hit(1u, exhausted, traced.xy, traced.z, traced.w, reads);
+    let cost = vec3u(reads, u32(what.z), u32(what.w));
+    let hit = Hit(1u, exhausted, traced.xy, traced.z, traced.w, cost);
     let side = select(-1.0, 1.0, what.x > 0);
     let row = pass_settings.first_row + id.y;
     let point = vec2f(vec2u(id.x, row)) + vec2f(0.5, 0.5) + pass_settings.offset;
@@ -4754,6 +4843,8 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
         out.hit + 2u * out.exhausted + 4u * out.level,
         out.cell,
         out.reads,
+        out.steps,
+        out.bytes,
         out.lit,
     );
 }"#,
@@ -4814,7 +4905,7 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
         module: "roots/trace",
         name: "fragment_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "Traced", "Varying", "enter_relief", "miss", "numbered_pixel", "pass_settings", "trace"],
+        uses: &["EXHAUSTED_BIT", "NO_COST", "Traced", "Varying", "enter_relief", "miss", "numbered_pixel", "pass_settings", "trace"],
         text: r#"@fragment
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let side = select(-1.0, 1.0, front);
@@ -4822,7 +4913,7 @@ fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let at = enter_relief(numbered_pixel(in.triangle, side, point));
     // A discarded invocation may run on as a helper of its neighbours, and with a path that leads nowhere it
     // would run to the end of its step limit: nothing is traced without a path.
-    var hit = miss(0u);
+    var hit = miss(NO_COST);
     if (at.valid == 1u) {
         hit = trace(at.path);
     }
@@ -4830,8 +4921,9 @@ fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
         discard;
     }
     let number = i32(in.triangle) + 1;
-    let reads = i32(hit.reads) + select(0, EXHAUSTED_BIT, hit.exhausted == 1u);
-    return Traced(vec4f(hit.uv, hit.height, hit.t), vec2i(select(-number, number, front), reads));
+    let reads = i32(hit.cost.x) + select(0, EXHAUSTED_BIT, hit.exhausted == 1u);
+    let what = vec4i(select(-number, number, front), reads, i32(hit.cost.y), i32(hit.cost.z));
+    return Traced(vec4f(hit.uv, hit.height, hit.t), what);
 }"#,
     },
 ];

@@ -125,6 +125,7 @@ impl Shared for MapSettings {
     fn write(&self, bytes: &mut [u8]) {
         self.coded.write(&mut bytes[0..]);
         self.layers.write(&mut bytes[4..]);
+        self.texel_bytes.write(&mut bytes[8..]);
         self.low.write(&mut bytes[16..]);
         self.step.write(&mut bytes[32..]);
         self.tile_m.write(&mut bytes[48..]);
@@ -134,6 +135,7 @@ impl Shared for MapSettings {
         Self {
             coded: Shared::read(&bytes[0..]),
             layers: Shared::read(&bytes[4..]),
+            texel_bytes: Shared::read(&bytes[8..]),
             low: Shared::read(&bytes[16..]),
             step: Shared::read(&bytes[32..]),
             tile_m: Shared::read(&bytes[48..]),
@@ -250,7 +252,7 @@ impl Shared for Triangle {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// What is read back of a pixel. 20 words.
+/// What is read back of a pixel. 22 words, and 2 that are left over.
 pub struct Record {
     pub color: rt::Vec4<f32>,
     pub position: rt::Vec3<f32>,
@@ -264,11 +266,13 @@ pub struct Record {
     pub hit: u32,
     pub cell: rt::Vec2<i32>,
     pub reads: u32,
+    pub steps: u32,
+    pub bytes: u32,
     pub lit: f32,
 }
 
 impl Shared for Record {
-    const SIZE: usize = 80;
+    const SIZE: usize = 96;
 
     fn write(&self, bytes: &mut [u8]) {
         self.color.write(&mut bytes[0..]);
@@ -281,7 +285,9 @@ impl Shared for Record {
         self.hit.write(&mut bytes[60..]);
         self.cell.write(&mut bytes[64..]);
         self.reads.write(&mut bytes[72..]);
-        self.lit.write(&mut bytes[76..]);
+        self.steps.write(&mut bytes[76..]);
+        self.bytes.write(&mut bytes[80..]);
+        self.lit.write(&mut bytes[84..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -296,7 +302,9 @@ impl Shared for Record {
             hit: Shared::read(&bytes[60..]),
             cell: Shared::read(&bytes[64..]),
             reads: Shared::read(&bytes[72..]),
-            lit: Shared::read(&bytes[76..]),
+            steps: Shared::read(&bytes[76..]),
+            bytes: Shared::read(&bytes[80..]),
+            lit: Shared::read(&bytes[84..]),
         }
     }
 }
@@ -343,12 +351,14 @@ pub struct Probe {
     pub height: f32,
     pub t: f32,
     pub reads: u32,
+    pub steps: u32,
+    pub bytes: u32,
     /// The part of `mirrored_light` that arrives at the hit.
     pub lit: f32,
 }
 
 impl Shared for Probe {
-    const SIZE: usize = 80;
+    const SIZE: usize = 88;
 
     fn write(&self, bytes: &mut [u8]) {
         self.valid.write(&mut bytes[0..]);
@@ -366,7 +376,9 @@ impl Shared for Probe {
         self.height.write(&mut bytes[64..]);
         self.t.write(&mut bytes[68..]);
         self.reads.write(&mut bytes[72..]);
-        self.lit.write(&mut bytes[76..]);
+        self.steps.write(&mut bytes[76..]);
+        self.bytes.write(&mut bytes[80..]);
+        self.lit.write(&mut bytes[84..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -386,7 +398,9 @@ impl Shared for Probe {
             height: Shared::read(&bytes[64..]),
             t: Shared::read(&bytes[68..]),
             reads: Shared::read(&bytes[72..]),
-            lit: Shared::read(&bytes[76..]),
+            steps: Shared::read(&bytes[76..]),
+            bytes: Shared::read(&bytes[80..]),
+            lit: Shared::read(&bytes[84..]),
         }
     }
 }

@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let path = Path::between([from, 0.1, 1.0], [from + 0.5, 0.4, 0.0]);
             let (exact, found) = (truth.trace(&path).hit, method.first_hit(&path));
             worst = worst.max((exact.t - found.t).abs());
-            reads += found.reads;
+            reads += found.cost.reads;
         }
         println!("{name}: at most {worst:.6} of the path from the truth, {} reads a ray", reads / 100);
     }

@@ -1,9 +1,10 @@
-//! `accuracy`: every method on five maps at four angles, beside the exact answer.
+//! `accuracy`: every method on five maps at four angles, beside the exact answer, and what the searches cost.
 
 use clap::Args;
 use comfy_table::Table;
+use relief_core::metrics::{CostReport, CostSpread};
 use relief_shaders::{METHODS, Selection};
-use relief_tests::accuracy::{ANGLES, Case, Named, maps};
+use relief_tests::accuracy::{ANGLES, Case, Named, PICTURE, maps, picture_cost, picture_paths};
 use relief_tests::baked::{maps_for, slots};
 use relief_tests::claims::{Measure, verdicts};
 
@@ -20,6 +21,7 @@ pub struct Arguments {
 /// Prints the tables.
 pub fn run(arguments: &Arguments) -> Result<(), String> {
     let maps = maps();
+    costs(&maps)?;
     println!("{} rays a map and angle; relief as deep as a tenth of the tile.\n", arguments.rays);
     for named in &maps {
         println!(
@@ -72,6 +74,88 @@ fn methods(named: &Named, rays: usize) -> Result<Table, String> {
         }
     }
     Ok(table)
+}
+
+/// The searches that find the first hit, each refined by `patch`.
+const SEARCHES: [&str; 8] = [
+    "cells",
+    "dilation-erosion",
+    "sphere",
+    "relaxed-cone",
+    "cone",
+    "pyramid",
+    "frustum",
+    "relaxed-cone-resting",
+];
+
+/// The angle at which costs are told.
+const GRAZING: f64 = 85.0;
+
+/// Searches whose costs are compared: of the first, divided by the second's.
+const RATIOS: [[&str; 2]; 4] = [
+    ["pyramid", "cells"],
+    ["frustum", "pyramid"],
+    ["relaxed-cone", "cone"],
+    ["relaxed-cone-resting", "cone"],
+];
+
+/// A number that a ray costs, by name.
+type Quantity = (&'static str, fn(&CostReport) -> CostSpread);
+
+const QUANTITIES: [Quantity; 3] =
+    [("reads", |report| report.reads), ("steps", |report| report.steps), ("bytes", |report| report.bytes)];
+
+/// Prints what the searches cost at a grazing angle, and how they compare.
+fn costs(maps: &[Named]) -> Result<(), String> {
+    let mut reports = Vec::new();
+    for search in SEARCHES {
+        let selection = Selection::pair(search, "patch").map_err(|error| error.to_string())?;
+        let of = |named: &Named| picture_cost(&named.map, &selection, &picture_paths(&named.map, GRAZING));
+        reports.push((search, maps.iter().map(of).collect::<Vec<_>>()));
+    }
+    let [columns, rows] = PICTURE;
+    println!(
+        "Costs of a ray at {GRAZING} degrees, in pictures of {columns} x {rows} pixels from eight sides: mean / 99th \
+         percentile / mean of the greatest in a tile of 8 x 4 pixels\n"
+    );
+    let names: Vec<&str> = maps.iter().map(|named| named.name).collect();
+    for (quantity, spread) in QUANTITIES {
+        let mut table = table(&[&[quantity], &names[..]].concat());
+        for (search, reports) in &reports {
+            let of = |report: &CostReport| {
+                let CostSpread { mean, p99, wave } = spread(report);
+                if quantity == "bytes" {
+                    format!("{mean:.0} / {p99:.0} / {wave:.0}")
+                } else {
+                    format!("{mean:.1} / {p99:.0} / {wave:.1}")
+                }
+            };
+            table.add_row([(*search).to_owned()].into_iter().chain(reports.iter().map(of)));
+        }
+        println!("{table}\n");
+    }
+    println!(
+        "The same of one search over another's, mean / greatest in a tile\n{}\n",
+        ratios(&names, &reports)
+    );
+    Ok(())
+}
+
+fn ratios(names: &[&str], reports: &[(&str, Vec<CostReport>)]) -> Table {
+    let mut table = table(&[&["over", "of"], names].concat());
+    let of =
+        |search| reports.iter().find(|(name, _)| *name == search).map_or(&[][..], |(_, reports)| reports);
+    for [search, other] in RATIOS {
+        for (quantity, spread) in QUANTITIES {
+            let ratio = |(a, b): (&CostReport, &CostReport)| {
+                let (a, b) = (spread(a), spread(b));
+                format!("{:.2} / {:.2}", a.mean / b.mean, a.wave / b.wave)
+            };
+            let row = [format!("{search} / {other}"), quantity.to_owned()];
+            table.add_row(row.into_iter().chain(of(search).iter().zip(of(other)).map(ratio)));
+        }
+    }
+    table
 }
 
 /// Steps 8 to 512 of the two methods that begin with linear search.

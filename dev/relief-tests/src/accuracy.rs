@@ -1,11 +1,12 @@
 //! How near every method comes to the truth: maps, view rays at given angles, and the survey's claims about
 //! the order.
 
+use std::f64::consts::TAU;
 use std::path::{Path as FilePath, PathBuf};
 
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, cell_walk};
-use relief_core::metrics::{ErrorReport, compare};
+use relief_core::metrics::{CostReport, ErrorReport, WAVE, compare};
 use relief_core::{HeightMap, Hit, Path, PathMetric, Wrap};
 use relief_io::{HeightOptions, read_height};
 use relief_shaders::cpu::MethodTracer;
@@ -66,24 +67,63 @@ pub fn sample_maps() -> PathBuf {
 /// View rays through a map at one angle, from height 1 down to 0, everywhere and in all directions.
 pub fn view_paths(map: &HeightMap, degrees: f64, count: usize, seed: u64) -> Vec<Path> {
     let mut rng = Rng::new(seed);
-    let (sine, cosine) = degrees.to_radians().sin_cos();
-    let scale_m = map.scale_m();
     (0..count)
         .map(|_| {
-            let (sin, cos) = rng.between(0.0, std::f64::consts::TAU).sin_cos();
-            let path = Path {
-                uv: [rng.unit(), rng.unit()],
-                duv: [sine * cos, sine * sin],
-                h: [1.0, -cosine / scale_m, 0.0],
-                // A little below the floor, as the surface stage makes them.
-                exit: scale_m / cosine * 1.000_001,
-                base: 0.0,
-                metric: PathMetric::unit(scale_m),
-            };
-            // What a shader is given is the ray to judge.
-            Path::from(&relief_shaders::cpu::Path::from(&path))
+            let direction = rng.between(0.0, TAU);
+            view_path(map.scale_m(), degrees, direction, [rng.unit(), rng.unit()])
         })
         .collect()
+}
+
+/// A view ray of that angle and direction in the tile from a place at height 1 down to 0.
+fn view_path(scale_m: f64, degrees: f64, direction: f64, uv: [f64; 2]) -> Path {
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    let (sin, cos) = direction.sin_cos();
+    let path = Path {
+        uv,
+        duv: [sine * cos, sine * sin],
+        h: [1.0, -cosine / scale_m, 0.0],
+        // A little below the floor, as the surface stage makes them.
+        exit: scale_m / cosine * 1.000_001,
+        base: 0.0,
+        metric: PathMetric::unit(scale_m),
+    };
+    // What a shader is given is the ray to judge.
+    Path::from(&relief_shaders::cpu::Path::from(&path))
+}
+
+/// Columns and rows of the pictures of [`picture_paths`]: whole tiles of [`WAVE`].
+pub const PICTURE: [usize; 2] = [20 * WAVE[0], 30 * WAVE[1]];
+
+/// Directions from which these pictures are seen.
+const DIRECTIONS: usize = 8;
+
+/// View rays of neighbouring pixels: orthographic pictures of the map at that angle, seen from several sides,
+/// one below the other. A pixel is a texel of the longer side wide, and as high, so that along the view a
+/// pixel's footprint is longer.
+pub fn picture_paths(map: &HeightMap, degrees: f64) -> Vec<Path> {
+    let pixel = 1.0 / f64::from(map.width().max(map.height()));
+    let stretched = pixel / degrees.to_radians().cos();
+    let [columns, rows] = PICTURE;
+    let mut paths = Vec::with_capacity(columns * rows * DIRECTIONS);
+    for side in 0..DIRECTIONS {
+        // Not along the axes, nor along the diagonals.
+        let direction = (side as f64 + 0.3) / DIRECTIONS as f64 * TAU;
+        let (sin, cos) = direction.sin_cos();
+        for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+            let (right, along) = (column as f64 * pixel, row as f64 * stretched);
+            // Upper rows are farther away.
+            let uv = [right * sin - along * cos, -right * cos - along * sin];
+            paths.push(view_path(map.scale_m(), degrees, direction, uv.map(|place| place.rem_euclid(1.0))));
+        }
+    }
+    paths
+}
+
+/// What a pair of stages pays for [`picture_paths`]; a baked map that its search reads is baked first.
+pub fn picture_cost(map: &HeightMap, selection: &Selection, paths: &[Path]) -> CostReport {
+    let maps = maps_for(map, selection);
+    CostReport::of(&hits(map, selection, &slots(map, selection, &maps), paths), PICTURE[0])
 }
 
 /// The true hits.

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, FastTracer, PyramidTracer, cell_walk, least_gap};
-use relief_core::{HeightMap, Path, Wrap};
+use relief_core::{Cost, HeightMap, Path, Wrap};
 use relief_tests::judge::{Tally, Verdict, judge};
 use relief_tests::rays::{RayKind, Rays};
 use relief_tests::{RAYS_PER_MAP, maps};
@@ -172,7 +172,7 @@ fn mutations_are_noticed() {
             (hit.hit.uv, hit.hit.height) = ([u, v], map.height_at(u, v));
             hit
         }),
-        ("hits dropped", &|_| ExactHit::miss(0, 0.0)),
+        ("hits dropped", &|_| ExactHit::miss(Cost::default(), 0.0)),
         ("second hit", &|path| {
             let first = tracer.trace(path);
             let came_out = (1..100)

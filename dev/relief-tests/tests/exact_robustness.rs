@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, FastTracer, MAX_START, MAX_TRAVEL, PyramidTracer, cell_walk, least_gap};
-use relief_core::{HeightMap, Path, PathMetric, Wrap};
+use relief_core::{Cost, HeightMap, Path, PathMetric, Wrap};
 use relief_tests::judge::judge;
 use relief_tests::maps;
 use relief_tests::rng::Rng;
@@ -35,7 +35,7 @@ fn an_endless_path_down_a_valley_is_given_up_by_all() {
         for answer in all(&map, &path([0.3, 0.125], [1.0, 0.0], [0.5, 0.0, 0.0], f64::INFINITY)) {
             assert!(answer.hit.found && answer.hit.exhausted, "{wrap}: {answer:?}");
             assert!((answer.clearance - 0.5).abs() < 1e-6, "{wrap}: {answer:?}");
-            assert!(f64::from(answer.hit.reads) <= MOST_READS, "{wrap}: {answer:?}");
+            assert!(f64::from(answer.hit.cost.reads) <= MOST_READS, "{wrap}: {answer:?}");
         }
     }
 }
@@ -84,15 +84,15 @@ fn paths_that_cannot_be_traced_are_misses() {
             Path { h: [1.0, 0.0, bad], ..sane },
         ];
         for path in &broken {
-            assert_eq!(all(&map, path), [ExactHit::miss(0, 0.0); 3], "{path:?}");
+            assert_eq!(all(&map, path), [ExactHit::miss(Cost::default(), 0.0); 3], "{path:?}");
             assert_eq!(least_gap(&map, path, 0.0, 1.0), f64::INFINITY);
         }
     }
     for exit in [f64::NAN, -1.0, f64::NEG_INFINITY] {
-        assert_eq!(all(&map, &Path { exit, ..sane }), [ExactHit::miss(0, 0.0); 3]);
+        assert_eq!(all(&map, &Path { exit, ..sane }), [ExactHit::miss(Cost::default(), 0.0); 3]);
     }
     let far = Path { uv: [MAX_START, 0.5], ..sane };
-    assert_eq!(all(&map, &far), [ExactHit::miss(0, 0.0); 3]);
+    assert_eq!(all(&map, &far), [ExactHit::miss(Cost::default(), 0.0); 3]);
 }
 
 /// Numbers of every magnitude: nothing panics, hangs, or leaves the path.
@@ -117,7 +117,11 @@ fn any_finite_path_is_answered() {
                 let hit = answer.hit;
                 assert!((0.0..=exit).contains(&hit.t), "{name} {}: {path:?}\n{answer:?}", map.wrap());
                 assert!((0.0..=1.0).contains(&hit.height), "{name} {}: {path:?}\n{answer:?}", map.wrap());
-                assert!(f64::from(hit.reads) <= MOST_READS, "{name} {}: {path:?}\n{answer:?}", map.wrap());
+                assert!(
+                    f64::from(hit.cost.reads) <= MOST_READS,
+                    "{name} {}: {path:?}\n{answer:?}",
+                    map.wrap()
+                );
             }
         }
     });

@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 use relief_core::exact::{ExactHit, cell_walk, least_gap};
 use relief_core::registry::{Guarantee, RayClass};
-use relief_core::{BakedMap, HeightMap, MapFormat, MapTexels, Path, Wrap};
+use relief_core::{BakedMap, Cost, HeightMap, MapFormat, MapTexels, Path, Wrap};
 use relief_shaders::cpu::MethodTracer;
 use relief_shaders::{MapSlot, Selection, SlotMaps};
 use relief_tests::baked::{maps_for, maps_in, slots};
@@ -46,7 +46,7 @@ fn answer(map: &HeightMap, tracer: &MethodTracer, path: &Path) -> ExactHit {
         }
         (hit.uv, hit.height) = ([u, v], map.height_at(u, v));
     }
-    ExactHit { hit, ..ExactHit::miss(0, 0.0) }
+    ExactHit { hit, ..ExactHit::miss(Cost::default(), 0.0) }
 }
 
 /// The answers of a pair of stages to the rays for which it promises to be exact, and the reads that they
@@ -66,7 +66,7 @@ fn trial(map: &HeightMap, selection: &Selection, format: MapFormat, rays: usize)
         }
         tally.hits += usize::from(truth.hit.found);
         tally.misses += usize::from(!truth.hit.found);
-        reads += f64::from(other.hit.reads);
+        reads += f64::from(other.hit.cost.reads);
     }
     (tally, reads / rays as f64)
 }

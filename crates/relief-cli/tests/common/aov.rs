@@ -24,6 +24,8 @@ pub struct Pixel {
     pub normal: DVec3,
     pub depth: f64,
     pub reads: f64,
+    pub steps: f64,
+    pub bytes: f64,
 }
 
 impl Aov {
@@ -58,6 +60,8 @@ impl Aov {
             normal: DVec3::new(value("N.x"), value("N.y"), value("N.z")),
             depth: value("depth"),
             reads: value("reads"),
+            steps: value("steps"),
+            bytes: value("bytes"),
         }
     }
 

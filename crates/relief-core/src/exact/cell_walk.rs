@@ -4,43 +4,43 @@
 //! than by adding increments, so that its error does not grow along the path.
 
 use super::patch::Gap;
-use super::{ExactHit, MAX_TRAVEL, is_traceable};
-use crate::{HeightMap, Path};
+use super::{CELL_BYTES, ExactHit, MAX_TRAVEL, is_traceable};
+use crate::{Cost, HeightMap, Path};
 
 /// The first hit of a path, in `f64`, by a walk through every dual cell on its way.
 ///
 /// At a hit `|H(t) - f(u, v)|` is at most 1e-12, unless the path begins below the surface, for maps of up to
 /// 4096 cells a side and paths within a few tiles of the origin; beyond, it grows with the number of cells
-/// between the path and the origin, times 2⁻⁵². Costs one read a cell on the path. See the [module](super)
+/// between the path and the origin, times 2⁻⁵². Costs a step and a read for each cell on the path. See the [module](super)
 /// for endless paths.
 pub fn cell_walk(map: &HeightMap, path: &Path) -> ExactHit {
     if !is_traceable([map.width(), map.height()], path) {
-        return ExactHit::miss(0, 0.0);
+        return ExactHit::miss(Cost::default(), 0.0);
     }
     let Some(span) = Span::of(map, path) else {
-        return ExactHit::miss(0, (least_height(path, 0.0, path.exit) - highest(map)).max(0.0));
+        return ExactHit::miss(Cost::default(), (least_height(path, 0.0, path.exit) - highest(map)).max(0.0));
     };
-    let mut reads = 0;
+    let mut cost = Cost::default();
     let mut clearance = f64::INFINITY;
     let mut walk = Walk::new(map, path, span.from, span.to);
     while let Some(visit) = walk.next() {
-        reads += 1;
+        cost.step(1, CELL_BYTES);
         let gap = walk.gap(map, &visit);
         let length = visit.to - visit.from;
         if let Some(tau) = gap.first_root(length) {
             let depth = if tau > 0.0 { 0.0 } else { gap.c[0] };
-            return ExactHit::at(path, visit.from + tau, visit.cell, depth, gap.slope(tau), reads);
+            return ExactHit::at(path, visit.from + tau, visit.cell, depth, gap.slope(tau), cost);
         }
         clearance = clearance.min(gap.least(length));
     }
     if !span.given_up {
-        return ExactHit::miss(reads, clearance);
+        return ExactHit::miss(cost, clearance);
     }
     let rest = least_height(path, span.to, path.exit) - highest(map);
     if rest > 0.0 {
-        return ExactHit::miss(reads, clearance.min(rest));
+        return ExactHit::miss(cost, clearance.min(rest));
     }
-    ExactHit::given_up(map, path, span.to, reads)
+    ExactHit::given_up(map, path, span.to, cost)
 }
 
 /// The highest texel. Looked for only when a path is too long to be walked to its end.

@@ -26,7 +26,7 @@ mod fast;
 mod patch;
 mod pyramid_tracer;
 
-use crate::{HeightMap, Hit, Path};
+use crate::{Cost, HeightMap, Hit, Path};
 
 pub use cell_walk::{cell_walk, least_gap};
 pub use fast::FastTracer;
@@ -43,6 +43,9 @@ pub const MAX_START: f64 = (1u64 << 40) as f64;
 /// How fast a path may move and rise: far beyond use, and yet squares and products of such numbers are
 /// finite.
 pub const MAX_RATE: f64 = 1e90;
+
+/// Bytes of the heights of a cell.
+const CELL_BYTES: u32 = 16;
 
 /// An exact tracer's answer, with what is needed to judge another's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,25 +67,25 @@ pub struct ExactHit {
 }
 
 impl ExactHit {
-    /// No hit, after that many reads, at least `clearance` above the surface.
-    pub const fn miss(reads: u32, clearance: f64) -> Self {
-        Self { hit: Hit::miss(reads), cell: [0; 2], slope: 0.0, clearance }
+    /// No hit, at that cost, at least `clearance` above the surface.
+    pub const fn miss(cost: Cost, clearance: f64) -> Self {
+        Self { hit: Hit::miss(cost), cell: [0; 2], slope: 0.0, clearance }
     }
 
     /// A hit at `t` in a cell: `gap` is the path's height above the surface there, `slope` its derivative.
     #[inline]
-    fn at(path: &Path, t: f64, cell: [i64; 2], gap: f64, slope: f64, reads: u32) -> Self {
+    fn at(path: &Path, t: f64, cell: [i64; 2], gap: f64, slope: f64, cost: Cost) -> Self {
         let [u, v, h] = path.at(t);
         let height = (h - gap).clamp(0.0, 1.0);
-        let hit = Hit { found: true, exhausted: false, uv: [u, v], height, t, reads };
+        let hit = Hit { found: true, exhausted: false, uv: [u, v], height, t, cost };
         Self { hit, cell, slope, clearance: gap }
     }
 
     /// A path given up at `t`: the last point reached, which is above the surface.
-    fn given_up(map: &HeightMap, path: &Path, t: f64, reads: u32) -> Self {
+    fn given_up(map: &HeightMap, path: &Path, t: f64, cost: Cost) -> Self {
         let [u, v, h] = path.at(t);
         let height = map.height_at(u, v);
-        let hit = Hit { found: true, exhausted: true, uv: [u, v], height, t, reads };
+        let hit = Hit { found: true, exhausted: true, uv: [u, v], height, t, cost };
         Self { hit, cell: [0; 2], slope: 0.0, clearance: h - height }
     }
 }

@@ -6,19 +6,22 @@
 //! 1981, "Bounds on a polynomial") and closed in on by bracketing (the Illinois method, Dowell and Jarratt
 //! 1971, with bisection for safety).
 
-use super::{ExactHit, MAX_TRAVEL, is_traceable};
-use crate::{HeightMap, MaxPyramid, Path};
+use super::{CELL_BYTES, ExactHit, MAX_TRAVEL, is_traceable};
+use crate::{Cost, HeightMap, MaxPyramid, Path};
 
 /// An exact tracer in `f64` that shares neither traversal nor root finding with
 /// [`cell_walk`](super::cell_walk).
 ///
-/// Same guarantee; a read is a pyramid node or a cell. Its clearance is a lower bound that can be loose,
+/// Same guarantee; a read is a pyramid node or a cell, a step a piece of the path or a cell. Its clearance is a lower bound that can be loose,
 /// because whatever was passed over counts with its bound.
 #[derive(Clone, Debug)]
 pub struct PyramidTracer<'a> {
     map: &'a HeightMap,
     pyramid: MaxPyramid,
 }
+
+/// Bytes of a node of the pyramid.
+const NODE_BYTES: u32 = 4;
 
 /// How deep a piece may be halved: no interval of `f64` can be halved more often before its ends meet.
 const MAX_HALVINGS: u32 = 2100;
@@ -35,10 +38,10 @@ impl<'a> PyramidTracer<'a> {
     /// The first hit of a path.
     pub fn trace(&self, path: &Path) -> ExactHit {
         if !is_traceable([self.map.width(), self.map.height()], path) {
-            return ExactHit::miss(0, 0.0);
+            return ExactHit::miss(Cost::default(), 0.0);
         }
         let highest = f64::from(self.pyramid.highest());
-        let mut trace = Trace { tracer: self, path, clearance: f64::INFINITY, reads: 0 };
+        let mut trace = Trace { tracer: self, path, clearance: f64::INFINITY, cost: Cost::default() };
         let travel = trace.speed(0).max(trace.speed(1));
         let limit = MAX_TRAVEL / travel;
         // Pieces that double in length, beginning with about one tile, so that an endless path is searched
@@ -54,22 +57,22 @@ impl<'a> PyramidTracer<'a> {
                 return hit;
             }
             if to == path.exit {
-                return ExactHit::miss(trace.reads, trace.clearance.max(0.0));
+                return ExactHit::miss(trace.cost, trace.clearance.max(0.0));
             }
             let [height, rising] = trace.height_and_rise(to);
             if height > highest && rising >= 0.0 && path.h[2] >= 0.0 {
-                return ExactHit::miss(trace.reads, trace.clearance.min(height - highest).max(0.0));
+                return ExactHit::miss(trace.cost, trace.clearance.min(height - highest).max(0.0));
             }
             let unchanging = travel == 0.0 && path.h[1] == 0.0 && path.h[2] == 0.0;
             if unchanging {
-                return ExactHit::miss(trace.reads, trace.clearance.max(0.0));
+                return ExactHit::miss(trace.cost, trace.clearance.max(0.0));
             }
             if to >= limit {
                 let rest = trace.least_height(to, path.exit) - highest;
                 if rest <= 0.0 {
-                    return ExactHit::given_up(self.map, path, to, trace.reads);
+                    return ExactHit::given_up(self.map, path, to, trace.cost);
                 }
-                return ExactHit::miss(trace.reads, trace.clearance.min(rest).max(0.0));
+                return ExactHit::miss(trace.cost, trace.clearance.min(rest).max(0.0));
             }
             from = to;
             length *= 2.0;
@@ -82,7 +85,7 @@ struct Trace<'a> {
     tracer: &'a PyramidTracer<'a>,
     path: &'a Path,
     clearance: f64,
-    reads: u32,
+    cost: Cost,
 }
 
 impl Trace<'_> {
@@ -128,7 +131,7 @@ impl Trace<'_> {
         let first = cells.map(|[p, q]| p.min(q));
         let last = cells.map(|[p, q]| p.max(q));
         let (bound, reads) = self.tracer.pyramid.bound(first, last);
-        self.reads += reads;
+        self.cost.step(reads, NODE_BYTES * reads);
         let above = self.least_height(a, b) - f64::from(bound);
         if above > 0.0 {
             self.clearance = self.clearance.min(above);
@@ -172,10 +175,10 @@ impl Trace<'_> {
 
     /// The first hit with `t` in `[a, b]` inside one cell.
     fn search_patch(&mut self, a: f64, b: f64, cell: [i64; 2]) -> Option<ExactHit> {
-        self.reads += 1;
+        self.cost.step(1, CELL_BYTES);
         let corners = self.tracer.map.cell(cell[0], cell[1]).map(f64::from);
         let (tracer, path) = (self.tracer, self.path);
-        let gap = |t: f64| Self { tracer, path, clearance: 0.0, reads: 0 }.gap(corners, cell, t);
+        let gap = |t: f64| Self { tracer, path, clearance: 0.0, cost: Cost::default() }.gap(corners, cell, t);
         let (start, middle, end) = (gap(a), gap(a + 0.5 * (b - a)), gap(b));
         let control = 2.0 * middle - 0.5 * (start + end);
         let mut least = f64::INFINITY;
@@ -184,7 +187,7 @@ impl Trace<'_> {
         let t = root?;
         let depth = if t > 0.0 { 0.0 } else { gap(t).min(0.0) };
         let slope = self.slope_at(corners, cell, t);
-        Some(ExactHit::at(self.path, t, cell, depth, slope, self.reads))
+        Some(ExactHit::at(self.path, t, cell, depth, slope, self.cost))
     }
 
     /// The height of the path above the patch, blended from the corners.

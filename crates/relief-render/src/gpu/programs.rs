@@ -20,7 +20,7 @@ use crate::job::JobSurface;
 
 /// Formats of what the first pass writes.
 pub const HIT: TextureFormat = TextureFormat::Rgba32Float;
-pub const WHAT: TextureFormat = TextureFormat::Rg32Sint;
+pub const WHAT: TextureFormat = TextureFormat::Rgba32Sint;
 pub const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
 /// What a shader is assembled and compiled for.

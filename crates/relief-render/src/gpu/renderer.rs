@@ -421,6 +421,8 @@ fn pixel_of(record: Record) -> PixelOut {
         t: record.t,
         cell: record.cell,
         reads: record.reads,
+        steps: record.steps,
+        bytes: record.bytes,
         lit: record.lit,
         level: record.hit >> 2,
     }

@@ -11,7 +11,7 @@ use super::programs::{DEPTH, HIT, Layouts, WHAT};
 use super::{Gpu, GpuError};
 use crate::samples::Sample;
 
-/// Pixels of a band of rows, which is traced, shaded and read back at once: 20 MiB of records. Larger, and
+/// Pixels of a band of rows, which is traced, shaded and read back at once: 24 MiB of records. Larger, and
 /// slow adapters may take so long that the system resets them; smaller, and the mesh is drawn more often than
 /// need be.
 const BAND_PIXELS: u32 = 1 << 18;

@@ -1,6 +1,6 @@
 //! Between the shaders' structs and the core's.
 
-use relief_core::{BakedMap, HeightMap, MapFormat, PathMetric, RayUse};
+use relief_core::{BakedMap, Cost, HeightMap, MapFormat, PathMetric, RayUse};
 
 use super::{Bound, Choice, Frame, Hit, Light, MapSettings, MapTexture, Path, SurfaceSettings, Vec4};
 use crate::{MAX_LIGHTS, MapSlot, Selection, SlotMaps};
@@ -46,20 +46,21 @@ impl From<&Hit> for relief_core::Hit {
             uv: [hit.uv.x.into(), hit.uv.y.into()],
             height: hit.height.into(),
             t: hit.t.into(),
-            reads: hit.reads,
+            cost: Cost { reads: hit.cost.x, steps: hit.cost.y, bytes: hit.cost.z },
         }
     }
 }
 
 impl From<&relief_core::Hit> for Hit {
     fn from(hit: &relief_core::Hit) -> Self {
+        let Cost { reads, steps, bytes } = hit.cost;
         Self::new(
             u32::from(hit.found),
             u32::from(hit.exhausted),
             hit.uv.map(|x| x as f32),
             hit.height as f32,
             hit.t as f32,
-            hit.reads,
+            [reads, steps, bytes],
         )
     }
 }
@@ -74,13 +75,15 @@ impl From<Option<&BakedMap>> for MapSettings {
     /// Of no map where none is given.
     fn from(map: Option<&BakedMap>) -> Self {
         let Some(map) = map else {
-            return Self::new(0u32, 0u32, [0.0; 4], [0.0; 4], [1.0; 2]);
+            return Self::new(0u32, 0u32, 0u32, [0.0; 4], [0.0; 4], [1.0; 2]);
         };
-        let coded = u32::from(map.layout().format == MapFormat::Unorm8);
+        let layout = map.layout();
+        let coded = u32::from(layout.format == MapFormat::Unorm8);
+        let texel_bytes = layout.channels * layout.format.bytes() as u32;
         let codes = map.codes();
         let tile_m = map.identity().metric.tile_m.map(|length| length as f32);
         let [low, step] = [codes.map(|codes| codes.low), codes.map(|codes| codes.step)];
-        Self::new(coded, map.layout().layers, low, step, tile_m)
+        Self::new(coded, layout.layers, texel_bytes, low, step, tile_m)
     }
 }
 

@@ -20,7 +20,7 @@ use crate::{MapError, Selection, SlotMaps};
 /// let relief = Selection::method("relief")?;
 /// let tracer = MethodTracer::new(&heights, Metric::UNIT, &relief, [])?;
 /// let hit = tracer.first_hit(&Path::between([0.1, 0.2, 1.0], [0.9, 0.6, 0.0]));
-/// assert!(hit.found && hit.reads > 0);
+/// assert!(hit.found && hit.cost.reads > 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]

@@ -5,12 +5,12 @@ pub mod frustum;
 pub mod pyramid;
 
 use relief_core::exact::ExactHit;
-use relief_core::{HeightMap, Hit, Path};
+use relief_core::{Cost, HeightMap, Hit, Path};
 
 /// A search's answer, and how many steps it took: nodes or frusta passed over, and patches solved.
 #[derive(Clone, Copy, Debug)]
 pub struct Searched {
-    /// The answer, to be judged; its reads are the steps, its slope and clearance are 0.
+    /// The answer, to be judged; its cost, slope and clearance are 0.
     pub answer: ExactHit,
     /// Steps.
     pub steps: u32,
@@ -77,12 +77,12 @@ impl<'a> CellRay<'a> {
     fn hit(&self, t: f64, steps: u32) -> Searched {
         let [u, v, _] = self.path.at(t);
         let height = self.map.height_at(u, v);
-        let hit = Hit { found: true, exhausted: false, uv: [u, v], height, t, reads: steps };
+        let hit = Hit { found: true, exhausted: false, uv: [u, v], height, t, cost: Cost::default() };
         Searched { answer: ExactHit { hit, cell: [0; 2], slope: 0.0, clearance: 0.0 }, steps }
     }
 
     fn miss(steps: u32) -> Searched {
-        Searched { answer: ExactHit::miss(steps, 0.0), steps }
+        Searched { answer: ExactHit::miss(Cost::default(), 0.0), steps }
     }
 }
 

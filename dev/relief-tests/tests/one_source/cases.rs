@@ -143,7 +143,9 @@ pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
         uv: hit.uv,
         height: hit.height,
         t: hit.t,
-        reads: hit.reads,
+        reads: hit.cost.x,
+        steps: hit.cost.y,
+        bytes: hit.cost.z,
         lit: program.mirrored_light(*ray, at, hit),
     }
 }

@@ -13,7 +13,7 @@ mod ray;
 mod traverse;
 
 use super::{ExactHit, MAX_TRAVEL, is_traceable, patch::Gap};
-use crate::{HeightMap, Hit, Path, Wrap};
+use crate::{Cost, HeightMap, Hit, Path, Wrap};
 use hierarchy::{Domain, Hierarchy};
 use ray::{Axis, TileRay, greater, lesser};
 use traverse::CellHit;
@@ -41,7 +41,8 @@ use traverse::CellHit;
 ///
 /// [`Self::new`] is one parallel pass over the map. The tracer owns what it needs, 6.8 bytes a texel: tiles
 /// of 5 x 5 heights for 4 x 4 cells, which are read as one piece, and the maxima of tiles and of 4 x 4 such
-/// nodes, level by level. Tracing does not allocate. A read is a block of sixteen nodes or a cell.
+/// nodes, level by level. Tracing does not allocate. A step is one
+/// read: a block of sixteen nodes, 64 bytes, a tile's texels, 100 bytes, or a cell, 16 bytes.
 #[derive(Clone, Debug)]
 pub struct FastTracer {
     hierarchy: Hierarchy,
@@ -84,13 +85,13 @@ impl FastTracer {
 
     /// The first hit of a path. Its clearance is 0 for every miss: it is not looked for.
     pub fn trace(&self, path: &Path) -> ExactHit {
-        let mut reads = 0;
-        match self.search(path, &mut reads) {
+        let mut cost = Cost::default();
+        match self.search(path, &mut cost) {
             Outcome::Hit { t, column, row, gap, slope } => {
-                ExactHit::at(path, t, [column, row], gap, slope, reads)
+                ExactHit::at(path, t, [column, row], gap, slope, cost)
             }
-            Outcome::Miss => ExactHit::miss(reads, 0.0),
-            Outcome::GivenUp { t } => self.given_up(path, t, reads),
+            Outcome::Miss => ExactHit::miss(cost, 0.0),
+            Outcome::GivenUp { t } => self.given_up(path, t, cost),
         }
     }
 
@@ -98,16 +99,16 @@ impl FastTracer {
     /// off the surface by more than [`Self::ERROR`] so as not to hit where they begin. A path that is given
     /// up is not blocked.
     pub fn is_blocked(&self, path: &Path) -> bool {
-        matches!(self.search(path, &mut 0), Outcome::Hit { .. })
+        matches!(self.search(path, &mut Cost::default()), Outcome::Hit { .. })
     }
 
     #[inline(always)]
-    fn search(&self, path: &Path, reads: &mut u32) -> Outcome {
+    fn search(&self, path: &Path, cost: &mut Cost) -> Outcome {
         if !is_traceable(self.sides, path) {
             return Outcome::Miss;
         }
         if path.h[2] != 0.0 {
-            return self.search_bent(path, reads);
+            return self.search_bent(path, cost);
         }
         let [h0, h1, _] = path.h;
         if h0 > self.highest && h1 >= 0.0 {
@@ -126,20 +127,20 @@ impl FastTracer {
         if from > to || from == f64::INFINITY {
             return Outcome::Miss;
         }
-        self.search_piece(path, from, to, reads)
+        self.search_piece(path, from, to, cost)
     }
 
     #[inline(never)]
-    fn search_bent(&self, path: &Path, reads: &mut u32) -> Outcome {
+    fn search_bent(&self, path: &Path, cost: &mut Cost) -> Outcome {
         if path.h[0] < self.lowest {
-            return self.search_piece(path, 0.0, 0.0, reads);
+            return self.search_piece(path, 0.0, 0.0, cost);
         }
         let turn = -path.h[1] / (2.0 * path.h[2]);
         for (after, from, to) in [(false, 0.0, turn.min(path.exit)), (true, turn.max(0.0), path.exit)] {
             if from <= to
                 && let Some([from, to]) = self.clip_bent(path.h, after, from, to)
             {
-                match self.search_piece(path, from, to, reads) {
+                match self.search_piece(path, from, to, cost) {
                     Outcome::Miss => {}
                     found => return found,
                 }
@@ -173,14 +174,14 @@ impl FastTracer {
 
     /// Searches a piece of a path over which the height is monotone.
     #[inline(always)]
-    fn search_piece(&self, path: &Path, t0: f64, t1: f64, reads: &mut u32) -> Outcome {
+    fn search_piece(&self, path: &Path, t0: f64, t1: f64, cost: &mut Cost) -> Outcome {
         let [w, h] = [f64::from(self.sides[0]), f64::from(self.sides[1])];
         let place = [path.uv[0] * w - 0.5, path.uv[1] * h - 0.5];
         let speed = [path.duv[0] * w, path.duv[1] * h];
         let travel = greater(speed[0].abs(), speed[1].abs());
         let is_short = (t1 - t0) * travel <= MAX_TRAVEL && t1 < f64::INFINITY;
         if !is_short {
-            return self.search_long(path, [place, speed], t0, t1, reads);
+            return self.search_long(path, [place, speed], t0, t1, cost);
         }
         let (mut ray, unit) = TileRay::new(place, speed, path.h, t0, t1);
         // A renderer's rays mostly stay in one tile.
@@ -189,11 +190,11 @@ impl FastTracer {
         let tile_x = self.common_tile(begin[0], end[0], w);
         let tile_y = self.common_tile(begin[1], end[1], h);
         let (Some(tile_x), Some(tile_y)) = (tile_x, tile_y) else {
-            return self.search_tiles(path, &ray, [t0, unit], reads);
+            return self.search_tiles(path, &ray, [t0, unit], cost);
         };
         let shift = [self.extra - tile_x * w, self.extra - tile_y * h];
         ray.start = [begin[0] + shift[0], begin[1] + shift[1]];
-        match traverse::trace(&self.hierarchy, &ray, reads) {
+        match traverse::trace(&self.hierarchy, &ray, cost) {
             None => Outcome::Miss,
             Some(CellHit { s, gap, slope, cell }) => {
                 let [column, row] =
@@ -223,13 +224,13 @@ impl FastTracer {
         [place, speed]: [[f64; 2]; 2],
         t0: f64,
         t1: f64,
-        reads: &mut u32,
+        cost: &mut Cost,
     ) -> Outcome {
         let travel = speed[0].abs().max(speed[1].abs());
         // A path without end that does not move has nothing beyond its start.
         let end = if travel > 0.0 { t0 + MAX_TRAVEL / travel } else { t0 };
         let (ray, unit) = TileRay::new(place, speed, path.h, t0, end);
-        match self.search_tiles(path, &ray, [t0, unit], reads) {
+        match self.search_tiles(path, &ray, [t0, unit], cost) {
             Outcome::Miss if travel > 0.0 && path.at(end)[2].min(path.at(t1)[2]) <= self.highest => {
                 Outcome::GivenUp { t: end }
             }
@@ -240,7 +241,7 @@ impl FastTracer {
     /// Searches the tiles of the texture that a ray goes through, one after the other. `s` is `t - origin` in
     /// that unit.
     #[inline(never)]
-    fn search_tiles(&self, path: &Path, ray: &TileRay, [origin, unit]: [f64; 2], reads: &mut u32) -> Outcome {
+    fn search_tiles(&self, path: &Path, ray: &TileRay, [origin, unit]: [f64; 2], cost: &mut Cost) -> Outcome {
         let mut axes = [0, 1].map(|k| Axis::at(self.wrap, self.sides[k], ray.start[k]));
         let mut from = 0.0;
         loop {
@@ -248,7 +249,7 @@ impl FastTracer {
             let first = leave[0].min(leave[1]);
             let to = first.min(ray.length).max(from);
             let part = ray.inside(&axes, from, to);
-            if let Some(CellHit { s, gap, slope, cell }) = traverse::trace(&self.hierarchy, &part, reads) {
+            if let Some(CellHit { s, gap, slope, cell }) = traverse::trace(&self.hierarchy, &part, cost) {
                 let place = ray.place_at(from + s);
                 let [column, row] = [0, 1].map(|k| axes[k].cell(i64::from(cell[k]), place[k]));
                 let t = (origin + (from + s) * unit).min(path.exit);
@@ -265,7 +266,7 @@ impl FastTracer {
     }
 
     /// The last point of a path that was given up.
-    fn given_up(&self, path: &Path, t: f64, reads: u32) -> ExactHit {
+    fn given_up(&self, path: &Path, t: f64, cost: Cost) -> ExactHit {
         let [u, v, h] = path.at(t);
         let place = [u * f64::from(self.sides[0]) - 0.5, v * f64::from(self.sides[1]) - 0.5];
         let (still, _) = TileRay::new(place, [0.0; 2], [h, 0.0, 0.0], 0.0, 0.0);
@@ -275,7 +276,7 @@ impl FastTracer {
         let within = [local[0] - f64::from(cell[0]), local[1] - f64::from(cell[1])];
         let gap = Gap::in_cell(self.hierarchy.corners(cell), within, [0.0; 2], [h, 0.0, 0.0]);
         let clearance = gap.c[0];
-        let hit = Hit { found: true, exhausted: true, uv: [u, v], height: h - clearance, t, reads };
+        let hit = Hit { found: true, exhausted: true, uv: [u, v], height: h - clearance, t, cost };
         ExactHit { hit, cell: [0; 2], slope: 0.0, clearance }
     }
 }

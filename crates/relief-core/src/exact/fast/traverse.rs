@@ -4,6 +4,8 @@ use glam::Vec4;
 
 use super::hierarchy::{BLOCK, Hierarchy, Tile};
 use super::ray::{TileRay, greater, lesser};
+use crate::Cost;
+use crate::exact::CELL_BYTES;
 use crate::exact::patch::Gap;
 
 /// A hit in the domain of the hierarchy.
@@ -36,6 +38,12 @@ const MOST_PER_HEIGHT: f64 = (1u64 << 62) as f64;
 /// Levels of 4, 16, 64 ... cells up to the longest side of a map, and some to spare.
 const MAX_LEVELS: usize = 16;
 
+/// Bytes of the maxima of a block of nodes.
+const BLOCK_BYTES: u32 = (BLOCK * BLOCK * size_of::<f32>()) as u32;
+
+/// Bytes of the texels of a tile.
+const TILE_BYTES: u32 = size_of::<Tile>() as u32;
+
 /// The cell at the corner of a node.
 #[inline(always)]
 fn edge(node: [u32; 2], level: usize) -> [i32; 2] {
@@ -50,19 +58,19 @@ fn size(level: usize) -> f32 {
 
 /// Traces a ray that falls all the way, or rises, or is level.
 #[inline(always)]
-pub(super) fn trace(hierarchy: &Hierarchy, ray: &TileRay, reads: &mut u32) -> Option<CellHit> {
+pub(super) fn trace(hierarchy: &Hierarchy, ray: &TileRay, cost: &mut Cost) -> Option<CellHit> {
     let bent = ray.height[2] != 0.0;
     let falls = ray.height[1] + ray.length * ray.height[2] < 0.0;
     let crosswise = (ray.per_cell[0] < 0.0) != (ray.per_cell[1] < 0.0);
     match (bent, falls, crosswise) {
-        (false, true, false) => Search::<false, true, false>::new(hierarchy, ray).run(reads),
-        (false, true, true) => Search::<false, true, true>::new(hierarchy, ray).run(reads),
-        (false, false, false) => Search::<false, false, false>::new(hierarchy, ray).run(reads),
-        (false, false, true) => Search::<false, false, true>::new(hierarchy, ray).run(reads),
-        (true, true, false) => Search::<true, true, false>::new(hierarchy, ray).run(reads),
-        (true, true, true) => Search::<true, true, true>::new(hierarchy, ray).run(reads),
-        (true, false, false) => Search::<true, false, false>::new(hierarchy, ray).run(reads),
-        (true, false, true) => Search::<true, false, true>::new(hierarchy, ray).run(reads),
+        (false, true, false) => Search::<false, true, false>::new(hierarchy, ray).run(cost),
+        (false, true, true) => Search::<false, true, true>::new(hierarchy, ray).run(cost),
+        (false, false, false) => Search::<false, false, false>::new(hierarchy, ray).run(cost),
+        (false, false, true) => Search::<false, false, true>::new(hierarchy, ray).run(cost),
+        (true, true, false) => Search::<true, true, false>::new(hierarchy, ray).run(cost),
+        (true, true, true) => Search::<true, true, true>::new(hierarchy, ray).run(cost),
+        (true, false, false) => Search::<true, false, false>::new(hierarchy, ray).run(cost),
+        (true, false, true) => Search::<true, false, true>::new(hierarchy, ray).run(cost),
     }
 }
 
@@ -143,7 +151,7 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
         }
     }
 
-    fn run(&self, reads: &mut u32) -> Option<CellHit> {
+    fn run(&self, cost: &mut Cost) -> Option<CellHit> {
         let levels = self.hierarchy.levels();
         let start = self.start_level;
         let window = self.window_corner(levels[start].sides, start);
@@ -153,7 +161,7 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
         let mut corner = window;
         let mut edges = self.edges(self.begin(window, level), size(level));
         let mut mask = self.touched(&levels[level].window(window), &edges, size(level));
-        *reads += 1;
+        cost.step(1, BLOCK_BYTES);
         loop {
             while mask == 0 {
                 if level >= start {
@@ -169,7 +177,7 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
             let node = [corner[0] + column, corner[1] + row];
             let begin = edges.of([column, row]);
             if level == 0 {
-                let hit = self.tile(node, begin, reads);
+                let hit = self.tile(node, begin, cost);
                 if hit.is_some() {
                     return hit;
                 }
@@ -180,7 +188,7 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
             corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
             edges = self.edges(begin, size(level));
             mask = self.touched(levels[level].block(node)?, &edges, size(level));
-            *reads += 1;
+            cost.step(1, BLOCK_BYTES);
         }
     }
 
@@ -263,14 +271,14 @@ impl<'a, const BENT: bool, const FALLS: bool, const CROSSWISE: bool> Search<'a, 
 
     /// The first hit in a tile.
     #[inline(always)]
-    fn tile(&self, node: [u32; 2], begin: [f32; 2], reads: &mut u32) -> Option<CellHit> {
+    fn tile(&self, node: [u32; 2], begin: [f32; 2], cost: &mut Cost) -> Option<CellHit> {
         let tile = self.hierarchy.tile(node)?;
         let corner = [node[0] * BLOCK as u32, node[1] * BLOCK as u32];
         let mut mask = self.touched(&tile.cell_maxima(), &self.edges(begin, 1.0), 1.0);
-        *reads += 1;
+        cost.step(1, TILE_BYTES);
         while mask != 0 {
             let cell = self.take_first(&mut mask);
-            *reads += 1;
+            cost.step(1, CELL_BYTES);
             let hit = self.cell(tile, corner, cell);
             if hit.is_some() {
                 return hit;
