@@ -3284,6 +3284,7 @@ impl<'g> Resources<'g> {
         let mut texel_3: rt::Vec2<i32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_8: rt::Vec3<u32> = NO_COST;
+        let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
@@ -3308,102 +3309,108 @@ impl<'g> Resources<'g> {
         let _e24 = self.v_cell_of(origin_2);
         texel_3 = _e24.cast_elem_as_i32();
         let limit_4 = params_14.x().cast_elem_as_u32();
+        let _e35 = level_16;
+        finest_1 = params_14.y().cast_elem_as_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_23.ray).elementwise_eq(RAY_SHADOW)) {
+            finest_1 = rt::Scalar(0u32);
+        }
         'naga_break: loop {
             'naga_continue: {
-                let _e34 = cost_8.x();
-                if rt::Scalar::into_branch_condition(_e34.elementwise_lt(limit_4)) {
+                let _e43 = cost_8.x();
+                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e36 = cost_8;
-                    cost_8 = (_e36 + STEP);
-                    let _e40 = texel_3.x();
-                    let _e42 = self.v_wrap_index(_e40, _e3.x());
-                    let _e44 = texel_3.y();
-                    let _e46 = self.v_wrap_index(_e44, _e3.y());
-                    let place_7 = <rt::Vec2<i32>>::from_scalars(_e42, _e46);
+                    let _e45 = cost_8;
+                    cost_8 = (_e45 + STEP);
+                    let _e49 = texel_3.x();
+                    let _e51 = self.v_wrap_index(_e49, _e3.x());
+                    let _e53 = texel_3.y();
+                    let _e55 = self.v_wrap_index(_e53, _e3.y());
+                    let place_7 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e50 = level_16;
-                    if rt::Scalar::into_branch_condition(_e50.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e53 = cost_8;
-                        cost_8 = (_e53 + HEIGHT_READ);
-                        let _e58 = rt::texture::Read::read_texel((&self.height_map), place_7, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
-                        highest = _e58.x();
+                    let _e59 = level_16;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
+                        let _e62 = cost_8;
+                        cost_8 = (_e62 + HEIGHT_READ);
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_7, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        highest = _e67.x();
                     } else {
-                        let _e61 = level_16;
-                        let _e64 = level_16;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e61), (place_7.y() >> _e64));
-                        let _e67 = cost_8;
-                        let _e69 = self.v_map_read(path_23, rt::Scalar(1u32));
-                        cost_8 = (_e67 + _e69);
-                        let _e72 = level_16;
-                        let _e76 = self.v_search_texel(path_23, node, rt::Scalar(0i32), (_e72.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        highest = _e76.y();
+                        let _e70 = level_16;
+                        let _e73 = level_16;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e70), (place_7.y() >> _e73));
+                        let _e76 = cost_8;
+                        let _e78 = self.v_map_read(path_23, rt::Scalar(1u32));
+                        cost_8 = (_e76 + _e78);
+                        let _e81 = level_16;
+                        let _e85 = self.v_search_texel(path_23, node, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        highest = _e85.y();
                     }
-                    let _e79 = texel_3.x();
-                    let _e81 = level_16;
-                    let _e82 = self.v_texel_extent(_e79, _e3.x(), _e81);
-                    let _e84 = texel_3.y();
-                    let _e86 = level_16;
-                    let _e87 = self.v_texel_extent(_e84, _e3.y(), _e86);
-                    let _e90 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e82);
-                    let _e93 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e87);
-                    let leave_5 = <rt::Vec2<f32>>::from_scalars(_e90, _e93);
-                    let _e100 = t_14;
-                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_23.exit)).max(_e100);
-                    let _e102 = t_14;
-                    let _e103 = self.v_path_height(path_23, _e102);
-                    let _e104 = highest;
-                    let _e106 = t_14;
-                    let _e107 = self.v_path_slope(path_23, _e106);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e103 - _e104), _e107, path_23.h.z());
+                    let _e88 = texel_3.x();
+                    let _e90 = level_16;
+                    let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
+                    let _e93 = texel_3.y();
+                    let _e95 = level_16;
+                    let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
+                    let _e99 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e96);
+                    let leave_5 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
+                    let _e109 = t_14;
+                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_23.exit)).max(_e109);
+                    let _e111 = t_14;
+                    let _e112 = self.v_path_height(path_23, _e111);
+                    let _e113 = highest;
+                    let _e115 = t_14;
+                    let _e116 = self.v_path_slope(path_23, _e115);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_23.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e116 = t_14;
-                        let _e118 = self.v_first_root(gap_5, (end_6 - _e116));
-                        sinks = _e118;
+                        let _e125 = t_14;
+                        let _e127 = self.v_first_root(gap_5, (end_6 - _e125));
+                        sinks = _e127;
                     }
-                    let low_2 = <rt::Vec2<i32>>::from_scalars(_e82.x(), _e87.x());
-                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e82.y() - rt::Scalar(1i32)), (_e87.y() - rt::Scalar(1i32)));
-                    let _e129 = sinks;
-                    if rt::Scalar::into_branch_condition(_e129.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e132 = t_14;
-                        let _e133 = sinks;
-                        t_14 = (_e132 + _e133);
-                        let _e135 = level_16;
-                        if rt::Scalar::into_branch_condition(_e135.elementwise_eq(rt::Scalar(0u32))) {
-                            let _e139 = t_14;
-                            let _e140 = cost_8;
-                            return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e139, rt::Scalar(0f32), rt::Scalar(0f32), _e140);
+                    let low_2 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
+                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let _e138 = sinks;
+                    if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e141 = t_14;
+                        let _e142 = sinks;
+                        t_14 = (_e141 + _e142);
+                        let _e144 = level_16;
+                        let _e145 = finest_1;
+                        if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
+                            let _e148 = t_14;
+                            let _e149 = cost_8;
+                            return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e145 = level_16;
-                        level_16 = (_e145 - rt::Scalar(1u32));
-                        let _e148 = t_14;
-                        let _e151 = self.v_cell_of((origin_2 + (step_1 * _e148)));
-                        texel_3 = _e151.cast_elem_as_i32().clamp(low_2, last_4);
+                        let _e154 = level_16;
+                        level_16 = (_e154 - rt::Scalar(1u32));
+                        let _e157 = t_14;
+                        let _e160 = self.v_cell_of((origin_2 + (step_1 * _e157)));
+                        texel_3 = _e160.cast_elem_as_i32().clamp(low_2, last_4);
                     } else {
                         if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_23.exit))) {
-                            let _e157 = t_14;
-                            let _e159 = cost_8;
-                            return <Found>::new(FOUND_MISS, _e157, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e159);
+                            let _e166 = t_14;
+                            let _e168 = cost_8;
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e165 = self.v_cell_of((origin_2 + (step_1 * end_6)));
-                        texel_3 = _e165.cast_elem_as_i32().clamp(low_2, last_4);
+                        let _e174 = self.v_cell_of((origin_2 + (step_1 * end_6)));
+                        texel_3 = _e174.cast_elem_as_i32().clamp(low_2, last_4);
                         if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_6)) {
-                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e82.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e91.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
                         if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_6)) {
-                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e87.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
+                            texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e96.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
                         t_14 = end_6;
                     }
                 }
             }
         }
-        let _e191 = t_14;
-        let _e193 = cost_8;
-        return <Found>::new(FOUND_EXHAUSTED, _e191, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e193);
+        let _e200 = t_14;
+        let _e202 = cost_8;
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,

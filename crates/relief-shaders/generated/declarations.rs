@@ -166,7 +166,8 @@ pub const MODULES: &[Module] = &[
 // Oh, Ki and Lee 2006, section 3.2 and Figure 13. Where the ray is above a node it goes on to the node's
 // height and down a level, or to the node's edge; where it is not, down a level. It never goes up again, so
 // that from the first texel on it goes from texel to texel. `params.x` caps the reads. Columns are not the
-// bilinear surface: `half-texel` goes on from their hit.
+// bilinear surface: `half-texel` goes on from their hit. `params.y` is the level that view rays do not go below
+// (section 3.4): its nodes are the columns then, and the surface is the flatter the coarser they are.
 "# },
     Module { path: "search/relaxed_cone", head: r#"// Relaxed cone stepping: over cones that a view ray leaves after at most one entry into the surface.
 //
@@ -3751,7 +3752,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         module: "search/pyramid_texels",
         name: "search_pyramid_texels",
         sampling: None,
-        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHT_READ", "NEVER", "NO_COST", "Path", "STEP", "cell_of", "first_root", "height_map", "height_size", "height_texels", "leaves_extent", "map_read", "path_height", "path_slope", "search_texel", "texel_extent", "wrap_index"],
+        uses: &["FOUND_BELOW", "FOUND_EXHAUSTED", "FOUND_MISS", "Found", "HEIGHT_READ", "NEVER", "NO_COST", "Path", "RAY_SHADOW", "STEP", "cell_of", "first_root", "height_map", "height_size", "height_texels", "leaves_extent", "map_read", "path_height", "path_slope", "search_texel", "texel_extent", "wrap_index"],
         text: r#"fn search_pyramid_texels(path: Path, params: vec4f) -> Found {
     let n = height_texels(path.level);
     let origin = path.uv * height_size(path.level);
@@ -3764,6 +3765,11 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
     var t = 0.0;
     var cost = NO_COST;
     let limit = u32(params.x);
+    var finest = min(u32(params.y), level);
+    if (path.ray == RAY_SHADOW) {
+        // Their rays begin on the surface, which coarse columns bury.
+        finest = 0u;
+    }
     while (cost.x < limit) {
         cost = cost + STEP;
         let place = vec2i(wrap_index(texel.x, n.x), wrap_index(texel.y, n.y));
@@ -3792,7 +3798,7 @@ fn texel_extent(texel: i32, n: i32, level: u32) -> vec2i {
         let last = vec2i(columns.y - 1, rows.y - 1);
         if (sinks < NEVER) {
             t = t + sinks;
-            if (level == 0u) {
+            if (level == finest) {
                 return Found(FOUND_BELOW, 0.0, t, 0.0, 0.0, cost);
             }
             level = level - 1u;

@@ -82,6 +82,12 @@ fn a_pyramid_over_texels_ends_at_a_single_height() {
 }
 
 #[test]
+fn a_pyramid_over_texels_ends_where_it_is_told_to() {
+    let paid = |level| paid(["pyramid-texels", "none"], &[("search.level", level)], MapFormat::F32, &down());
+    assert_eq!((paid(2.0), paid(20.0)), (cost(3, 3, 3 * 8), cost(1, 1, 8)));
+}
+
+#[test]
 fn exact_tracers_count_nodes_and_cells() {
     assert_eq!(cell_walk(&plain(16), &over()).hit.cost, cost(3, 3, 48));
     let heights = plain(4);

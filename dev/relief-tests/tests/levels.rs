@@ -1,7 +1,8 @@
 //! Levels of detail: each is traced as the map that it is, and pictures come near to those of many samples.
 
 use rayon::prelude::*;
-use relief_core::{MapFormat, Wrap};
+use relief_core::{MapFormat, Path, Wrap};
+use relief_shaders::Selection;
 use relief_shaders::cpu::MethodTracer;
 use relief_tests::accuracy;
 use relief_tests::baked::{maps_in, slots};
@@ -47,6 +48,37 @@ fn a_level_is_traced_as_the_map_that_it_is() {
         })
         .sum();
     assert!(compared > 50 * RAYS, "{compared}");
+}
+
+#[test]
+fn coarser_columns_lie_over_finer_ones() {
+    let mut hits = 0;
+    for (number, map) in maps::ALL.iter().enumerate() {
+        let heights = map.build(Wrap::ALL[number % Wrap::ALL.len()]);
+        let highest = heights.texels().iter().copied().fold(0.0, f32::max);
+        let at = |level: f64, path: &Path| {
+            let mut selection = Selection::pair("pyramid-texels", "none").expect("listed names");
+            selection.set("search.level", level).expect("a level");
+            let maps = maps_in(MapFormat::F32, &heights, &selection);
+            let tracer = MethodTracer::over(&heights, &selection, slots(&heights, &selection, &maps));
+            tracer.first_hit(path)
+        };
+        for (_, path) in Rays::new(&heights, 11).take(RAYS) {
+            let levels = [0.0, 1.0, 3.0, 20.0].map(|level| at(level, &path));
+            for [fine, coarse] in levels.array_windows() {
+                let before = fine.t + 1e-5 * path.exit;
+                assert!(!fine.found || (coarse.found && coarse.t <= before), "{}: {path:?}", map.name);
+                hits += usize::from(fine.found && coarse.t < fine.t);
+            }
+            // The coarsest is a plane, but for what lies beside a clamped map.
+            let plane = &levels[3];
+            let inside = plane.uv.iter().all(|place| (0.0..1.0).contains(place));
+            if plane.found && plane.t > 0.0 && (inside || heights.wrap() != Wrap::Clamp) {
+                assert!((plane.height - f64::from(highest)).abs() < 1e-4, "{}: {plane:?}", map.name);
+            }
+        }
+    }
+    assert!(hits > 100, "{hits}");
 }
 
 #[test]

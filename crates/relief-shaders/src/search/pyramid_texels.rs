@@ -1,7 +1,9 @@
 //! Registry entry of the search `pyramid-texels`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Publication};
+use relief_core::registry::{
+    Entry, Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Param, Publication,
+};
 
 /// The maximum pyramid of the texels, as published.
 pub const ENTRY: Entry = Entry {
@@ -9,18 +11,29 @@ pub const ENTRY: Entry = Entry {
     summary: "pyramidal displacement mapping as published: texels as level columns",
     publication: Publication {
         paper: "Oh, Ki and Lee 2006, Pyramidal Displacement Mapping: A GPU based Artifacts-free Ray Tracing Through an Image Pyramid",
-        section: "3.2",
+        section: "3.2, 3.4",
     },
     // The finest level is the heights' own.
     maps: &[MapInput {
         levels: MapLevels::ChainFrom(1),
         ..MapInput::new("pyramid", "").with(&[("over", MapSetting::Fixed(1.0))])
     }],
-    params: &[super::LIMIT],
+    params: &[
+        super::LIMIT,
+        Param {
+            name: "level",
+            summary: "the level of the pyramid that view rays do not go below; 0 is that of the texels",
+            unit: "",
+            min: 0.0,
+            max: 20.0,
+            default: 0.0,
+            integer: true,
+        },
+    ],
     states: &[FoundState::Below],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
     argument: "It is exact for the surface of level columns over texels, which is another one than the \
         bilinear surface: it is off by up to half a texel, and where the bilinear surface is steep by as \
-        much in height.",
+        much in height. Above level 0 a column is as high as the highest texel in it.",
 };
