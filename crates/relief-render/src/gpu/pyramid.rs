@@ -26,6 +26,9 @@ use crate::job::JobSurface;
 /// How the least and the greatest height of a node are stored. Every device renders to it.
 pub const NODES: TextureFormat = TextureFormat::Rg32Float;
 
+/// Bytes of both.
+pub const NODE_BYTES: u32 = 8;
+
 /// The levels of the kind's texture that are built: the finest is the heights' own.
 const LEVELS: MapLevels = MapLevels::ChainFrom(1);
 

@@ -154,8 +154,15 @@ impl Resident {
         layout: &BindGroupLayout,
         common: &Common,
     ) -> Result<BindGroup, GpuError> {
-        self.settings.set(gpu, surface.settings);
         let changed = self.hold_all(gpu, surface, sampling, common.builder)?;
+        let mut settings = surface.settings;
+        for (map, held) in settings.maps.iter_mut().zip(&self.slots) {
+            // The job has no map that could say so.
+            if matches!(held, Some(Held { of: Some(SlotSource::Pyramid(_)), .. })) {
+                map.texel_bytes = pyramid::NODE_BYTES;
+            }
+        }
+        self.settings.set(gpu, settings);
         if let Some((of, number, group)) = &self.maps
             && !changed
             && (*of, *number) == (sampling, common.number)
