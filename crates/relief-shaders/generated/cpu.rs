@@ -4387,8 +4387,9 @@ impl<'g> Resources<'g> {
         let _e44 = self.v_normal_at(uv_12, rt::Scalar(0i32), (level_18 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_12, rt::Scalar(1i32), (level_18 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
-        let n_9 = (flatter * (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt());
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_9, (_e44.w() * x_2)), <rt::Vec4<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1), (_e48.w() * y_1)));
+        let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
+        let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1)) * longer_1);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31((flatter * longer_1), (_e44.w() * x_2)), <rt::Vec4<f32>>::new_31(squares, (_e48.w() * y_1)));
     }
     pub(crate) fn sum_of_four(&self, four_1: impl rt::Into<rt::Vec4<f32>>) -> f32 {
         rt::into(self.v_sum_of_four(rt::into(four_1)))
@@ -4424,18 +4425,20 @@ impl<'g> Resources<'g> {
         let d_1 = (spread - (b_4 * b_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second.x(), second.y(), first_6.x())) - (first_6.xyz() * slope_6.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second.y(), second.z(), first_6.y())) - (first_6.xyz() * slope_6.y()));
-        let along_4 = (with_x / rt::Vec3::splat_from_scalar(a_6));
-        let across_3 = ((with_y - (along_4 * b_4)) / rt::Vec3::splat_from_scalar(d_1));
-        let _e66 = self.v_to_tangent_space(at_22, view_6);
-        let middle_3 = (_e66.z() - _e66.xy().dot(slope_6));
-        let _e80 = self.v_facing_four(middle_3, (-((_e66.x() * a_6) + (_e66.y() * b_4))), (-(_e66.y() * d_1)));
+        let most_3 = ((a_6 * a_6) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_4 = (with_x / rt::Vec3::splat_from_scalar(a_6.max((with_x.length() / most_3))));
+        let rest_4 = (with_y - (along_4 * b_4));
+        let across_3 = (rest_4 / rt::Vec3::splat_from_scalar(d_1.max((rest_4.length() / most_3))));
+        let _e77 = self.v_to_tangent_space(at_22, view_6);
+        let middle_3 = (_e77.z() - _e77.xy().dot(slope_6));
+        let _e91 = self.v_facing_four(middle_3, (-((_e77.x() * a_6) + (_e77.y() * b_4))), (-(_e77.y() * d_1)));
         let one = middle_3.max(rt::Scalar(0f32));
-        let _e83 = self.v_sum_of_four(_e80);
-        let _e84 = self.v_mean_of_five(one, _e83);
-        let all = _e84.max(rt::Scalar(0.001f32));
-        let aside_5 = ((along_4 * ((_e80.x() - _e80.y()) / all)) + (across_3 * ((_e80.z() - _e80.w()) / all)));
-        let _e102 = self.v_from_tangent_space(at_22, (first_6.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
-        return <SeenNormals>::new(_e102.normalize(), _e102.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_6.xyz(), along_4, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_6, b_4), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e66.z().max(rt::Scalar(0f32)) * _e66.z().max(rt::Scalar(0f32))), (one / all), (_e80 / rt::Vec4::splat_from_scalar(all)));
+        let _e94 = self.v_sum_of_four(_e91);
+        let _e95 = self.v_mean_of_five(one, _e94);
+        let all = _e95.max(rt::Scalar(0.001f32));
+        let aside_5 = ((along_4 * ((_e91.x() - _e91.y()) / all)) + (across_3 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_22, (first_6.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_6.xyz(), along_4, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_6, b_4), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)));
     }
     pub(crate) fn mesostructure_normals(
         &self,

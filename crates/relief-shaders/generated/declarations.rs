@@ -2555,13 +2555,11 @@ fn normals_of_level(at: Entered, uv: vec2f, level: u32) -> Normals {
     let y = tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent);
     let first = normal_at(uv, 0, level - 1u);
     let second = normal_at(uv, 1, level - 1u);
-    // As long as it was.
+    // As long as it was: so it stands more upright, and with it all that is weighted by that.
     let flatter = vec3f(first.x * x, first.y * y, first.z);
-    let n = flatter * sqrt(dot(first.xyz, first.xyz) / dot(flatter, flatter));
-    return Normals(
-        vec4f(n, first.w * x),
-        vec4f(second.x * x * x, second.y * x * y, second.z * y * y, second.w * y),
-    );
+    let longer = sqrt(dot(first.xyz, first.xyz) / dot(flatter, flatter));
+    let squares = vec3f(second.x * x * x, second.y * x * y, second.z * y * y) * longer;
+    return Normals(vec4f(flatter * longer, first.w * x), vec4f(squares, second.w * y));
 }"#,
     },
     Declaration {
@@ -2619,8 +2617,12 @@ fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
     // How normals go with them: means of n times s, less the product of the means.
     let with_x = -vec3f(second.x, second.y, first.x) - first.xyz * slope.x;
     let with_y = -vec3f(second.y, second.z, first.y) - first.xyz * slope.y;
-    let along = with_x / a;
-    let across = (with_y - along * b) / d;
+    // In a deviation of the slopes normals change by no more than slopes do in all, and by 1 at most. Beyond it
+    // are roundings, divided by hardly anything.
+    let most = min(sqrt(a * a + spread), 1.0);
+    let along = with_x / max(a, length(with_x) / most);
+    let rest = with_y - along * b;
+    let across = rest / max(d, length(rest) / most);
 
     let v = to_tangent_space(at, view);
     let middle = v.z - dot(v.xy, slope);

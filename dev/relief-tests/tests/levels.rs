@@ -1,7 +1,11 @@
 //! Levels of detail: each is traced as the map that it is, and pictures come near to those of many samples.
 
+use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 use relief_core::{MapFormat, Path, Wrap};
+use relief_render::light::Light;
+use relief_render::mesh::Builtin;
+use relief_render::scene::{BackendChoice, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::MethodTracer;
 use relief_tests::accuracy;
@@ -10,6 +14,7 @@ use relief_tests::detail::Seen;
 use relief_tests::maps;
 use relief_tests::pairs;
 use relief_tests::rays::Rays;
+use relief_tests::shadows;
 
 /// Rays over each map in each level, for each pair.
 const RAYS: usize = 25;
@@ -112,4 +117,29 @@ fn pictures_come_near_to_those_of_many_samples() {
             }
         }
     }
+}
+
+#[test]
+fn nothing_reflects_more_light_than_falls_on_it() {
+    // Normals are derived for the mean tile of a mesh, and a torus has longer and shorter ones.
+    let map = accuracy::maps().into_iter().find(|named| named.name == "cobbles").expect("a sample map").map;
+    let mesh = Builtin::Torus.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::new(8.0, 3.0)));
+    let surface = Surface::new(mesh.expect("a mesh"), map.with_displacement(0.05, -0.05).expect("lengths"));
+    let mut selection = Selection::exact();
+    selection.choose("detail", "footprint").expect("a listed name");
+    let light = Light::directional(DVec3::new(-0.6, 0.6, -0.1), Vec3::ONE).expect("a light");
+    let scene = shadows::under_one_light(
+        surface.with_selection(selection),
+        light,
+        View::Corner,
+        [200, 160],
+        BackendChoice::Cpu,
+    );
+    let pixels = shadows::pixels(&scene.to_builder().samples(4).build().expect("a scene"));
+    let seen_in_levels = pixels.iter().filter(|pixel| pixel.level > 0).count();
+    let brightest = pixels.iter().map(|pixel| pixel.color.x).fold(0.0, f32::max);
+    println!("{seen_in_levels} pixels in levels, the brightest {brightest}");
+    assert!(seen_in_levels > 100, "{seen_in_levels}");
+    // The five normals that stand for all are a little longer than one.
+    assert!((0.5..1.25).contains(&brightest), "{brightest}");
 }
