@@ -123,7 +123,7 @@ impl Environment {
             };
             values.extend(texels.into_iter().flatten());
         }
-        // What decides a map that is no relief's.
+        // It is made from a picture: heights, wrap and metric say nothing.
         let identity = MapIdentity {
             kind: "environment".to_owned(),
             revision: 1,
