@@ -98,6 +98,42 @@ fn flags_say_what_scene_files_say() {
 }
 
 #[test]
+fn surroundings_of_a_file_are_seen_through_the_surface() {
+    let folder = room();
+    // Red on the right, along x, and green on the left; below white.
+    let texel = |x: u32, y: u32| match (y < 40, x < 64) {
+        (true, true) => image::Rgb([0, 255, 0]),
+        (true, false) => image::Rgb([255, 0, 0]),
+        (false, _) => image::Rgb([255, 255, 255]),
+    };
+    image::RgbImage::from_fn(128, 64, texel).save(folder.path("around.png")).expect("writable");
+    folder.write(
+        "scenes/glass.toml",
+        "height = '../map.png'\nenvironment = '../around.png'\ntransmission = 1\n",
+    );
+    let flags = "--shadow none --material specular=0,0,0 --background 0,0,0 --samples 1 --view top";
+    for (name, line) in [
+        ("glass.exr", "--height map.png --environment around.png --transmission 1"),
+        ("scene.exr", "scenes/glass.toml"),
+        ("stone.exr", "--height map.png --environment around.png"),
+        ("sky.exr", "--height map.png --transmission 1"),
+    ] {
+        folder.relief(&format!("render {line} --backend cpu --size 60x40 -o {name} {flags}")).fine();
+    }
+    let [glass, scene, stone, sky] =
+        ["glass.exr", "scene.exr", "stone.exr", "sky.exr"].map(|name| pixels(&folder, name));
+    assert!(glass == scene && glass != stone && glass != sky);
+    // From above white is seen through the cobbles, but where they stand steep.
+    let covered: Vec<_> = glass.iter().filter(|pixel| pixel[1] > 0.0).collect();
+    let white = covered.iter().filter(|pixel| pixel[..3].iter().all(|part| *part > 0.9)).count();
+    assert!(covered.len() > 500 && white > covered.len() * 9 / 10, "{white} of {}", covered.len());
+    // Stones that lean to the right are lit by red, others by green.
+    let [red, green] =
+        [0, 1].map(|part| stone.iter().filter(|pixel| pixel[part] > 1.1 * pixel[1 - part]).count());
+    assert!(red > 100 && green > 100, "{red}, {green}");
+}
+
+#[test]
 fn what_cannot_be_pictured_is_refused() {
     let folder = room();
     let refused = [
