@@ -15,7 +15,9 @@ pub fn with(error: &impl ToString, advice: Option<&str>) -> String {
 /// What lets a height map be read.
 pub fn of_read(problem: &ReadProblem) -> Option<&'static str> {
     match problem {
-        ReadProblem::Unrecognised => Some("--raw WxH,le (or be) gives it"),
+        ReadProblem::Unrecognised => {
+            Some("headerless 16-bit samples are read with --raw 1024x1024,le (or be)")
+        }
         ReadProblem::NeedsRawLayout => Some("--raw 1024x1024,le (or be) gives them"),
         ReadProblem::RawSize { .. } => Some("--raw gives them"),
         ReadProblem::ChooseChannel { .. } | ReadProblem::NotGrey { .. } => Some("--channel NAME does"),
@@ -41,6 +43,7 @@ pub fn of_scene(error: &SceneError) -> Option<&'static str> {
             Some("--max-memory raises it")
         }
         SceneError::Read(error) => of_read(&error.problem),
+        SceneError::Picture(error) => of_picture(&error.problem),
         SceneError::Io { source, .. }
             if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>
         {

@@ -189,6 +189,12 @@ fn files_that_cannot_be_used_are_refused_with_their_name() {
     for (flags, words) in table {
         assert_refused(&folder, &folder.relief(&render(flags)), 1, words);
     }
+    // Headerless samples are heights alone.
+    for (flag, is_height) in [("--height", true), ("--color", false), ("--environment", false)] {
+        let height = if is_height { "" } else { "--height map.png" };
+        let ran = folder.relief(&render(&format!("{height} {flag} text.png")));
+        assert_eq!(ran.stderr.contains("--raw"), is_height, "{flag}: {}", ran.stderr);
+    }
     for (line, word) in [
         ("missing.png", "missing.png"),
         ("text.png", "text.png"),

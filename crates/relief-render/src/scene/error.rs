@@ -59,9 +59,12 @@ pub enum SceneError {
         /// The number of the surface that has none, where the scene has several.
         Option<usize>,
     ),
-    /// A map cannot be read.
+    /// A height map cannot be read.
     #[error(transparent)]
     Read(#[from] ReadError),
+    /// A colour map, a normal map or surroundings cannot be read.
+    #[error(transparent)]
+    Picture(ReadError),
     /// A picture shows no surroundings.
     #[error("{}: {source}", path.display())]
     Environment {

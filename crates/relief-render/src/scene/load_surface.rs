@@ -104,7 +104,7 @@ impl Maps {
         if let Some((_, color)) = self.colors.iter().find(|(known, _)| known == path) {
             return Ok(Arc::clone(color));
         }
-        let color = Arc::new(relief_io::read_picture(path, self.left)?);
+        let color = Arc::new(relief_io::read_picture(path, self.left).map_err(SceneError::Picture)?);
         self.left = self.left.saturating_sub(COLOR_BYTES * u64::from(color.width) * u64::from(color.height));
         self.colors.push((path.to_owned(), Arc::clone(&color)));
         Ok(color)
@@ -114,7 +114,7 @@ impl Maps {
     pub fn environment(&mut self, path: &Path) -> Result<Environment, SceneError> {
         let [of_texel, kept] = Environment::BYTES;
         let limit = self.left / (READ_BYTES + of_texel) * READ_BYTES;
-        let picture = relief_io::read_picture(path, limit)?;
+        let picture = relief_io::read_picture(path, limit).map_err(SceneError::Picture)?;
         let environment = Environment::from_equirectangular(&picture);
         let environment =
             environment.map_err(|source| SceneError::Environment { path: path.to_owned(), source })?;
@@ -228,7 +228,8 @@ impl SurfaceSpec {
         if let Some(path) = &self.normal {
             let [read, converted] = NORMAL_BYTES;
             let limit = maps.left / (read + converted) * read;
-            let map = relief_io::read_normal_map(path, self.green.unwrap_or_default(), limit)?;
+            let map = relief_io::read_normal_map(path, self.green.unwrap_or_default(), limit);
+            let map = map.map_err(SceneError::Picture)?;
             let bytes = (read + converted) * u64::from(map.width) * u64::from(map.height);
             maps.left = maps.left.saturating_sub(bytes);
             surface = surface.with_normal_map(&map);
