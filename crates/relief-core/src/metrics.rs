@@ -142,8 +142,8 @@ pub struct CostSpread {
 }
 
 impl CostReport {
-    /// The costs of the hits of a picture, row by row, with that many columns. What lies beyond the last whole
-    /// row is a row of its own, and tiles at the right and lower edges are as large as is left.
+    /// The costs of the hits of a picture, row by row, with that many columns. What lies beyond the last
+    /// whole row is a row of its own, and tiles at the right and lower edges are as large as is left.
     pub fn of(hits: &[Hit], columns: usize) -> Self {
         let spread = |cost: fn(&Cost) -> u32| {
             let costs: Vec<f64> = hits.iter().map(|hit| f64::from(cost(&hit.cost))).collect();

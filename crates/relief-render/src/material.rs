@@ -9,8 +9,8 @@ pub const MAX_IOR: f32 = 4.0;
 /// the same bits everywhere; beyond this a highlight is smaller than a pixel.
 pub const MAX_SHININESS: u32 = 1024;
 
-/// A Blinn-Phong material that may be transparent: under irradiance `E` from direction `L`, seen from `V`, with `h` half-way between,
-/// `E (diffuse (N·L) + specular (N·h)^shininess)`.
+/// A Blinn-Phong material that may be transparent: under irradiance `E` from direction `L`, seen from `V`,
+/// with `h` half-way between, `E (diffuse (N·L) + specular (N·h)^shininess)`.
 ///
 /// Colours are linear, red, green, blue, each part from 0 to 1. Of a transparent one a part of the light that
 /// enters is refracted in place of being scattered; what is seen by it, and how much is reflected of the

@@ -1079,16 +1079,16 @@ impl<'g> Resources<'g> {
         direction_1: rt::Vec3<f32>,
         deviation: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let _e4 = rt::Scalar(self.surface_settings.environment_side);
-        let width = (deviation * (rt::Scalar(0.07654656f32) * _e4.cast_elem_as_f32()));
-        let _e11 = rt::Scalar(self.surface_settings.environment_levels);
-        let _e12 = self.v_levels_of(width, _e11);
-        let _e14 = self.v_environment_of_level(direction_1, rt::Scalar(_e12.fine));
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e12.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e21 = self.v_environment_of_level(direction_1, (rt::Scalar(_e12.fine) + rt::Scalar(1u32)));
-            return (_e14 + ((_e21 - _e14) * rt::Scalar(_e12.part)));
+        let _e5 = rt::Scalar(self.surface_settings.environment_levels);
+        let width = (deviation * (rt::Scalar(1.2247449f32) * (rt::Scalar(1u32) << (_e5 - rt::Scalar(1u32))).cast_elem_as_f32()));
+        let _e15 = rt::Scalar(self.surface_settings.environment_levels);
+        let _e16 = self.v_levels_of(width, _e15);
+        let _e18 = self.v_environment_of_level(direction_1, rt::Scalar(_e16.fine));
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e25 = self.v_environment_of_level(direction_1, (rt::Scalar(_e16.fine) + rt::Scalar(1u32)));
+            return (_e18 + ((_e25 - _e18) * rt::Scalar(_e16.part)));
         }
-        return _e14;
+        return _e18;
     }
     pub(crate) fn environment_on(&self, normal_3: impl rt::Into<rt::Vec3<f32>>) -> rt::Vec3<f32> {
         rt::into(self.v_environment_on(rt::into(normal_3)))

@@ -28,8 +28,8 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/environment", head: r#"// The surroundings: light that comes from far away, on the faces of a cube.
 //
 // The texels at a face's border lie on the edges of the cube. So faces that meet have the same texels there,
-// and light changes without a seam. A level after the first holds the light within lobes, each level lobes
-// twice as wide as those of the one before; those of the last are cosines.
+// and light changes without a seam. Each level after the first holds the light within lobes that are twice
+// as wide as those of the level before. In the last one they are cosines.
 "# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
 //
@@ -71,10 +71,10 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/seen_normals", head: r#"// The normals within a pixel's footprint, as an eye sees them.
 //
-// Where several texels lie in a footprint, their normals are known by means over the area. An eye at the side
-// sees more of what faces it (Becker and Max 1993), and what faces away from a light gets none. For both, five
-// normals stand for all of them: they have the same means, and weights as five slopes of a normal distribution
-// have (a cubature of third degree).
+// Where several texels lie in a footprint, their normals are known by means over the area. An eye at the
+// side sees more of what faces it (Becker and Max 1993), and what faces away from a light gets none. For
+// both, five normals stand for all of them: they have the same means, and weights as five slopes of a normal
+// distribution have (a cubature of third degree).
 "# },
     Module { path: "shared/settings", head: r#"// What is the same for all pixels: of a picture, of a surface in it, and of a pass over some of its rows.
 "# },
@@ -166,8 +166,8 @@ pub const MODULES: &[Module] = &[
 // Oh, Ki and Lee 2006, section 3.2 and Figure 13. Where the ray is above a node it goes on to the node's
 // height and down a level, or to the node's edge; where it is not, down a level. It never goes up again, so
 // that from the first texel on it goes from texel to texel. `params.x` caps the reads. Columns are not the
-// bilinear surface: `half-texel` goes on from their hit. `params.y` is the level that view rays do not go below
-// (section 3.4): its nodes are the columns then, and the surface is the flatter the coarser they are.
+// bilinear surface: `half-texel` goes on from their hit. View rays do not go below the level `params.y`
+// (section 3.4): its nodes are the columns then, and the coarser they are, the flatter is the surface.
 "# },
     Module { path: "search/relaxed_cone", head: r#"// Relaxed cone stepping: over cones that a view ray leaves after at most one entry into the surface.
 //
@@ -1280,12 +1280,11 @@ fn inside_unit(x0: f32, dx: f32, interval: vec2f) -> vec2f {
     },
     Declaration {
         module: "shared/environment",
-        name: "LOBES",
+        name: "COSINES",
         sampling: None,
         uses: &[],
-        text: r#"// How wide lobes are, beside those of the finest level, by their deviation in radians and the texels of a
-// face's side.
-const LOBES = 0.076546554;"#,
+        text: r#"// How often the deviation of the last level's lobes, the cosine's, goes into a radian.
+const COSINES = 1.2247449;"#,
     },
     Declaration {
         module: "shared/environment",
@@ -1351,10 +1350,10 @@ fn environment_of_level(direction: vec3f, level: u32) -> vec3f {
         module: "shared/environment",
         name: "environment_in_lobe",
         sampling: None,
-        uses: &["LOBES", "environment_of_level", "levels_of", "surface_settings"],
+        uses: &["COSINES", "environment_of_level", "levels_of", "surface_settings"],
         text: r#"// The light within a lobe around a direction, of that deviation in radians.
 fn environment_in_lobe(direction: vec3f, deviation: f32) -> vec3f {
-    let width = deviation * (LOBES * f32(surface_settings.environment_side));
+    let width = deviation * (COSINES * f32(1u << (surface_settings.environment_levels - 1u)));
     let levels = levels_of(width, surface_settings.environment_levels);
     let fine = environment_of_level(direction, levels.fine);
     if (levels.part > 0.0) {
@@ -1996,8 +1995,8 @@ const EXHAUSTED_BIT = 1073741824i;"#,
         name: "Traced",
         sampling: None,
         uses: &[],
-        text: r#"// What the first pass knows of a pixel: of the hit uv, height and t; the triangle and what it cost. Zeros where
-// nothing is.
+        text: r#"// What the first pass knows of a pixel: of the hit uv, height and t; the triangle and what it cost. Zeros
+// where nothing is.
 struct Traced {
     @location(0) hit: vec4f,
     @location(1) what: vec4i,
@@ -2617,8 +2616,8 @@ fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
     // How normals go with them: means of n times s, less the product of the means.
     let with_x = -vec3f(second.x, second.y, first.x) - first.xyz * slope.x;
     let with_y = -vec3f(second.y, second.z, first.y) - first.xyz * slope.y;
-    // In a deviation of the slopes normals change by no more than slopes do in all, and by 1 at most. Beyond it
-    // are roundings, divided by hardly anything.
+    // In a deviation of the slopes normals change by no more than slopes do in all, and by 1 at most. What is
+    // more comes of roundings that were divided by hardly anything.
     let most = min(sqrt(a * a + spread), 1.0);
     let along = with_x / max(a, length(with_x) / most);
     let rest = with_y - along * b;

@@ -38,9 +38,9 @@ pub struct Arguments {
     bits: Option<Bits>,
     /// Write numbers of every pixel's centre, too, as 32-bit float channels: hit (1 or 0), uv.x and uv.y,
     /// height (0 to 1), P.x, P.y and P.z (position), N.x, N.y and N.z (normal), depth (along the view axis),
-    /// reads (of maps), steps (turns of the search's and the refinement's loops), bytes (that the reads fetch),
-    /// lit (the part of the first light that arrives) and level (of detail). Where the CPU renders `exact`,
-    /// reads and steps are nodes and cells of its tracer
+    /// reads (of maps), steps (turns of the search's and the refinement's loops), bytes (that the reads
+    /// fetch), lit (the part of the first light that arrives) and level (of detail). Where the CPU renders
+    /// `exact`, reads and steps are nodes and cells of its tracer
     #[arg(long, value_name = "FILE.exr")]
     aov: Option<PathBuf>,
     /// Print one JSON object about the picture

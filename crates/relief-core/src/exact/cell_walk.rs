@@ -11,8 +11,8 @@ use crate::{Cost, HeightMap, Path};
 ///
 /// At a hit `|H(t) - f(u, v)|` is at most 1e-12, unless the path begins below the surface, for maps of up to
 /// 4096 cells a side and paths within a few tiles of the origin; beyond, it grows with the number of cells
-/// between the path and the origin, times 2⁻⁵². Costs a step and a read for each cell on the path. See the [module](super)
-/// for endless paths.
+/// between the path and the origin, times 2⁻⁵². Costs a step and a read for each cell on the path. See the
+/// [module](super) for endless paths.
 pub fn cell_walk(map: &HeightMap, path: &Path) -> ExactHit {
     if !is_traceable([map.width(), map.height()], path) {
         return ExactHit::miss(Cost::default(), 0.0);

@@ -12,8 +12,8 @@ use crate::{Cost, HeightMap, MaxPyramid, Path};
 /// An exact tracer in `f64` that shares neither traversal nor root finding with
 /// [`cell_walk`](super::cell_walk).
 ///
-/// Same guarantee; a read is a pyramid node or a cell, a step a piece of the path or a cell. Its clearance is a lower bound that can be loose,
-/// because whatever was passed over counts with its bound.
+/// Same guarantee; a read is a pyramid node or a cell, a step a piece of the path or a cell. Its clearance is
+/// a lower bound that can be loose, because whatever was passed over counts with its bound.
 #[derive(Clone, Debug)]
 pub struct PyramidTracer<'a> {
     map: &'a HeightMap,

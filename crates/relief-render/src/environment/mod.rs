@@ -66,7 +66,7 @@ pub enum EnvironmentError {
         row: usize,
     },
     /// There are not as many texels as the sides say.
-    #[error("{width}x{height} texels are {} texels, {given} were given", u64::from(*width) * u64::from(*height))]
+    #[error("a picture of {width}x{height} texels was given {given} of them")]
     Length {
         /// Columns.
         width: u32,

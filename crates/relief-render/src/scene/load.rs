@@ -29,7 +29,8 @@ impl SceneSpec {
     ///
     /// When a value is out of range, or keys are given that exclude or need each other.
     pub fn check(&self) -> Result<(), ValueError> {
-        // A map of one texel and a sky stand in for the files, so that the builder's own checks are made as well.
+        // A map of one texel and a sky stand in for the files, so that the builder's own checks are made as
+        // well.
         let mut surfaces = Vec::new();
         for (number, surface, parts) in self.each_with_parts()? {
             let problem = |problem: relief_core::HeightMapError| ValueProblem::from(problem).of("height");

@@ -1,4 +1,6 @@
 mod listed_keys;
+mod loading;
+mod overriding;
 mod proportions;
 
 use super::*;
@@ -376,29 +378,6 @@ fn mistakes_in_a_surface_are_reported_with_their_surface_and_line() {
 }
 
 #[test]
-fn several_surfaces_are_loaded_each_file_once() {
-    let noise = SurfaceSpec { height: Some(shipped("data/noise.png")), ..SurfaceSpec::default() };
-    let mut spec = of(noise);
-    spec.surfaces = vec![
-        SurfaceSpec { size: Some(2.0), ..SurfaceSpec::default() },
-        SurfaceSpec { scale: Some(0.25), position: Some([0.0, 0.0, 3.0]), ..SurfaceSpec::default() },
-        SurfaceSpec { height: Some(shipped("data/spikes.png")), ..SurfaceSpec::default() },
-    ];
-    let scene = spec.load().expect("a scene");
-    let [first, second, third] = scene.surfaces() else { panic!("three surfaces") };
-    assert!(first.height_map().shares_texels(second.height_map()));
-    assert!(!first.height_map().shares_texels(third.height_map()));
-    assert_eq!((first.height_map().scale_m(), second.height_map().scale_m()), (0.05, 0.25));
-    let [large, small] = [first, second].map(|surface| surface.metric().tile_m);
-    assert!((large[0] - 2.0 * small[0]).abs() < 1e-12, "{large:?} and {small:?}");
-    assert!(second.mesh().vertices().iter().all(|vertex| vertex.position.z >= 2.5));
-
-    spec.surface.height = None;
-    let missing = spec.load().expect_err("a surface without a height map");
-    assert!(matches!(missing, SceneError::NoHeightMap(Some(0))), "{missing:?}");
-}
-
-#[test]
 fn files_that_are_no_scene_are_refused() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("scene.toml");
@@ -408,33 +387,6 @@ fn files_that_are_no_scene_are_refused() {
     assert!(matches!(read_scene(&path), Err(SceneError::Io { .. })), "not text");
     fs::write(&path, "#".repeat(2 << 20)).expect("a temporary file");
     assert!(matches!(read_scene(&path), Err(SceneError::Io { .. })), "too long");
-}
-
-#[test]
-fn surroundings_are_seen_where_they_are_asked_for() {
-    let seen = |toml: &str, over: &str| {
-        let [base, over] = [toml, over].map(|toml| read(toml).expect("a proper scene"));
-        let spec = base.overridden_by(over);
-        spec.check().expect("a possible scene");
-        let parts = spec.surface.parts(1, spec.environment.is_some()).expect("a proper surface");
-        let map = HeightMap::new(1, 1, vec![0.5], Wrap::Repeat).expect("a map");
-        let surface = spec.surface.with_heights(parts, map).expect("a surface");
-        (surface.selection().sees_environment(), spec.environment.is_some())
-    };
-    assert_eq!(seen("", ""), (false, false));
-    assert_eq!(seen("environment = 'a.hdr'", ""), (true, true));
-    for key in ["transmission = 0.5", "ambient = 'environment'"] {
-        assert_eq!(seen(key, ""), (true, false), "{key}");
-        // What is laid over a scene takes the place of what excludes it.
-        assert_eq!(seen("ambient = 'occlusion'\nset.ambient.azimuths = 8", key), (true, false), "{key}");
-    }
-    assert_eq!(
-        seen("ambient = 'occlusion'\nset.ambient.azimuths = 8", "environment = 'a.hdr'"),
-        (true, true)
-    );
-    assert_eq!(seen("environment = 'a.hdr'\ntransmission = 1", "ambient = 'occlusion'"), (false, false));
-    let bright = "ambient = 'environment'\nset.ambient.intensity = 2";
-    assert_eq!(seen(bright, "transmission = 0.5\nior = 2"), (true, false));
 }
 
 #[test]
@@ -450,136 +402,6 @@ fn ambient_light_is_a_name_or_a_colour() {
 }
 
 #[test]
-fn what_is_said_later_wins() {
-    let file = read(FULL).expect("a proper scene");
-    assert_eq!(file.clone().overridden_by(SceneSpec::default()), file);
-    let mesh = SurfaceSpec { mesh: Some(Builtin::Plane), ..SurfaceSpec::default() };
-    let flags = SceneSpec { fov: Some(20.0), ..of(mesh) };
-    let both = file.clone().overridden_by(flags);
-    let surface = SurfaceSpec { mesh: Some(Builtin::Plane), ..file.surface.clone() };
-    assert_eq!(both, SceneSpec { fov: Some(20.0), surface, ..file });
-}
-
-#[test]
-fn what_belongs_to_something_replaced_goes_with_it() {
-    let file = read(FULL).expect("a proper scene");
-    let with = |over: SurfaceSpec| {
-        let both = file.clone().overridden_by(of(over));
-        both.check().expect("still a proper scene");
-        both.surface
-    };
-
-    let both =
-        with(SurfaceSpec { height: Some("new.png".into()), fill: Some(true), ..SurfaceSpec::default() });
-    assert_eq!((both.raw, both.channel, both.depth, both.range), (None, None, None, None));
-    assert_eq!((both.fill, both.wrap), (Some(true), Some(Wrap::Mirror)));
-
-    let both = with(SurfaceSpec { normal: Some("new.png".into()), ..SurfaceSpec::default() });
-    assert_eq!(both.green, None);
-
-    let both = with(SurfaceSpec { scale: Some(0.5), ..SurfaceSpec::default() });
-    assert_eq!(both.bias, None);
-
-    let both = with(SurfaceSpec { method: Some("parallax".into()), ..SurfaceSpec::default() });
-    let others = [
-        ("shade", "blinn-phong"),
-        ("shadow", "soft"),
-        ("shadow-search", "frustum"),
-        ("ambient", "environment"),
-    ];
-    assert_eq!(both.stages, stages(others));
-    assert!(both.set.is_empty());
-
-    let set = [("refine.steps".to_owned(), 9.0)].into_iter().collect();
-    let both = with(SurfaceSpec { stages: stages([("search", "cells")]), set, ..SurfaceSpec::default() });
-    let [shade, shadow, shadow_search, ambient] = others;
-    let named = stages([("search", "cells"), ("refine", "binary"), shade, shadow, shadow_search, ambient]);
-    assert_eq!(both.stages, named);
-    assert_eq!(both.set.into_iter().collect::<Vec<_>>(), [("refine.steps".to_owned(), 9.0)]);
-
-    let stages_of_shadow = stages([("shadow", "horizon")]);
-    let both = with(SurfaceSpec { stages: stages_of_shadow, ..SurfaceSpec::default() });
-    assert_eq!(both.stages.get("shadow").map(String::as_str), Some("horizon"));
-    assert_eq!(both.stages.get("shadow-search"), None);
-
-    let light = SceneSpec { light: Some([0.0, 1.0, 0.0]), ..SceneSpec::default() };
-    let both = file.clone().overridden_by(light);
-    both.check().expect("still a proper scene");
-    assert_eq!(both.lights, None);
-}
-
-#[test]
-fn a_scene_is_loaded_with_its_defaults() {
-    let height = Some(shipped("data/noise.png"));
-    let scene = of(SurfaceSpec { height, ..SurfaceSpec::default() }).load().expect("a scene");
-    let [surface] = scene.surfaces() else { panic!("one surface") };
-    let map = surface.height_map();
-    assert_eq!((map.width(), map.height(), map.wrap()), (128, 128, Wrap::Repeat));
-    assert_eq!((map.scale_m(), map.bias_m()), (0.05, -0.05));
-    assert_eq!((scene.size(), scene.samples()), ([800, 600], 4));
-    assert_eq!(scene.camera().projection(), Projection::Perspective { fov_degrees: 40.0 });
-    assert_eq!(scene.lights().len(), 1);
-    assert_eq!((surface.two_sided(), surface.mesh().triangles().len()), (false, 2));
-    assert!(surface.selection().is_exact());
-    assert!(surface.color().is_none() && surface.normal_map().is_none());
-    // The builder's own defaults are the same ones, but for the detail: a surface of its own does not know
-    // how many samples its picture has.
-    let mut selection = Selection::exact();
-    selection.choose("detail", "footprint").expect("a detail");
-    let own = Surface::new(Builtin::Plane.build([1.0, 1.0]).expect("a mesh"), Arc::clone(map));
-    let own = own.with_selection(selection);
-    let built = Scene::builder(own).build().expect("a scene");
-    assert_eq!(format!("{built:?}"), format!("{scene:?}"));
-}
-
-#[test]
-fn normal_maps_point_where_they_are_said_to() {
-    let load = |green: &str| {
-        let height = Some(shipped("data/noise.png"));
-        let normal = Some(shipped("data/bricks_color.png"));
-        let spec = SurfaceSpec { height, normal, green: green.parse().ok(), ..SurfaceSpec::default() };
-        let scene = of(spec).load().expect("a scene");
-        let map = scene.surfaces()[0].normal_map().expect("a normal map");
-        assert_eq!((map.width, map.height, map.texels.len()), (256, 256, 256 * 256));
-        map.texels.clone()
-    };
-    for ([x, y, z, zero], [other_x, other_y, other_z, _]) in load("+y").into_iter().zip(load("-y")) {
-        assert_eq!((x, y, z, zero), (other_x, -other_y, other_z, 0.0));
-        assert!((x * x + y * y + z * z - 1.0).abs() < 1e-5);
-    }
-}
-
-#[test]
-fn missing_maps_and_too_large_ones_are_refused() {
-    assert!(matches!(SceneSpec::default().load(), Err(SceneError::NoHeightMap(None))));
-    let with_map = |height: PathBuf| of(SurfaceSpec { height: Some(height), ..SurfaceSpec::default() });
-    let absent = with_map("no/such/file.png".into());
-    assert!(matches!(absent.load(), Err(SceneError::Read(_))));
-
-    let tight = SceneSpec { size: Some([10, 10]), ..with_map(shipped("data/noise.png")) };
-    let with = |bytes| SceneSpec { max_memory: Some(ByteSize(bytes)), ..tight.clone() }.load();
-    assert!(matches!(with(1000), Err(SceneError::TooMuchMemory { width: 10, height: 10, .. })));
-    let Err(SceneError::Read(error)) = with(30_000) else { panic!("the picture fits, the map does not") };
-    assert!(matches!(error.problem, relief_io::ReadProblem::TooMuchMemory { width: 128, height: 128, .. }));
-    assert!(with(64 << 20).is_ok());
-    // Reading fits at 8 bytes a texel; the map and what is built on it, 11 bytes a texel, do not.
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let large = folder.path().join("large.pgm");
-    fs::write(&large, [&b"P5 300 300 255\n"[..], &[7; 300 * 300]].concat()).expect("a temporary file");
-    let limit = Some(ByteSize(10 * 300 * 300));
-    let map = SceneSpec { max_memory: limit, size: Some([10, 10]), ..with_map(large) };
-    let Err(SceneError::TooMuchToTrace { width, needed, left, .. }) = map.load() else {
-        panic!("there is room to read the map, but not to render it")
-    };
-    assert!(width == 300 && needed > left);
-    // Of a vast picture a band of rows is held.
-    let vast = SceneSpec { size: Some([MAX_IMAGE_SIDE; 2]), ..tight };
-    assert!(vast.load().is_ok());
-    let vast = SceneSpec { max_memory: Some(ByteSize(32 << 20)), ..vast };
-    assert!(matches!(vast.load(), Err(SceneError::TooMuchMemory { .. })));
-}
-
-#[test]
 fn the_builder_refuses_what_is_impossible() {
     let key = |builder: SceneBuilder| builder.build().expect_err("an impossible scene").key;
     assert_eq!(key(Scene::builder(flat()).size(0, 1)), "size");
@@ -592,18 +414,6 @@ fn the_builder_refuses_what_is_impossible() {
     assert_eq!(key(Scene::builder(flat()).lights(vec![light; MAX_LIGHTS + 1])), "lights");
     assert!(Scene::builder(flat()).lights(vec![]).build().is_ok());
     assert_eq!(key(Scene::builder(flat()).surfaces(vec![])), "surfaces");
-}
-
-#[test]
-fn every_shipped_scene_loads() {
-    let mut scenes = 0;
-    for entry in fs::read_dir(shipped("scenes")).expect("the folder of scenes") {
-        let path = entry.expect("a file").path();
-        let spec = read_scene(&path).expect("a proper scene");
-        spec.load().unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        scenes += 1;
-    }
-    assert!(scenes >= 5);
 }
 
 proptest! {

@@ -41,8 +41,8 @@ use traverse::CellHit;
 ///
 /// [`Self::new`] is one parallel pass over the map. The tracer owns what it needs, 6.8 bytes a texel: tiles
 /// of 5 x 5 heights for 4 x 4 cells, which are read as one piece, and the maxima of tiles and of 4 x 4 such
-/// nodes, level by level. Tracing does not allocate. A step is one
-/// read: a block of sixteen nodes, 64 bytes, a tile's texels, 100 bytes, or a cell, 16 bytes.
+/// nodes, level by level. Tracing does not allocate. A step is one read: a block of
+/// sixteen nodes, 64 bytes, a tile's texels, 100 bytes, or a cell, 16 bytes.
 #[derive(Clone, Debug)]
 pub struct FastTracer {
     hierarchy: Hierarchy,
