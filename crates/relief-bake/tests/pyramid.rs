@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use relief_bake::kind::pyramid::{KIND, pyramids};
+use relief_bake::kind::pyramid::{KIND, OVER_LEVELS, OVER_TEXELS, pyramids};
 use relief_bake::{BakeError, Collected, CollectedTexture, Progress, bake};
 use relief_core::exact::cell_walk;
 use relief_core::{HeightMap, MaxPyramid, Metric, Wrap};
@@ -17,9 +17,20 @@ use relief_tests::{brute, maps};
 /// Probes of each map in each wrap and number of bits.
 const PROBES: usize = 100_000;
 
-fn baked(map: &HeightMap, bits: u32) -> CollectedTexture {
+fn baked_with(map: &HeightMap, setting: (&str, u32)) -> CollectedTexture {
     let metric = Metric::new([2.0, 0.5], 0.1).expect("lengths");
-    stored::textures(&KIND, map, metric, &[("bits", f64::from(bits))]).expect("a bake").remove(0)
+    stored::textures(&KIND, map, metric, &[(setting.0, f64::from(setting.1))]).expect("a bake").remove(0)
+}
+
+fn baked(map: &HeightMap, bits: u32) -> CollectedTexture {
+    baked_with(map, ("bits", bits))
+}
+
+/// All nodes of a level, row by row.
+fn nodes(texture: &CollectedTexture, level: usize) -> Vec<[f32; 2]> {
+    let [width, height, _] = texture.texture.level_size(level);
+    let places = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
+    places.map(|(column, row)| node(texture, level, column, row)).collect()
 }
 
 #[test]
@@ -32,11 +43,7 @@ fn every_node_of_every_level_is_the_extremes_of_its_cells() {
             for level in 0..texture.levels.len() {
                 assert_eq!(texture.texture.level_size(level), size, "{} {wrap}", named.name);
                 let brute = brute::pyramid::level(&map, level as u32);
-                let nodes: Vec<[f32; 2]> = (0..size[1])
-                    .flat_map(|row| (0..size[0]).map(move |column| (column, row)))
-                    .map(|(column, row)| node(&texture, level, column, row))
-                    .collect();
-                assert_eq!(nodes, brute, "{} {wrap}, level {level}", named.name);
+                assert_eq!(nodes(&texture, level), brute, "{} {wrap}, level {level}", named.name);
                 size = [size[0].div_ceil(2), size[1].div_ceil(2), 1];
             }
             assert_eq!(texture.levels.last().map(|channels| channels[0].len()), Some(1));
@@ -45,11 +52,27 @@ fn every_node_of_every_level_is_the_extremes_of_its_cells() {
 }
 
 #[test]
+fn over_levels_every_node_is_the_extremes_of_its_cells_in_all_of_them() {
+    let mut are_wider = 0;
+    for named in maps::ALL {
+        for wrap in Wrap::ALL {
+            let map = named.build(wrap);
+            let (finest, all) = (baked(&map, 0), baked_with(&map, ("over", OVER_LEVELS)));
+            for level in 0..all.levels.len() {
+                let brute = brute::pyramid::level_over_levels(&map, level as u32);
+                assert_eq!(nodes(&all, level), brute, "{} {wrap}, level {level}", named.name);
+                are_wider += usize::from(nodes(&finest, level) != brute);
+            }
+        }
+    }
+    assert!(are_wider > 0, "the levels of detail lie within the bounds of the finest on every map");
+}
+
+#[test]
 fn over_texels_every_node_is_the_extremes_of_its_texels() {
     for named in maps::ALL {
         let map = named.build(Wrap::Clamp);
-        let metric = Metric::new([2.0, 0.5], 0.1).expect("lengths");
-        let texture = stored::textures(&KIND, &map, metric, &[("over", 1.0)]).expect("a bake").remove(0);
+        let texture = baked_with(&map, ("over", OVER_TEXELS));
         for level in 0..texture.levels.len() {
             let [width, height, _] = texture.texture.level_size(level);
             for (column, row) in (0..height).flat_map(|row| (0..width).map(move |column| (column, row))) {

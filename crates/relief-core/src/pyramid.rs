@@ -62,6 +62,20 @@ impl MaxPyramid {
         Ok(Self { wrap: map.wrap(), levels: levels(map, higher, at)? })
     }
 
+    /// The same pyramid, whose nodes bound the coarser [levels](HeightMap::level) of the map, too. Of the map's
+    /// level `l`, which has cells of its own, node `(i, j)` of level `k` covers the cells
+    /// `i 2^(k - l) .. (i + 1) 2^(k - l)` as far as they are there, and rows likewise, for every `l < k`. So
+    /// the levels from `k = l + 1` on are a pyramid over the map's level `l`, from whose nodes down to its
+    /// cells lead the same steps.
+    ///
+    /// A texel of a coarser level lies half a texel of that level beside the finest cells of the same
+    /// numbers, so the bounds of the finest level are a little less tight. The two finest levels are the same.
+    #[must_use]
+    pub fn over_levels(mut self, map: &HeightMap) -> Self {
+        reach_over_levels(&mut self.levels, map, higher);
+        self
+    }
+
     /// The number of levels, at least 1.
     pub fn levels(&self) -> usize {
         self.levels.len()
@@ -136,6 +150,14 @@ impl MinPyramid {
         Ok(Self { levels: levels(map, lower, at)? })
     }
 
+    /// The same pyramid, whose nodes bound the coarser levels of the map, too: see
+    /// [`MaxPyramid::over_levels`].
+    #[must_use]
+    pub fn over_levels(mut self, map: &HeightMap) -> Self {
+        reach_over_levels(&mut self.levels, map, lower);
+        self
+    }
+
     /// The number of levels, at least 1.
     pub fn levels(&self) -> usize {
         self.levels.len()
@@ -208,6 +230,33 @@ fn levels<E: Send>(
     Ok(levels)
 }
 
+/// Makes every node the `pick` of what it covers of the map's coarser levels, too. A node has what its children
+/// have; what is new in a level of nodes are two by two cells of the map's level before.
+fn reach_over_levels(
+    levels: &mut [PyramidLevel],
+    map: &HeightMap,
+    pick: impl Fn(f32, f32) -> f32 + Copy + Sync,
+) {
+    for k in 2..levels.len() {
+        let cells = PyramidLevel::over_cells(&map.level(k as u32 - 1), pick).halved(pick);
+        let (below, above) = levels.split_at_mut(k);
+        let (children, nodes) = (&below[k - 1], &mut above[0]);
+        let width = nodes.width as usize;
+        nodes
+            .nodes
+            .par_chunks_mut(width)
+            .zip(children.nodes.par_chunks(2 * children.width as usize))
+            .for_each(|(nodes, rows)| pick_children(rows, children.width as usize, nodes, pick));
+        // Sides of the map's levels are rounded down, those of the pyramid's up: the last may have no cells.
+        let rows = nodes.nodes.par_chunks_mut(width).zip(cells.nodes.par_chunks(cells.width as usize));
+        rows.for_each(|(nodes, cells)| {
+            for (node, cell) in nodes.iter_mut().zip(cells) {
+                *node = pick(*node, *cell);
+            }
+        });
+    }
+}
+
 /// One row of level 0.
 fn pick_cells(map: &HeightMap, row: usize, nodes: &mut [f32], pick: impl Fn(f32, f32) -> f32) {
     let texels = |row: u32| {
@@ -240,6 +289,14 @@ fn pick_children(rows: &[f32], below: usize, nodes: &mut [f32], pick: impl Fn(f3
 impl PyramidLevel {
     fn empty(width: u32, height: u32) -> Self {
         Self { width, height, nodes: vec![0.0; width as usize * height as usize] }
+    }
+
+    /// Level 0 of a map's pyramid.
+    fn over_cells(map: &HeightMap, pick: impl Fn(f32, f32) -> f32 + Copy + Sync) -> Self {
+        let mut level = Self::empty(map.width(), map.height());
+        let rows = level.nodes.par_chunks_mut(map.width() as usize).enumerate();
+        rows.for_each(|(row, nodes)| pick_cells(map, row, nodes, pick));
+        level
     }
 
     fn empty_half(&self) -> Self {

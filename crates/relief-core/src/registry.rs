@@ -55,6 +55,9 @@ pub enum MapSetting {
     Fixed(f32),
     /// That of the stage's own parameter of this name.
     Param(&'static str),
+    /// The first where all is seen in the finest level of detail, else the second, with which one map serves
+    /// all levels.
+    Levels(f32, f32),
 }
 
 /// The metric that a map for a stage is baked in.

@@ -3167,64 +3167,65 @@ impl<'g> Resources<'g> {
                         cost_7 = (_e162 + _e164);
                         let _e167 = level_14;
                         let _e170 = level_14;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e167), (place_6.y() >> _e170));
                         let _e174 = level_14;
-                        let _e178 = self.v_search_texel(path_22, <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e167), (place_6.y() >> _e170)), rt::Scalar(0i32), (_e174.cast_elem_as_i32() - rt::Scalar(1i32)));
-                        let highest_1 = _e178.y();
-                        let _e180 = t_13;
-                        let furthest = (_e180 + span_7);
+                        let _e180 = self.v_search_texel(path_22, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_22.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let highest_1 = _e180.y();
+                        let _e182 = t_13;
+                        let furthest = (_e182 + span_7);
                         let rounded = (path_22.h.x().abs() + (furthest * (path_22.h.y().abs() + (furthest * path_22.h.z().abs()))));
-                        let _e195 = t_13;
-                        let _e196 = self.v_path_height(path_22, _e195);
-                        let _e201 = t_13;
-                        let _e202 = self.v_path_slope(path_22, _e201);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e196 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e202, path_22.h.z());
+                        let _e197 = t_13;
+                        let _e198 = self.v_path_height(path_22, _e197);
+                        let _e203 = t_13;
+                        let _e204 = self.v_path_slope(path_22, _e203);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_22.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e212 = self.v_least_at(gap_4, span_7);
-                            let _e213 = self.v_quadratic(gap_4, _e212);
-                            local_18 = _e213.elementwise_le(rt::Scalar(0f32));
+                            let _e214 = self.v_least_at(gap_4, span_7);
+                            let _e215 = self.v_quadratic(gap_4, _e214);
+                            local_18 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
                             local_18 = rt::Scalar(true);
                         }
-                        let _e217 = local_18;
-                        if rt::Scalar::into_branch_condition(_e217) {
+                        let _e219 = local_18;
+                        if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e221 = t_13;
-                                let _e222 = self.v_first_root(gap_4, span_7);
-                                t_13 = (_e221 + _e222.min(span_7));
+                                let _e223 = t_13;
+                                let _e224 = self.v_first_root(gap_4, span_7);
+                                t_13 = (_e223 + _e224.min(span_7));
                             }
-                            let _e227 = t_13;
-                            let _e230 = self.v_cell_of((_e2.origin + (_e2.step * _e227)));
-                            cell_12 = _e230.cast_elem_as_i32().clamp(low_1, last_2);
-                            let _e233 = level_14;
-                            level_14 = (_e233 - rt::Scalar(1u32));
+                            let _e229 = t_13;
+                            let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
+                            cell_12 = _e232.cast_elem_as_i32().clamp(low_1, last_2);
+                            let _e235 = level_14;
+                            level_14 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
                     if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_22.exit))) {
-                        let _e242 = t_13;
-                        let _e244 = cost_7;
-                        return <Found>::new(FOUND_MISS, _e242, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e244);
+                        let _e244 = t_13;
+                        let _e246 = cost_7;
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
-                    let _e252 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
-                    cell_12 = _e252.cast_elem_as_i32().clamp(low_1, last_2);
+                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
+                    cell_12 = _e254.cast_elem_as_i32().clamp(low_1, last_2);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_5)) {
                         cell_12.set_x((low_1.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_5)) {
                         cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e278 = level_14;
-                    let _e283 = level_14;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_6.x() >> (_e278 + rt::Scalar(1u32))), (place_6.y() >> (_e283 + rt::Scalar(1u32))));
-                    let _e288 = t_13;
-                    t_13 = _e288.max(end_5);
+                    let _e280 = level_14;
+                    let _e285 = level_14;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_6.x() >> (_e280 + rt::Scalar(1u32))), (place_6.y() >> (_e285 + rt::Scalar(1u32))));
+                    let _e290 = t_13;
+                    t_13 = _e290.max(end_5);
                 }
             }
         }
-        let _e291 = t_13;
-        let _e293 = cost_7;
-        return <Found>::new(FOUND_EXHAUSTED, _e291, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e293);
+        let _e293 = t_13;
+        let _e295 = cost_7;
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -3339,12 +3340,12 @@ impl<'g> Resources<'g> {
                     } else {
                         let _e70 = level_16;
                         let _e73 = level_16;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e70), (place_7.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e70), (place_7.y() >> _e73));
                         let _e76 = cost_8;
                         let _e78 = self.v_map_read(path_23, rt::Scalar(1u32));
                         cost_8 = (_e76 + _e78);
                         let _e81 = level_16;
-                        let _e85 = self.v_search_texel(path_23, node, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_23, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();

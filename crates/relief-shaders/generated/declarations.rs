@@ -160,6 +160,9 @@ pub const MODULES: &[Module] = &[
 // Oh, Ki and Lee 2006; Tevs, Ihrke and Seidel 2008; Szirmay-Kalos and Umenhoffer 2008, section 4.3.3. A node
 // of level k holds the greatest height over 2^k by 2^k dual cells; on level 0 the cell's own patch is looked
 // at, as `cells` does. `params.x` caps the reads.
+//
+// One chain of nodes serves all levels of detail: those of level k are over the cells of the traced level, too,
+// 2^(k - level) by 2^(k - level) of them. Levels are counted from the traced one here.
 "# },
     Module { path: "search/pyramid_texels", head: r#"// Pyramidal displacement mapping as published: the maximum pyramid of the texels, each a level column.
 //
@@ -310,7 +313,7 @@ pub const MODULES: &[Module] = &[
     Module { path: "roots/probe", head: r#"// The stages one after the other over a list of rays, with every stage's result: for tests that hold the GPU
 // to the translation, and for measurements of the stages alone.
 "# },
-    Module { path: "roots/pyramid", head: r#"// A level of the pyramid of least and greatest heights, built on the GPU from the height map or from the
+    Module { path: "roots/pyramid", head: r#"// A level of the pyramid of least and greatest heights, built on the GPU from the height map and from the
 // level before: to the bit what the kind `pyramid` bakes.
 //
 // Oh, Ki and Lee 2006, section 3.1. Heights are not negative, so that their bits are in the order of their
@@ -488,10 +491,17 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "bindings",
+        name: "heights_below",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(1) @binding(6) var heights_below: texture_2d<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
         name: "pyramid_pass",
         sampling: None,
         uses: &["PyramidPass"],
-        text: r#"@group(1) @binding(6) var<uniform> pyramid_pass: PyramidPass;"#,
+        text: r#"@group(1) @binding(7) var<uniform> pyramid_pass: PyramidPass;"#,
     },
     Declaration {
         module: "constants",
@@ -2849,15 +2859,18 @@ struct PassSettings {
         uses: &[],
         text: r#"// What a pass over a level of a pyramid reads.
 struct PyramidPass {
-    // Columns and rows of the height map, or of the level before without what it is padded with.
-    finer_size: vec2u,
-    // The column and the row that stand for those after the last.
+    // Columns and rows of the level of nodes before, without what it is padded with; zeros where there is
+    // none.
+    nodes_size: vec2u,
+    // Columns and rows of the level of the height map that is read; zeros where none is.
+    heights_size: vec2u,
+    // The column and the row of it that stand for those after the last.
     beyond: vec2u,
-    // How many columns and rows besides its own two a node covers: 1 of texels where it is over dual cells,
-    // which reach to the next texels.
+    // How many columns and rows of it besides its own two a node covers: 1 of texels where it is over dual
+    // cells, which reach to the next texels.
     reach: u32,
-    // 1 where heights are read, which are their own extremes; 0 for the level before.
-    of_heights: u32,
+    // The number of that level.
+    level: u32,
 }"#,
     },
     Declaration {
@@ -3689,7 +3702,8 @@ fn node_extent(cell: i32, image: vec2i, n: i32, level: u32) -> vec2i {
             }
         } else {
             cost = cost + map_read(path, 1u);
-            let highest = search_texel(path, vec2i(place.x >> level, place.y >> level), 0, i32(level) - 1).y;
+            let node = vec2i(place.x >> level, place.y >> level);
+            let highest = search_texel(path, node, 0, i32(level + path.level) - 1).y;
             let furthest = t + span;
             let rounded = abs(path.h.x) + furthest * (abs(path.h.y) + furthest * abs(path.h.z));
             let gap = vec3f(
@@ -4755,39 +4769,82 @@ fn pyramid_vertex(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4
     },
     Declaration {
         module: "roots/pyramid",
-        name: "extreme_bits",
+        name: "height_bits",
         sampling: None,
-        uses: &["finer_level", "pyramid_pass"],
-        text: r#"// The bits of the least and the greatest height of a texel or node. A zero has no sign.
-fn extreme_bits(column: u32, row: u32) -> vec2u {
-    let texel = textureLoad(finer_level, vec2i(vec2u(column, row)), 0).xy;
-    let bits = bitcast<vec2u>(texel) & vec2u(0x7fffffffu, 0x7fffffffu);
-    return select(bits, bits.xx, pyramid_pass.of_heights == 1u);
+        uses: &["heights_below", "pyramid_pass"],
+        text: r#"// The bits of a height without the sign, which a zero may have.
+fn height_bits(column: u32, row: u32) -> u32 {
+    let texel = textureLoad(heights_below, vec2i(vec2u(column, row)), i32(pyramid_pass.level)).x;
+    return bitcast<u32>(texel) & 0x7fffffffu;
+}"#,
+    },
+    Declaration {
+        module: "roots/pyramid",
+        name: "node_bits",
+        sampling: None,
+        uses: &["finer_level"],
+        text: r#"// The bits of the least and the greatest height of a node.
+fn node_bits(column: u32, row: u32) -> vec2u {
+    return bitcast<vec2u>(textureLoad(finer_level, vec2i(vec2u(column, row)), 0).xy);
+}"#,
+    },
+    Declaration {
+        module: "roots/pyramid",
+        name: "extremes_of_children",
+        sampling: None,
+        uses: &["node_bits", "pyramid_pass"],
+        text: r#"// The extremes of the node's children; of nothing where there are none.
+fn extremes_of_children(first: vec2u) -> vec2u {
+    let size = pyramid_pass.nodes_size;
+    if (any(first >= size)) {
+        return vec2u(0xffffffffu, 0u);
+    }
+    let second = min(first + vec2u(1u, 1u), size - vec2u(1u, 1u));
+    let a = node_bits(first.x, first.y);
+    let b = node_bits(second.x, first.y);
+    let c = node_bits(first.x, second.y);
+    let d = node_bits(second.x, second.y);
+    return vec2u(min(min(a.x, b.x), min(c.x, d.x)), max(max(a.y, b.y), max(c.y, d.y)));
+}"#,
+    },
+    Declaration {
+        module: "roots/pyramid",
+        name: "extremes_of_heights",
+        sampling: None,
+        uses: &["height_bits", "pyramid_pass"],
+        text: r#"// The extremes of the heights that are new in the node; of nothing where none are.
+fn extremes_of_heights(first: vec2u) -> vec2u {
+    let size = pyramid_pass.heights_size;
+    var least = 0xffffffffu;
+    var greatest = 0u;
+    if (any(first >= size)) {
+        return vec2u(least, greatest);
+    }
+    let second = min(first + vec2u(1u, 1u), size - vec2u(1u, 1u));
+    let after = second + vec2u(pyramid_pass.reach, pyramid_pass.reach);
+    let third = select(after, pyramid_pass.beyond, after >= size);
+    for (var line = 0u; line < 2u + pyramid_pass.reach; line++) {
+        let row = select(select(first.y, second.y, line == 1u), third.y, line == 2u);
+        let a = height_bits(first.x, row);
+        let b = height_bits(second.x, row);
+        let c = height_bits(third.x, row);
+        least = min(min(least, a), min(b, c));
+        greatest = max(max(greatest, a), max(b, c));
+    }
+    return vec2u(least, greatest);
 }"#,
     },
     Declaration {
         module: "roots/pyramid",
         name: "pyramid_fragment",
         sampling: None,
-        uses: &["extreme_bits", "pyramid_pass"],
+        uses: &["extremes_of_children", "extremes_of_heights"],
         text: r#"@fragment
 fn pyramid_fragment(@builtin(position) position: vec4f) -> @location(0) vec2f {
-    let size = pyramid_pass.finer_size;
     let first = 2u * vec2u(position.xy);
-    let second = min(first + vec2u(1u, 1u), size - vec2u(1u, 1u));
-    let after = second + vec2u(pyramid_pass.reach, pyramid_pass.reach);
-    let third = select(after, pyramid_pass.beyond, after >= size);
-    var least = 0xffffffffu;
-    var greatest = 0u;
-    for (var line = 0u; line < 2u + pyramid_pass.reach; line++) {
-        let row = select(select(first.y, second.y, line == 1u), third.y, line == 2u);
-        let a = extreme_bits(first.x, row);
-        let b = extreme_bits(second.x, row);
-        let c = extreme_bits(third.x, row);
-        least = min(min(least, a.x), min(b.x, c.x));
-        greatest = max(max(greatest, a.y), max(b.y, c.y));
-    }
-    return bitcast<vec2f>(vec2u(least, greatest));
+    let children = extremes_of_children(first);
+    let heights = extremes_of_heights(first);
+    return bitcast<vec2f>(vec2u(min(children.x, heights.x), max(children.y, heights.y)));
 }"#,
     },
     Declaration {

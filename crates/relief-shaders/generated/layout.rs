@@ -408,33 +408,38 @@ impl Shared for Probe {
 #[derive(Clone, Copy, Debug, PartialEq)]
 /// What a pass over a level of a pyramid reads.
 pub struct PyramidPass {
-    /// Columns and rows of the height map, or of the level before without what it is padded with.
-    pub finer_size: rt::Vec2<u32>,
-    /// The column and the row that stand for those after the last.
+    /// Columns and rows of the level of nodes before, without what it is padded with; zeros where there is
+    /// none.
+    pub nodes_size: rt::Vec2<u32>,
+    /// Columns and rows of the level of the height map that is read; zeros where none is.
+    pub heights_size: rt::Vec2<u32>,
+    /// The column and the row of it that stand for those after the last.
     pub beyond: rt::Vec2<u32>,
-    /// How many columns and rows besides its own two a node covers: 1 of texels where it is over dual cells,
-    /// which reach to the next texels.
+    /// How many columns and rows of it besides its own two a node covers: 1 of texels where it is over dual
+    /// cells, which reach to the next texels.
     pub reach: u32,
-    /// 1 where heights are read, which are their own extremes; 0 for the level before.
-    pub of_heights: u32,
+    /// The number of that level.
+    pub level: u32,
 }
 
 impl Shared for PyramidPass {
-    const SIZE: usize = 24;
+    const SIZE: usize = 32;
 
     fn write(&self, bytes: &mut [u8]) {
-        self.finer_size.write(&mut bytes[0..]);
-        self.beyond.write(&mut bytes[8..]);
-        self.reach.write(&mut bytes[16..]);
-        self.of_heights.write(&mut bytes[20..]);
+        self.nodes_size.write(&mut bytes[0..]);
+        self.heights_size.write(&mut bytes[8..]);
+        self.beyond.write(&mut bytes[16..]);
+        self.reach.write(&mut bytes[24..]);
+        self.level.write(&mut bytes[28..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
-            finer_size: Shared::read(&bytes[0..]),
-            beyond: Shared::read(&bytes[8..]),
-            reach: Shared::read(&bytes[16..]),
-            of_heights: Shared::read(&bytes[20..]),
+            nodes_size: Shared::read(&bytes[0..]),
+            heights_size: Shared::read(&bytes[8..]),
+            beyond: Shared::read(&bytes[16..]),
+            reach: Shared::read(&bytes[24..]),
+            level: Shared::read(&bytes[28..]),
         }
     }
 }

@@ -77,7 +77,7 @@ const fn traced(number: u32, name: &'static str, kind: BindingKind, holds: &'sta
 
 /// All bindings. Group 0 is the same for every program; a program of the other groups binds those of them
 /// that it names.
-pub const BINDINGS: [Binding; 23] = [
+pub const BINDINGS: [Binding; 24] = [
     uniform(0, "surface_settings", "SurfaceSettings", "what changes with the surface"),
     filtered(1, "height_map", false, "heights"),
     filtered(
@@ -125,11 +125,18 @@ pub const BINDINGS: [Binding; 23] = [
         number: 5,
         name: "finer_level",
         kind: BindingKind::Texture { layers: false, filtered: false },
-        holds: "heights, or the level of a pyramid before the one that is built",
+        holds: "the level of a pyramid before the one that is built",
     },
     Binding {
         group: 1,
         number: 6,
+        name: "heights_below",
+        kind: BindingKind::Texture { layers: false, filtered: false },
+        holds: "the height map that a pyramid is built from",
+    },
+    Binding {
+        group: 1,
+        number: 7,
         name: "pyramid_pass",
         kind: BindingKind::Uniform("PyramidPass"),
         holds: "what changes with the level of a pyramid",

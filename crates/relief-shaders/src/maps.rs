@@ -175,12 +175,17 @@ impl Selection {
         for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
             if let Some(slot) = stage.slot.filter(|_| self.uses(place)) {
                 let reader = (stage.title, choice.entry.name);
-                needs.extend(choice.entry.maps.iter().map(|input| MapNeed {
-                    slot,
-                    reader,
-                    input: self.in_levels(*input),
-                    settings:
-                        input.settings.iter().map(|(name, value)| (*name, choice.value(value))).collect(),
+                needs.extend(choice.entry.maps.iter().map(|input| {
+                    MapNeed {
+                        slot,
+                        reader,
+                        input: self.in_levels(*input),
+                        settings: input
+                            .settings
+                            .iter()
+                            .map(|(name, value)| (*name, choice.value(value, self.has_levels())))
+                            .collect(),
+                    }
                 }));
             }
         }
@@ -227,11 +232,18 @@ impl Selection {
 }
 
 impl Choice {
-    /// The value of a map's setting.
-    fn value(&self, setting: &MapSetting) -> f32 {
+    /// The value of a map's setting, with levels of detail or without.
+    fn value(&self, setting: &MapSetting, has_levels: bool) -> f32 {
         match setting {
             MapSetting::Fixed(value) => *value,
             MapSetting::Param(name) => self.entry.param(name).map_or(0.0, |(place, _)| self.params[place]),
+            MapSetting::Levels(finest, all) => {
+                if has_levels {
+                    *all
+                } else {
+                    *finest
+                }
+            }
         }
     }
 }

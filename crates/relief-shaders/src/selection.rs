@@ -1,7 +1,7 @@
 //! A variant chosen for every stage, with its settings.
 
 use relief_core::registry::{
-    self, Entry, Guarantee, Guarantees, MAX_PARAMS, MapLevels, Param, RayClass, UnknownName,
+    self, Entry, Guarantee, Guarantees, MAX_PARAMS, MapLevels, MapSetting, Param, RayClass, UnknownName,
 };
 use relief_core::{FoundState, HeightMap};
 
@@ -284,8 +284,11 @@ impl Selection {
     pub fn check_levels(&self) -> Result<(), SelectionError> {
         let used = STAGES.iter().zip(&self.choices).enumerate().filter(|(place, _)| self.uses(*place));
         for (_, (stage, choice)) in used {
-            let of_chain = |map: &registry::MapInput| matches!(map.levels, MapLevels::ChainFrom(_));
-            if self.has_levels() && choice.entry.maps.iter().any(of_chain) {
+            let serves_all = |(_, value): &(_, MapSetting)| matches!(value, MapSetting::Levels(..));
+            let of_one = |map: &registry::MapInput| {
+                matches!(map.levels, MapLevels::ChainFrom(_)) && !map.settings.iter().any(serves_all)
+            };
+            if self.has_levels() && choice.entry.maps.iter().any(of_one) {
                 let (stage, key, entry) = (stage.title, stage.key, choice.entry.name);
                 return Err(SelectionError::OneLevel {
                     stage,

@@ -2,6 +2,7 @@
 
 use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
+use relief_core::registry::MapLevels;
 use relief_core::{MapFormat, Path, Wrap};
 use relief_render::light::Light;
 use relief_render::mesh::Builtin;
@@ -28,7 +29,9 @@ fn a_level_is_traced_as_the_map_that_it_is() {
         .map(|(number, finest)| {
             let mut levels = *finest;
             levels.choose("detail", "footprint").expect("a listed name");
-            if levels.check().is_err() {
+            // One pyramid serves all levels and so bounds each less tightly: other steps lead to the same hit.
+            let is_chain = levels.map_needs().iter().any(|need| need.input.levels != MapLevels::EachDetail);
+            if is_chain || levels.check().is_err() {
                 return 0;
             }
             let mut compared = 0;

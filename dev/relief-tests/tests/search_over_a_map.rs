@@ -33,10 +33,10 @@ fn paths(map: &HeightMap, seed: u64) -> impl Iterator<Item = (RayKind, Path)> + 
     finite.map(|(kind, path)| (kind, Path::from(&relief_shaders::cpu::Path::from(&path))))
 }
 
-/// A shader's answer to be judged: where its `t` says, which is checked, and there on the surface. Where a
-/// path begins below, the shader has the height of the path.
-fn answer(map: &HeightMap, tracer: &MethodTracer, path: &Path) -> ExactHit {
-    let mut hit = tracer.first_hit(path);
+/// A shader's answer over a level of detail, whose heights are given, to be judged: where its `t` says, which is
+/// checked, and there on the surface. Where a path begins below, the shader has the height of the path.
+fn answer(map: &HeightMap, tracer: &MethodTracer, level: u32, path: &Path) -> ExactHit {
+    let mut hit = tracer.first_hit_in(level, path);
     if hit.found {
         let [u, v, _] = path.at(hit.t);
         for (axis, place) in [u, v].into_iter().enumerate() {
@@ -54,11 +54,21 @@ fn answer(map: &HeightMap, tracer: &MethodTracer, path: &Path) -> ExactHit {
 fn trial(map: &HeightMap, selection: &Selection, format: MapFormat, rays: usize) -> (Tally, f64) {
     let baked = maps_in(format, map, selection);
     let tracer = MethodTracer::over(map, selection, slots(map, selection, &baked));
+    trial_in((map, 0), selection, &tracer, rays)
+}
+
+/// The same over a level of detail, whose heights and number are given.
+fn trial_in(
+    (map, level): (&HeightMap, u32),
+    selection: &Selection,
+    tracer: &MethodTracer,
+    rays: usize,
+) -> (Tally, f64) {
     let (mut tally, mut reads, steepest) = (Tally::default(), 0.0, steepest(map));
     let promised = |path: &Path| selection.guarantee(class_of(path)) == Guarantee::Exact;
     for (kind, path) in paths(map, 1).filter(|(_, path)| promised(path)).take(rays) {
         let truth = cell_walk(map, &path);
-        let other = answer(map, &tracer, &path);
+        let other = answer(map, tracer, level, &path);
         match judge(map, &path, &truth, &other, slack(map, steepest, &path)) {
             Ok(Verdict::Agree) => {}
             Ok(Verdict::Grazing) => tally.grazing += 1,
@@ -96,6 +106,51 @@ fn no_first_hit_is_missed_or_passed_on_any_map_in_any_wrap() {
         println!("{} {format:?}: {tally:?}, {reads:.1} reads a ray", pairs::name(selection));
         assert!(tally.hits > tally.misses / 4 && tally.misses > tally.hits / 10, "{tally:?}");
         assert!(tally.grazing < (tally.hits + tally.misses) / 10, "{tally:?}");
+    }
+}
+
+/// The pair of which one map serves all levels of detail, with and without these.
+fn quadtree(detail: &str) -> Selection {
+    let mut selection = Selection::method("quadtree").expect("a method");
+    selection.choose("detail", detail).expect("a listed name");
+    selection
+}
+
+#[test]
+fn one_pyramid_serves_all_levels_of_detail() {
+    let selection = quadtree("footprint");
+    let cases: Vec<_> = maps::ALL.iter().flat_map(|named| Wrap::ALL.map(|wrap| (named, wrap))).collect();
+    let of_case = |(named, wrap): &(&maps::NamedMap, Wrap)| {
+        let map = named.build(*wrap);
+        let baked = maps_for(&map, &selection);
+        let tracer = MethodTracer::over(&map, &selection, slots(&map, &selection, &baked));
+        // Each level is judged by its own surface.
+        let of_level = |k| trial_in((&map.level(k), k), &selection, &tracer, RAYS_PER_MAP / 8).0;
+        (0..map.levels()).map(of_level).fold(Tally::default(), Tally::plus)
+    };
+    let tally = cases.par_iter().map(of_case).reduce(Tally::default, Tally::plus);
+    println!("{tally:?}");
+    assert!(tally.hits > tally.misses / 4 && tally.misses > tally.hits / 10, "{tally:?}");
+    assert!(tally.grazing < (tally.hits + tally.misses) / 10, "{tally:?}");
+}
+
+#[test]
+fn a_pyramid_of_the_finest_level_alone_is_noticed_in_others() {
+    let selection = quadtree("footprint");
+    let map = maps::ALL[3].build(Wrap::Clamp);
+    let finest = maps_for(&map, &quadtree("none")).pop().expect("it reads a map");
+    let tracer = MethodTracer::over(&map, &selection, SlotMaps::from_iter([(MapSlot::Search, &finest)]));
+    for (k, wrong) in [(0, false), (1, true), (2, true)] {
+        let level = map.level(k);
+        let steepest = steepest(&level);
+        let rays = paths(&level, 2).filter(|(_, path)| class_of(path) == RayClass::View).take(20_000);
+        let noticed = rays.filter(|(_, path)| {
+            let other = answer(&level, &tracer, k, path);
+            judge(&level, path, &cell_walk(&level, path), &other, slack(&level, steepest, path)).is_err()
+        });
+        let noticed = noticed.count();
+        println!("level {k}: noticed on {noticed} of 20000 rays");
+        assert_eq!(noticed >= 5, wrong, "level {k}: noticed on {noticed} of 20000 rays");
     }
 }
 
@@ -181,7 +236,7 @@ fn a_map_that_promises_too_much_and_another_wraps_map_are_noticed() {
                 let seen = |path: &Path| selection.guarantee(class_of(path)) == Guarantee::Exact;
                 let rays = paths(&map, 2).filter(|(_, path)| seen(path)).take(20_000);
                 let noticed = rays.filter(|(_, path)| {
-                    let other = answer(&map, &tracer, path);
+                    let other = answer(&map, &tracer, 0, path);
                     judge(&map, path, &cell_walk(&map, path), &other, slack(&map, steepest, path)).is_err()
                 });
                 let noticed = noticed.count();

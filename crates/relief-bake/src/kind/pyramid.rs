@@ -21,6 +21,10 @@
 //! is padded, so nothing is covered that is not there. Taking extremes does not round: in `f32` the bound is
 //! exact, and over the cells of one node it is attained, at a texel. With `bits`, heights are decoded from so
 //! many bits first, and each node is one of them: stored in as many bits it is still exact.
+//!
+//! With the parameter `over` at 2 nodes take the extremes of the map's coarser levels along, by the cells that
+//! [`MaxPyramid::over_levels`] names: the guarantee holds for the surface of each of these levels. Area means
+//! are no heights of so many bits, so such nodes are rounded to their own side when they are stored.
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
@@ -40,8 +44,9 @@ pub const KIND: Kind = Kind {
     },
     params: PARAMS,
     guarantee: "The bilinear surface over the cells of a node is nowhere below its min and nowhere above its \
-        max; both are attained. Exact in f32 and in as many bits as the heights have. Over texels, as \
-        published, nothing is promised between their centres.",
+        max; both are attained. Exact in f32 and in as many bits as the heights have. Over the levels of \
+        detail the same holds for the surface of each. Over texels, as published, nothing is promised between \
+        their centres.",
     is_picture: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
@@ -53,12 +58,22 @@ const PARAMS: &[Param] = &[OVER, BITS];
 /// Place of the parameter `over`.
 const OVER_PLACE: usize = 0;
 
+/// The value of `over` for dual cells.
+pub const OVER_CELLS: u32 = 0;
+
+/// The value of `over` for texels.
+pub const OVER_TEXELS: u32 = 1;
+
+/// The value of `over` for dual cells of all levels of detail.
+pub const OVER_LEVELS: u32 = 2;
+
 const OVER: Param = Param {
     name: "over",
-    summary: "what the finest level is: 0 dual cells, which bound the surface, 1 texels, as published, which do not",
+    summary: "what nodes are over: 0 dual cells, which bounds the surface, 1 texels, as published, which does not, \
+        2 dual cells of the map and of its levels of detail, which bounds the surface of each",
     unit: "",
     min: 0.0,
-    max: 1.0,
+    max: 2.0,
     default: 0.0,
     integer: true,
 };
@@ -139,12 +154,18 @@ fn bake(
     progress: &Progress,
     sink: &mut dyn Sink,
 ) -> Result<(), BakeError> {
-    if settings.count(OVER_PLACE) == 1 {
+    let over = settings.count(OVER_PLACE);
+    if over == OVER_TEXELS {
         return bake_over_texels(source.map, progress, sink);
     }
-    let (min, max) = pyramids(source.map, progress)?;
+    let (mut min, mut max) = pyramids(source.map, progress)?;
+    if over == OVER_LEVELS {
+        (min, max) = (min.over_levels(source.map), max.over_levels(source.map));
+    }
     let cells = "dual cells: texel (i, j) of level 0 lies between the heights (i, j) and (i + 1, j + 1)";
-    sink.begin(&texture(source.map, cells))?;
+    let levels = "; nodes bound the levels of detail, too";
+    let texels = if over == OVER_LEVELS { [cells, levels].concat() } else { cells.to_owned() };
+    sink.begin(&texture(source.map, &texels))?;
     for level in 0..max.levels() {
         sink.slice(&[min.nodes(level), max.nodes(level)])?;
     }

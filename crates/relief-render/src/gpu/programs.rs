@@ -64,7 +64,7 @@ impl Layouts {
             traced: of("traced", &["traced_hit", "traced_what", "records", "sums"]),
             shown: of("shown", &["shown_records", "picture"]),
             rays: of("rays", &["pixels", "probes"]),
-            pyramid: of("pyramid", &["finer_level", "pyramid_pass"]),
+            pyramid: of("pyramid", &["finer_level", "heights_below", "pyramid_pass"]),
         }
     }
 

@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use relief_bake::WantedMap;
-use relief_bake::kind::pyramid::KIND;
+use relief_bake::kind::pyramid::{KIND, OVER_CELLS, OVER_LEVELS, OVER_TEXELS};
 use relief_core::registry::MapLevels;
 use relief_core::{HeightMap, MapFormat, MapLayout, Metric};
 use relief_shaders::cpu::{PyramidPass, Shared, write_all};
@@ -39,6 +39,8 @@ pub enum Over {
     Cells,
     /// Texels, as published.
     Texels,
+    /// Dual cells of all levels of detail, which bounds the surface of each.
+    Levels,
 }
 
 /// What a pyramid is built from.
@@ -71,8 +73,10 @@ pub fn over(need: &MapNeed) -> Option<Over> {
     }
     match need.settings.as_slice() {
         [] => Some(Over::Cells),
-        [("over", value)] if *value == 0.0 => Some(Over::Cells),
-        [("over", value)] if *value == 1.0 => Some(Over::Texels),
+        [("over", value)] => {
+            let known = [(OVER_CELLS, Over::Cells), (OVER_TEXELS, Over::Texels), (OVER_LEVELS, Over::Levels)];
+            known.into_iter().find(|(number, _)| *value == *number as f32).map(|(_, over)| over)
+        }
         _ => None,
     }
 }
@@ -85,7 +89,8 @@ pub struct Builder {
 }
 
 impl Builder {
-    /// The pyramid of heights that lie on the GPU as 32-bit floats. Nothing is waited for.
+    /// The pyramid of heights that lie on the GPU as 32-bit floats, in all levels where it is over these.
+    /// Nothing is waited for.
     ///
     /// # Errors
     ///
@@ -106,17 +111,18 @@ impl Builder {
         let (settings, stride) = uniforms(gpu, &passes);
         let mut encoder = gpu.device().create_command_encoder(&Default::default());
         let mut finer = heights.clone();
-        for (level, pass) in (0u32..).zip(&passes) {
+        for level in 0..levels {
             let bytes = BufferSize::new(PyramidPass::SIZE as u64);
             let settings =
                 BufferBinding { buffer: &settings, offset: u64::from(level) * stride, size: bytes };
             let bound = [
                 ("finer_level", BindingResource::TextureView(&finer)),
+                ("heights_below", BindingResource::TextureView(heights)),
                 ("pyramid_pass", BindingResource::Buffer(settings)),
             ];
             let read = group(gpu.device(), label, &self.layout, &bound);
             let nodes = level_view(&texture, level);
-            self.draw(&mut encoder, &read, &nodes, half([pass.finer_size.x, pass.finer_size.y]));
+            self.draw(&mut encoder, &read, &nodes, nodes_size(size, level + 1));
             finer = nodes;
         }
         gpu.queue().submit([encoder.finish()]);
@@ -156,26 +162,24 @@ fn layout(size: [u32; 2]) -> Result<MapLayout, GpuError> {
     wanted.layout(size).map_err(|error| GpuError::Refused(error.to_string()))
 }
 
-fn half(size: [u32; 2]) -> [u32; 2] {
-    size.map(|side| side.div_ceil(2))
+/// Columns and rows of a level of nodes.
+fn nodes_size(size: [u32; 2], level: u32) -> [u32; 2] {
+    size.map(|side| side.div_ceil(1 << level))
 }
 
 /// What each level's pass reads.
 fn passes(source: &Source, size: [u32; 2], levels: u32) -> Vec<PyramidPass> {
     let wrap = source.heights.wrap();
-    let mut finer = size;
-    let of_level = |level| {
-        let of_heights = level == 0;
-        let reach = u32::from(of_heights && source.over == Over::Cells);
-        let beyond = finer.map(|side| wrap.index(i64::from(side), side));
-        let pass = PyramidPass {
-            finer_size: finer.into(),
-            beyond: beyond.into(),
-            reach,
-            of_heights: u32::from(of_heights),
-        };
-        finer = half(finer);
-        pass
+    let of_level = |level: u32| {
+        let reads_heights = level == 0 || (source.over == Over::Levels && level < source.heights.levels());
+        let heights_size = if reads_heights { size.map(|side| (side >> level).max(1)) } else { [0, 0] };
+        PyramidPass {
+            nodes_size: if level == 0 { [0, 0] } else { nodes_size(size, level) }.into(),
+            heights_size: heights_size.into(),
+            beyond: heights_size.map(|side| wrap.index(i64::from(side), side.max(1))).into(),
+            reach: u32::from(source.over != Over::Texels),
+            level,
+        }
     };
     (0..levels).map(of_level).collect()
 }

@@ -272,7 +272,7 @@ fn mistakes_in_a_file_are_reported_with_their_line() {
         ("light-angle = nan\nlights = []", "light-angle"),
         ("shadow-search = 'cone'\nshadow = 'horizon'", "shadow-search"),
         ("set.shadow-search.limit = 4\nshadow = 'none'", "set"),
-        ("shadow-search = 'pyramid'\ndetail = 'footprint'", "shadow-search"),
+        ("shadow-search = 'pyramid-texels'\ndetail = 'footprint'", "shadow-search"),
         ("set.detail.anisotropy = 0\ndetail = 'footprint'", "set"),
         ("set.shadow.samples = 4\nshadow = 'none'", "set"),
         ("shadow-search = 'relaxed-cone'\nshadow = 'ray'", "shadow-search"),

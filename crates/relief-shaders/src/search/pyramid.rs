@@ -1,15 +1,20 @@
 //! Registry entry of the search `pyramid`.
 
 use relief_core::FoundState;
-use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapLevels, Publication};
+use relief_core::registry::{Entry, Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Publication};
 
 /// Over the nodes of the maximum pyramid that the path stays above.
 pub const ENTRY: Entry = Entry {
     name: "pyramid",
     summary: "over the nodes of the maximum pyramid that the path stays above",
     publication: Publication { paper: super::SURVEY, section: "4.3.3" },
-    // The finest level is the heights' own, of which four are read together.
-    maps: &[MapInput { levels: MapLevels::ChainFrom(1), ..MapInput::new("pyramid", "") }],
+    // The finest level is the heights' own, of which four are read together. Where pixels are seen in levels
+    // of detail, the nodes bound the surface of each.
+    maps: &[MapInput {
+        levels: MapLevels::ChainFrom(1),
+        settings: &[("over", MapSetting::Levels(0.0, 2.0))],
+        ..MapInput::new("pyramid", "")
+    }],
     params: &[super::LIMIT],
     states: &[FoundState::Bracket],
     guarantee: Guarantees::all(Guarantee::Exact),

@@ -20,3 +20,20 @@ pub fn level(map: &HeightMap, level: u32) -> Vec<[f32; 2]> {
         })
         .collect()
 }
+
+/// Least and greatest height over the dual cells of every node of a level, those of the coarser levels of the
+/// map below it among them, row by row.
+pub fn level_over_levels(map: &HeightMap, level: u32) -> Vec<[f32; 2]> {
+    let mut nodes = self::level(map, level);
+    let columns = map.width().div_ceil(1 << level) as usize;
+    for of in 1..level.min(map.levels()) {
+        let coarser = map.level(of);
+        let width = coarser.width().div_ceil(1 << (level - of)) as usize;
+        for (row, extremes) in self::level(&coarser, level - of).chunks(width).enumerate() {
+            for (node, [least, most]) in nodes[row * columns..].iter_mut().zip(extremes) {
+                *node = [node[0].min(*least), node[1].max(*most)];
+            }
+        }
+    }
+    nodes
+}

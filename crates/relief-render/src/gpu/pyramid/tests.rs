@@ -17,19 +17,30 @@ use crate::gpu::{Work, block_on};
 use crate::job::Rendering;
 use crate::scene::{Scene, Surface};
 
-/// The searches that read a pyramid.
-const SEARCHES: [(&str, Over); 2] = [("pyramid", Over::Cells), ("pyramid-texels", Over::Texels)];
+/// A search that reads a pyramid, and in which detail.
+type Reader = (&'static str, &'static str);
 
-fn selection(search: &str) -> Selection {
+/// In the finest level of detail.
+const FINEST: Reader = ("pyramid", "none");
+
+/// What reads a pyramid, and what that is over.
+const READERS: [(Reader, Over); 3] = [
+    (FINEST, Over::Cells),
+    (("pyramid-texels", "none"), Over::Texels),
+    (("pyramid", "footprint"), Over::Levels),
+];
+
+fn selection((search, detail): Reader) -> Selection {
     let mut selection = Selection::method("quadtree").expect("a method");
     selection.choose("search", search).expect("a search");
     selection.choose("refine", if search == "pyramid" { "patch" } else { "none" }).expect("a refinement");
+    selection.choose("detail", detail).expect("a detail");
     selection
 }
 
-/// The map that a search reads, as the CPU bakes it.
-fn baked(map: &HeightMap, search: &str) -> Arc<BakedMap> {
-    let needs = selection(search).map_needs();
+/// The map that a selection reads, as the CPU bakes it.
+fn baked(map: &HeightMap, selection: &Selection) -> Arc<BakedMap> {
+    let needs = selection.map_needs();
     let mut settings = KIND.defaults();
     for (name, value) in &needs[0].settings {
         settings.set(name, f64::from(*value)).expect("a setting of the kind");
@@ -44,10 +55,10 @@ fn builder(gpu: &Gpu, map: &Arc<HeightMap>) -> Builder {
     let surface = JobSurface {
         settings: relief_shaders::cpu::SurfaceSettings::tracing(
             map,
-            &selection("pyramid"),
+            &selection(FINEST),
             &relief_shaders::SlotMaps::default(),
         ),
-        selection: selection("pyramid"),
+        selection: selection(FINEST),
         triangles: Arc::new([]),
         height_map: Arc::clone(map),
         color: None,
@@ -87,7 +98,7 @@ fn read_level(gpu: &Gpu, texture: &Texture, level: u32) -> Vec<f32> {
 /// The pyramid of a map as it is built, level by level.
 fn built(gpu: &Gpu, builder: &Builder, map: &Arc<HeightMap>, over: Over) -> Vec<Vec<f32>> {
     let texture = block_on(gpu.guarded(|| {
-        let heights = textures::heights(gpu, map, 1, Precision::F32)?;
+        let heights = textures::heights(gpu, map, map.levels(), Precision::F32)?;
         builder.build(gpu, "pyramid", &Source { heights: Arc::clone(map), over }, &heights)
     }));
     let texture = texture.expect("it is built");
@@ -134,10 +145,10 @@ fn every_level_has_the_bits_of_the_baked_map_within_the_least_limits() {
     let builder = builder(&gpu, &hills(4, 4, Wrap::Repeat));
     for wrap in Wrap::ALL {
         for (name, map) in adversarial(wrap) {
-            for (search, over) in SEARCHES {
-                let found = differences(&built(&gpu, &builder, &map, over), &baked(&map, search));
-                let found = found.unwrap_or_else(|| panic!("{search} {name} {wrap}: other levels"));
-                assert!(found.iter().all(|count| *count == 0), "{search} {name} {wrap}: {found:?} differ");
+            for (reader, over) in READERS {
+                let found = differences(&built(&gpu, &builder, &map, over), &baked(&map, &selection(reader)));
+                let found = found.unwrap_or_else(|| panic!("{reader:?} {name} {wrap}: other levels"));
+                assert!(found.iter().all(|count| *count == 0), "{reader:?} {name} {wrap}: {found:?} differ");
             }
         }
     }
@@ -154,21 +165,20 @@ fn a_single_other_texel_and_another_wrap_are_noticed() {
         let mut texels = map.texels().to_vec();
         texels[place] = 1.0;
         let other = HeightMap::new(width, height, texels, Wrap::Repeat).expect("a valid map");
-        for (search, over) in SEARCHES {
-            let found =
-                differences(&built(&gpu, &builder, &Arc::new(other.clone()), over), &baked(&map, search));
-            let found = found.expect("the same levels");
-            assert!(found.iter().all(|count| *count > 0), "{search}, texel {place}: {found:?} differ");
+        for (reader, over) in READERS {
+            let built = built(&gpu, &builder, &Arc::new(other.clone()), over);
+            let found = differences(&built, &baked(&map, &selection(reader))).expect("the same levels");
+            assert!(found.iter().all(|count| *count > 0), "{reader:?}, texel {place}: {found:?} differ");
         }
     }
     let mirrored = Arc::new(map.clone().with_wrap(Wrap::Mirror));
-    let found = differences(&built(&gpu, &builder, &mirrored, Over::Cells), &baked(&map, "pyramid"));
+    let found = differences(&built(&gpu, &builder, &mirrored, Over::Cells), &baked(&map, &selection(FINEST)));
     assert!(found.is_some_and(|counts| counts[0] > 0));
 }
 
 /// The sample scene with a search for each surface, and for the shadows.
-fn searched(search: &str) -> Scene {
-    let surfaces = three_surfaces().into_iter().map(|surface| surface.with_selection(selection(search)));
+fn searched(reader: Reader) -> Scene {
+    let surfaces = three_surfaces().into_iter().map(|surface| surface.with_selection(selection(reader)));
     scene(surfaces.collect())
 }
 
@@ -176,7 +186,7 @@ fn searched(search: &str) -> Scene {
 fn with_baked_maps(renderer: &mut Renderer, scene: &Scene) -> Rendering {
     let mut maps = Maps::in_memory();
     for surface in scene.surfaces() {
-        maps.insert(baked(surface.height_map(), surface.selection().search().name));
+        maps.insert(baked(surface.height_map(), surface.selection()));
     }
     let picture = renderer.render(scene, &mut maps, &|_, _| ()).expect("a picture");
     let origins: Vec<Origin> = picture.made.maps.iter().map(|account| account.origin).collect();
@@ -187,14 +197,14 @@ fn with_baked_maps(renderer: &mut Renderer, scene: &Scene) -> Rendering {
 #[test]
 fn a_pyramid_is_built_once_and_again_when_the_heights_or_their_wrap_change() {
     let Some(gpu) = software() else { return };
-    for (search, _) in SEARCHES {
+    for (reader, _) in READERS {
         let (mut renderer, mut maps) = (Renderer::on_gpu(gpu.clone(), Sampling::Exact), Maps::in_memory());
         let mut other = Renderer::on_gpu(gpu.clone(), Sampling::Exact);
-        let mut scene = searched(search);
+        let mut scene = searched(reader);
         let first = rendered(&mut renderer, &scene, &mut maps);
         // One for each surface, which the searches of view and shadow both read.
-        assert_eq!(renderer.last_work().built, 3, "{search}");
-        assert_eq!(first, with_baked_maps(&mut other, &scene), "{search}");
+        assert_eq!(renderer.last_work().built, 3, "{reader:?}");
+        assert_eq!(first, with_baked_maps(&mut other, &scene), "{reader:?}");
         assert_eq!(rendered(&mut renderer, &scene, &mut maps), first);
         assert_eq!(renderer.last_work(), Work::default());
 
@@ -212,8 +222,8 @@ fn a_pyramid_is_built_once_and_again_when_the_heights_or_their_wrap_change() {
             scene = change(&scene, map);
             let picture = rendered(&mut renderer, &scene, &mut maps);
             let work = renderer.last_work();
-            assert_eq!((work.built, work.compiled), (count, 0), "{search}");
-            assert_eq!(picture, with_baked_maps(&mut other, &scene), "{search}");
+            assert_eq!((work.built, work.compiled), (count, 0), "{reader:?}");
+            assert_eq!(picture, with_baked_maps(&mut other, &scene), "{reader:?}");
         }
     }
 }
@@ -223,7 +233,7 @@ fn nothing_is_baked_or_kept_where_pyramids_are_built() {
     let Some(gpu) = software() else { return };
     let folder = tempfile::tempdir().expect("a temporary folder");
     let provider = || Maps::with_cache(Cache::new(folder.path(), DEFAULT_LIMIT));
-    let scene = searched("pyramid");
+    let scene = searched(FINEST);
     let origins = |renderer: &mut Renderer, maps: &mut Maps| -> Vec<Origin> {
         let picture = renderer.render(&scene, maps, &|_, _| ()).expect("a picture");
         picture.made.maps.iter().map(|account| account.origin).collect()
@@ -250,7 +260,7 @@ fn nothing_is_baked_or_kept_where_pyramids_are_built() {
 fn where_heights_have_16_bits_on_the_gpu_their_pyramid_is_baked() {
     // Without the feature that filters 32 bits.
     let Some(gpu) = own(Limits::downlevel_defaults()) else { return };
-    let scene = searched("pyramid");
+    let scene = searched(FINEST);
     for (sampling, built) in [(Sampling::Fast, 0), (Sampling::Exact, 3), (Sampling::Fast, 0)] {
         let mut renderer = Renderer::on_gpu(gpu.clone(), sampling);
         let picture = renderer.render(&scene, &mut Maps::in_memory(), &|_, _| ()).expect("a picture");
@@ -261,8 +271,8 @@ fn where_heights_have_16_bits_on_the_gpu_their_pyramid_is_baked() {
 
 #[test]
 fn only_pyramids_with_settings_that_are_known_are_built() {
-    let needs: Vec<MapNeed> = SEARCHES.map(|(search, _)| selection(search).map_needs().swap_remove(0)).into();
-    for (need, (_, wanted)) in needs.iter().zip(SEARCHES) {
+    let needs: Vec<MapNeed> = READERS.map(|(reader, _)| selection(reader).map_needs().swap_remove(0)).into();
+    for (need, (_, wanted)) in needs.iter().zip(READERS) {
         assert_eq!(over(need), Some(wanted));
     }
     for method in ["cone", "frustum"] {
@@ -270,6 +280,6 @@ fn only_pyramids_with_settings_that_are_known_are_built() {
         assert!(needs.iter().all(|need| over(need).is_none()), "{method}");
     }
     let bits = MapNeed { settings: vec![("bits", 8.0)], ..needs[0].clone() };
-    let other = MapNeed { settings: vec![("over", 2.0)], ..needs[1].clone() };
+    let other = MapNeed { settings: vec![("over", 1.5)], ..needs[1].clone() };
     assert_eq!((over(&bits), over(&other)), (None, None));
 }
