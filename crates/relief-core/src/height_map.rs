@@ -296,6 +296,11 @@ impl HeightMap {
         HeightMap { wrap, scale_m, bias_m, ..self.coarser()[last as usize].clone() }
     }
 
+    /// The mean of all texels, to rounding: the coarsest level's only one.
+    pub fn mean(&self) -> f32 {
+        self.level(self.levels() - 1).texels()[0]
+    }
+
     /// The coarser levels, from the first one on: their sizes and texels; all else is not theirs.
     pub fn coarser(&self) -> &[HeightMap] {
         self.heights.coarser.get_or_init(|| {

@@ -67,13 +67,15 @@ pub struct Detail {
     pub level: u32,
     /// As in `Entered`.
     pub footprint: f32,
+    pub fade: f32,
 }
 impl Detail {
     pub fn new(
         level: impl rt::Into<u32>,
         footprint: impl rt::Into<f32>,
+        fade: impl rt::Into<f32>,
     ) -> Self {
-        Self { level: rt::into(level), footprint: rt::into(footprint) }
+        Self { level: rt::into(level), footprint: rt::into(footprint), fade: rt::into(fade) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -123,6 +125,9 @@ pub struct Entered {
     /// How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     /// the finest level.
     pub footprint: f32,
+    /// The part, below 1, by which the traced relief is flatter than it is: its heights are drawn toward their
+    /// mean.
+    pub fade: f32,
 }
 impl Entered {
     pub fn new(
@@ -134,8 +139,9 @@ impl Entered {
         bitangent: impl rt::Into<rt::Vec3<f32>>,
         normal: impl rt::Into<rt::Vec3<f32>>,
         footprint: impl rt::Into<f32>,
+        fade: impl rt::Into<f32>,
     ) -> Self {
-        Self { valid: rt::into(valid), path: rt::into(path), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), footprint: rt::into(footprint) }
+        Self { valid: rt::into(valid), path: rt::into(path), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), footprint: rt::into(footprint), fade: rt::into(fade) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -509,6 +515,8 @@ pub struct SurfaceSettings {
     pub has_shadows: u32,
     pub scale_m: f32,
     pub bias_m: f32,
+    /// The mean of the height map, where pixels are seen in levels of detail.
+    pub mean_height: f32,
     /// The part of the light that is refracted where it enters the surface, not scattered, and the index of
     /// refraction.
     pub transmission: f32,
@@ -539,12 +547,13 @@ impl SurfaceSettings {
         has_shadows: impl rt::Into<u32>,
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
+        mean_height: impl rt::Into<f32>,
         transmission: impl rt::Into<f32>,
         ior: impl rt::Into<f32>,
         environment_side: impl rt::Into<u32>,
         environment_levels: impl rt::Into<u32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), transmission: rt::into(transmission), ior: rt::into(ior), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -1421,10 +1430,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_39 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_41 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_39.x())) + (by * at_39.y())) + ((twist * at_39.x()) * at_39.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_39.x() * grid_1.step.y()) + (at_39.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_41.x())) + (by * at_41.y())) + ((twist * at_41.x()) * at_41.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_41.x() * grid_1.step.y()) + (at_41.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -1654,103 +1663,185 @@ impl<'g> Resources<'g> {
         let below_1 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
         return above_2.select(below_1, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
-    pub(crate) fn footprint_axis(
+    pub(crate) fn plane_distance(
         &self,
         pixel: PixelIn,
-        at_8: Entered,
         normal_7: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_plane_distance(pixel, rt::into(normal_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_plane_distance(
+        &self,
+        pixel: PixelIn,
+        normal_7: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        return (normal_7.dot((pixel.a.position - pixel.origin)) / normal_7.dot(pixel.direction));
+    }
+    pub(crate) fn plane_normal(&self, pixel_1: PixelIn) -> rt::Vec3<f32> {
+        rt::into(self.v_plane_normal(pixel_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_plane_normal(&self, pixel_1: PixelIn) -> rt::Vec3<f32> {
+        let a_2 = pixel_1.a.position;
+        return (pixel_1.b.position - a_2).cross((pixel_1.c.position - a_2));
+    }
+    pub(crate) fn depth_in_samples(&self, pixel_2: PixelIn) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_depth_in_samples(&self, pixel_2: PixelIn) -> rt::Scalar<f32> {
+        let _e1 = self.v_plane_normal(pixel_2);
+        let _e2 = self.v_plane_distance(pixel_2, _e1);
+        let _e5 = self.frame.eye_right;
+        let _e9 = self.frame.right;
+        let _e16 = rt::Scalar(self.frame.sample_width);
+        let width_1 = ((_e5.xyz() + (_e9.xyz() * _e2)).length() * _e16);
+        let _e20 = rt::Scalar(self.surface_settings.scale_m);
+        return (_e20 / width_1);
+    }
+    pub(crate) fn footprint_axis(
+        &self,
+        pixel_3: PixelIn,
+        at_8: Entered,
+        normal_8: impl rt::Into<rt::Vec3<f32>>,
         t_6: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel, at_8, rt::into(normal_7), rt::into(t_6), rt::into(origin), rt::into(direction_3)))
+        rt::into(self.v_footprint_axis(pixel_3, at_8, rt::into(normal_8), rt::into(t_6), rt::into(origin), rt::into(direction_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_axis(
         &self,
-        pixel: PixelIn,
+        pixel_3: PixelIn,
         at_8: Entered,
-        normal_7: rt::Vec3<f32>,
+        normal_8: rt::Vec3<f32>,
         t_6: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_3: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside = (origin + (direction_3 * t_6));
-        let along_2 = (normal_7.dot(aside) / normal_7.dot(pixel.direction));
-        let _e15 = self.v_climb(at_8, (aside - (pixel.direction * along_2)));
+        let along_2 = (normal_8.dot(aside) / normal_8.dot(pixel_3.direction));
+        let _e15 = self.v_climb(at_8, (aside - (pixel_3.direction * along_2)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
-    pub(crate) fn detail_footprint(
+    pub(crate) fn footprint_of(
         &self,
-        pixel_1: PixelIn,
+        pixel_4: PixelIn,
         at_9: Entered,
+        anisotropy: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_footprint_of(pixel_4, at_9, rt::into(anisotropy)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_footprint_of(
+        &self,
+        pixel_4: PixelIn,
+        at_9: Entered,
+        anisotropy: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_normal(pixel_4);
+        let _e4 = self.v_plane_distance(pixel_4, _e3);
+        let _e7 = self.frame.eye_right;
+        let _e11 = self.frame.right;
+        let _e13 = self.v_footprint_axis(pixel_4, at_9, _e3, _e4, _e7.xyz(), _e11.xyz());
+        let _e16 = self.frame.eye_down;
+        let _e20 = self.frame.down;
+        let _e22 = self.v_footprint_axis(pixel_4, at_9, _e3, _e4, _e16.xyz(), _e20.xyz());
+        let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
+        let sum_1 = both.dot(both);
+        let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
+        let apart = ((sum_1 - (rt::Scalar(2f32) * area_1)) * (sum_1 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
+        let longer = (rt::Scalar(0.5f32) * (sum_1 + apart));
+        let shorter = ((area_1 * area_1) / longer);
+        let squared_1 = shorter.max((longer / (anisotropy * anisotropy)));
+        let _e53 = rt::Scalar(self.frame.sample_width);
+        return (squared_1.sqrt() * _e53);
+    }
+    pub(crate) fn detail_fade(
+        &self,
+        pixel_5: PixelIn,
+        at_10: Entered,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_1, at_9, rt::into(params_5)))
+        rt::into(self.v_detail_fade(pixel_5, at_10, rt::into(params_5)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_detail_fade(
+        &self,
+        pixel_5: PixelIn,
+        at_10: Entered,
+        params_5: rt::Vec4<f32>,
+    ) -> Detail {
+        let _e4 = self.v_footprint_of(pixel_5, at_10, params_5.x());
+        let begin = (params_5.z() * params_5.w());
+        let _e8 = self.v_depth_in_samples(pixel_5);
+        let part_3 = ((begin - _e8) / (begin - params_5.z()).max(rt::Scalar(0.000001f32)));
+        let _e19 = rt::Scalar(self.surface_settings.height_levels);
+        let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
+        let level_21 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_21, _e4, part_3.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+    }
+    pub(crate) fn detail_footprint(
+        &self,
+        pixel_6: PixelIn,
+        at_11: Entered,
+        params_6: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Detail {
+        rt::into(self.v_detail_footprint(pixel_6, at_11, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_footprint(
         &self,
-        pixel_1: PixelIn,
-        at_9: Entered,
-        params_5: rt::Vec4<f32>,
+        pixel_6: PixelIn,
+        at_11: Entered,
+        params_6: rt::Vec4<f32>,
     ) -> Detail {
-        let a_2 = pixel_1.a.position;
-        let normal_11 = (pixel_1.b.position - a_2).cross((pixel_1.c.position - a_2));
-        let t_26 = (normal_11.dot((a_2 - pixel_1.origin)) / normal_11.dot(pixel_1.direction));
-        let _e20 = self.frame.eye_right;
-        let _e24 = self.frame.right;
-        let _e26 = self.v_footprint_axis(pixel_1, at_9, normal_11, t_26, _e20.xyz(), _e24.xyz());
-        let _e29 = self.frame.eye_down;
-        let _e33 = self.frame.down;
-        let _e35 = self.v_footprint_axis(pixel_1, at_9, normal_11, t_26, _e29.xyz(), _e33.xyz());
-        let both = <rt::Vec4<f32>>::new_22(_e26, _e35);
-        let sum_1 = both.dot(both);
-        let area_1 = ((_e26.x() * _e35.y()) - (_e26.y() * _e35.x()));
-        let apart = ((sum_1 - (rt::Scalar(2f32) * area_1)) * (sum_1 + (rt::Scalar(2f32) * area_1))).max(rt::Scalar(0f32)).sqrt();
-        let longer = (rt::Scalar(0.5f32) * (sum_1 + apart));
-        let shorter = ((area_1 * area_1) / longer);
-        let squared_1 = shorter.max((longer / (params_5.x() * params_5.x())));
-        let _e68 = rt::Scalar(self.frame.sample_width);
-        let footprint_2 = (squared_1.sqrt() * _e68);
-        let _e74 = rt::Scalar(self.surface_settings.height_levels);
-        let _e75 = self.v_levels_of((footprint_2 / params_5.y()), _e74);
-        return <Detail>::new(rt::Scalar(_e75.fine), footprint_2);
+        let _e4 = self.v_footprint_of(pixel_6, at_11, params_6.x());
+        let _e9 = rt::Scalar(self.surface_settings.height_levels);
+        let _e10 = self.v_levels_of((_e4 / params_6.y()), _e9);
+        return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
-        pixel_2: PixelIn,
-        at_10: Entered,
-        params_6: impl rt::Into<rt::Vec4<f32>>,
+        pixel_7: PixelIn,
+        at_12: Entered,
+        params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_2, at_10, rt::into(params_6)))
+        rt::into(self.v_detail_none(pixel_7, at_12, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_none(
         &self,
-        pixel_2: PixelIn,
-        at_10: Entered,
-        params_6: rt::Vec4<f32>,
+        pixel_7: PixelIn,
+        at_12: Entered,
+        params_7: rt::Vec4<f32>,
     ) -> Detail {
-        return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32));
+        return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_3: PixelIn, at_11: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_3, at_11))
+    pub(crate) fn detail_stage(&self, pixel_8: PixelIn, at_13: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_8, at_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_3: PixelIn, at_11: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_8: PixelIn, at_13: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[1usize].params;
-                let _e12 = self.v_detail_none(pixel_3, at_11, _e11);
+                let _e12 = self.v_detail_none(pixel_8, at_13, _e11);
                 return _e12;
             }
-            _ => {
+            1u32 => {
                 let _e17 = self.surface_settings.choices[1usize].params;
-                let _e18 = self.v_detail_footprint(pixel_3, at_11, _e17);
+                let _e18 = self.v_detail_footprint(pixel_8, at_13, _e17);
                 return _e18;
+            }
+            _ => {
+                let _e23 = self.surface_settings.choices[1usize].params;
+                let _e24 = self.v_detail_fade(pixel_8, at_13, _e23);
+                return _e24;
             }
         }
     }
@@ -1771,11 +1862,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_8.level));
         let _e5 = self.v_texels_around(uv_5, _e4);
-        let level_21 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_2, level_21);
-        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_2, level_21);
-        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_2, level_21);
-        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_2, level_21);
+        let level_22 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_2, level_22);
+        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_2, level_22);
+        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_2, level_22);
+        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_2, level_22);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
@@ -1848,16 +1939,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane(
         &self,
-        pixel_4: PixelIn,
-        params_7: impl rt::Into<rt::Vec4<f32>>,
+        pixel_9: PixelIn,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_4, rt::into(params_7)))
+        rt::into(self.v_surface_plane(pixel_9, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane(
         &self,
-        pixel_4: PixelIn,
-        params_7: rt::Vec4<f32>,
+        pixel_9: PixelIn,
+        params_8: rt::Vec4<f32>,
     ) -> Entered {
         let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
         let mut local_6: rt::Scalar<bool>;
@@ -1865,24 +1956,24 @@ impl<'g> Resources<'g> {
         let mut leave_3: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
 
-        let a_4 = pixel_4.a.position;
-        let e1_ = (pixel_4.b.position - a_4);
-        let e2_ = (pixel_4.c.position - a_4);
+        let a_4 = pixel_9.a.position;
+        let e1_ = (pixel_9.b.position - a_4);
+        let e2_ = (pixel_9.c.position - a_4);
         let n_8 = e1_.cross(e2_);
         let nn = n_8.dot(n_8);
-        let toward_3 = n_8.dot(pixel_4.direction);
-        let distance = (n_8.dot((a_4 - pixel_4.origin)) / toward_3);
-        let point_5 = (pixel_4.origin + (pixel_4.direction * distance));
+        let toward_3 = n_8.dot(pixel_9.direction);
+        let distance = (n_8.dot((a_4 - pixel_9.origin)) / toward_3);
+        let point_5 = (pixel_9.origin + (pixel_9.direction * distance));
         let from_a = (point_5 - a_4);
         let wb = (from_a.cross(e2_).dot(n_8) / nn);
         let wc = (e1_.cross(from_a).dot(n_8) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_15 = (((pixel_4.a.uv * wa) + (pixel_4.b.uv * wb)) + (pixel_4.c.uv * wc));
-        let tangent_1 = (((pixel_4.a.tangent * wa) + (pixel_4.b.tangent * wb)) + (pixel_4.c.tangent * wc));
-        let bitangent = (((pixel_4.a.bitangent * wa) + (pixel_4.b.bitangent * wb)) + (pixel_4.c.bitangent * wc));
-        let normal_12 = ((((pixel_4.a.normal * wa) + (pixel_4.b.normal * wb)) + (pixel_4.c.normal * wc)).normalize() * rt::Scalar(pixel_4.side));
-        let along_3 = pixel_4.direction.length();
-        let direction_4 = (pixel_4.direction / rt::Vec3::splat_from_scalar(along_3));
+        let uv_15 = (((pixel_9.a.uv * wa) + (pixel_9.b.uv * wb)) + (pixel_9.c.uv * wc));
+        let tangent_1 = (((pixel_9.a.tangent * wa) + (pixel_9.b.tangent * wb)) + (pixel_9.c.tangent * wc));
+        let bitangent = (((pixel_9.a.bitangent * wa) + (pixel_9.b.bitangent * wb)) + (pixel_9.c.bitangent * wc));
+        let normal_12 = ((((pixel_9.a.normal * wa) + (pixel_9.b.normal * wb)) + (pixel_9.c.normal * wc)).normalize() * rt::Scalar(pixel_9.side));
+        let along_3 = pixel_9.direction.length();
+        let direction_4 = (pixel_9.direction / rt::Vec3::splat_from_scalar(along_3));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
@@ -1938,218 +2029,23 @@ impl<'g> Resources<'g> {
         let _e184 = leave_3;
         let _e185 = enter;
         let _e189 = rt::Scalar(self.surface_settings.scale_m);
-        let path_46 = <Path>::new((uv_15 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
+        let path_47 = <Path>::new((uv_15 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
         let _e194 = valid;
-        return <Entered>::new(_e194, path_46, point_5, uv_15, tangent_1, bitangent, normal_12, rt::Scalar(0f32));
+        return <Entered>::new(_e194, path_47, point_5, uv_15, tangent_1, bitangent, normal_12, rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn surface_stage(&self, pixel_5: PixelIn) -> Entered {
-        rt::into(self.v_surface_stage(pixel_5))
+    pub(crate) fn surface_stage(&self, pixel_10: PixelIn) -> Entered {
+        rt::into(self.v_surface_stage(pixel_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_stage(&self, pixel_5: PixelIn) -> Entered {
+    fn v_surface_stage(&self, pixel_10: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e5) {
             _ => {
                 let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane(pixel_5, _e10);
+                let _e11 = self.v_surface_plane(pixel_10, _e10);
                 return _e11;
             }
         }
-    }
-    pub(crate) fn enter_relief(&self, pixel_6: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_6))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_6: PixelIn) -> Entered {
-        let mut at_12: Entered;
-
-        let _e1 = self.v_surface_stage(pixel_6);
-        at_12 = _e1;
-        let _e3 = at_12;
-        let _e4 = self.v_detail_stage(pixel_6, _e3);
-        rt::Scalar(at_12.path.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_12.footprint) = rt::Scalar(_e4.footprint);
-        let _e10 = at_12;
-        return _e10;
-    }
-    pub(crate) fn entered_once(
-        &self,
-        path_10: Path,
-        grid_5: Grid,
-        above: impl rt::Into<rt::Scalar<f32>>,
-        below: impl rt::Into<rt::Scalar<f32>>,
-        above_gap: impl rt::Into<rt::Scalar<f32>>,
-        below_gap: impl rt::Into<rt::Scalar<f32>>,
-        so_far: impl rt::Into<rt::Vec3<u32>>,
-    ) -> Found {
-        rt::into(self.v_entered_once(path_10, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_entered_once(
-        &self,
-        path_10: Path,
-        grid_5: Grid,
-        above: rt::Scalar<f32>,
-        below: rt::Scalar<f32>,
-        above_gap: rt::Scalar<f32>,
-        below_gap: rt::Scalar<f32>,
-        so_far: rt::Vec3<u32>,
-    ) -> Found {
-        let mut near_1: rt::Scalar<f32>;
-        let mut far_1: rt::Scalar<f32>;
-        let mut near_gap: rt::Scalar<f32>;
-        let mut far_gap: rt::Scalar<f32>;
-        let mut cost_1: rt::Vec3<u32>;
-        let mut local_7: rt::Scalar<bool>;
-
-        near_1 = above;
-        far_1 = below;
-        near_gap = above_gap;
-        far_gap = below_gap;
-        cost_1 = so_far;
-        let wide = (grid_5.step.x().abs() + grid_5.step.y().abs());
-        'naga_break: loop {
-            'naga_continue: {
-                let _e19 = far_1;
-                let _e20 = near_1;
-                if rt::Scalar::into_branch_condition((wide * (_e19 - _e20)).elementwise_gt(rt::Scalar(3f32))) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e25 = cost_1;
-                    cost_1 = (_e25 + STEP);
-                    let _e28 = near_1;
-                    let _e29 = far_1;
-                    let middle_2 = (rt::Scalar(0.5f32) * (_e28 + _e29));
-                    let _e33 = near_1;
-                    if rt::Scalar::into_branch_condition(middle_2.elementwise_gt(_e33)) {
-                        let _e37 = far_1;
-                        local_7 = middle_2.elementwise_lt(_e37);
-                    } else {
-                        local_7 = rt::Scalar(false);
-                    }
-                    let _e40 = local_7;
-                    if rt::Scalar::into_branch_condition((!_e40)) {
-                        break 'naga_break;
-                    }
-                    let _e42 = self.v_path_gap(path_10, middle_2);
-                    let _e43 = cost_1;
-                    cost_1 = (_e43 + HEIGHTS_READ);
-                    if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
-                        far_1 = middle_2;
-                        far_gap = _e42;
-                    } else {
-                        near_1 = middle_2;
-                        near_gap = _e42;
-                    }
-                }
-            }
-        }
-        let _e49 = near_1;
-        let _e50 = far_1;
-        let _e51 = near_gap;
-        let _e52 = far_gap;
-        let _e53 = cost_1;
-        return <Found>::new(FOUND_BRACKET, _e49, _e50, _e51, _e52, _e53);
-    }
-    pub(crate) fn facing_four(
-        &self,
-        middle: impl rt::Into<rt::Scalar<f32>>,
-        along: impl rt::Into<rt::Scalar<f32>>,
-        across: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_facing_four(rt::into(middle), rt::into(along), rt::into(across)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_facing_four(
-        &self,
-        middle: rt::Scalar<f32>,
-        along: rt::Scalar<f32>,
-        across: rt::Scalar<f32>,
-    ) -> rt::Vec4<f32> {
-        let x_1 = (along * rt::Scalar(1.7320508f32));
-        let y = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle + x_1), (middle - x_1), (middle + y), (middle - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
-    }
-    pub(crate) fn normal_at(
-        &self,
-        uv_7: impl rt::Into<rt::Vec2<f32>>,
-        layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_12: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_7), rt::into(layer_3), rt::into(level_12)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_at(
-        &self,
-        uv_7: rt::Vec2<f32>,
-        layer_3: rt::Scalar<i32>,
-        level_12: rt::Scalar<u32>,
-    ) -> rt::Vec4<f32> {
-        let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_12);
-        let _e7 = self.v_texels_around(uv_7, _e6);
-        let k_15 = level_12.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
-        let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
-        return _e38;
-    }
-    pub(crate) fn normal_from_height(
-        &self,
-        at_13: Entered,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_13, rt::into(uv_8)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_from_height(
-        &self,
-        at_13: Entered,
-        uv_8: rt::Vec2<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
-        let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e16 = self.v_height_at((uv_8 + du), rt::Scalar(0u32));
-        let _e19 = self.v_height_at((uv_8 - du), rt::Scalar(0u32));
-        let rise_u = (_e16 - _e19);
-        let _e23 = self.v_height_at((uv_8 + dv), rt::Scalar(0u32));
-        let _e26 = self.v_height_at((uv_8 - dv), rt::Scalar(0u32));
-        let rise_v = (_e23 - _e26);
-        let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
-        let _e41 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
-        let along_u_1 = (at_13.tangent + (at_13.normal * slope_u));
-        let along_v_1 = (at_13.bitangent + (at_13.normal * slope_v));
-        let across_2 = along_v_1.cross(along_u_1).normalize();
-        return (across_2 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_2.dot(at_13.normal).elementwise_ge(rt::Scalar(0f32))));
-    }
-    pub(crate) fn finest_normal(
-        &self,
-        at_14: Entered,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_14, rt::into(uv_9)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_finest_normal(
-        &self,
-        at_14: Entered,
-        uv_9: rt::Vec2<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e4 = rt::Scalar(self.surface_settings.has_normal);
-        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_9, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_14, _e9.xyz());
-            return _e11.normalize();
-        }
-        let _e13 = self.v_normal_from_height(at_14, uv_9);
-        return _e13;
     }
     pub(crate) fn quadratic(
         &self,
@@ -2211,6 +2107,266 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
+    pub(crate) fn path_slope(
+        &self,
+        path_10: Path,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_path_slope(path_10, rt::into(t_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_slope(
+        &self,
+        path_10: Path,
+        t_7: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (path_10.h.y() + ((rt::Scalar(2f32) * t_7) * path_10.h.z()));
+    }
+    pub(crate) fn flattened(
+        &self,
+        path_11: Path,
+        middle: impl rt::Into<rt::Scalar<f32>>,
+        part_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> Path {
+        rt::into(self.v_flattened(path_11, rt::into(middle), rt::into(part_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_flattened(
+        &self,
+        path_11: Path,
+        middle: rt::Scalar<f32>,
+        part_1: rt::Scalar<f32>,
+    ) -> Path {
+        let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        let kept = (rt::Scalar(1f32) - part_1);
+        let top_4 = (middle + ((rt::Scalar(1f32) - middle) * kept));
+        let above_3 = (path_11.h.x() - top_4);
+        let begins = above_3.elementwise_gt(rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(begins) {
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, path_11.h.y(), path_11.h.z()), rt::Scalar(path_11.exit));
+            start = _e22.min(rt::Scalar(path_11.exit));
+        }
+        let height_2 = (middle + ((path_11.h.x() - middle) / kept)).select(rt::Scalar(1f32), begins);
+        let _e32 = start;
+        let _e33 = self.v_path_slope(path_11, _e32);
+        let h_1 = <rt::Vec3<f32>>::from_scalars(height_2, (_e33 / kept), (path_11.h.z() / kept));
+        let _e40 = start;
+        let rest_1 = (rt::Scalar(path_11.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_1.x().max(rt::Scalar(0f32)), h_1.y(), h_1.z()), rest_1);
+        let exit = (_e48 * rt::Scalar(1.000001f32)).min(rest_1);
+        let _e53 = start;
+        let base_2 = (rt::Scalar(path_11.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e58 = start;
+        let _e59 = self.v_path_uv(path_11, _e58);
+        return <Path>::new(_e59, path_11.duv, h_1, exit, base_2, path_11.metric, rt::Scalar(path_11.ray), rt::Scalar(path_11.level));
+    }
+    pub(crate) fn enter_relief(&self, pixel_11: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_11))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_enter_relief(&self, pixel_11: PixelIn) -> Entered {
+        let mut at_14: Entered;
+
+        let _e1 = self.v_surface_stage(pixel_11);
+        at_14 = _e1;
+        let _e3 = at_14;
+        let _e4 = self.v_detail_stage(pixel_11, _e3);
+        rt::Scalar(at_14.path.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_14.footprint) = rt::Scalar(_e4.footprint);
+        rt::Scalar(at_14.fade) = rt::Scalar(_e4.fade);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.fade).elementwise_gt(rt::Scalar(0f32))) {
+            let _e17 = at_14.path;
+            let _e20 = rt::Scalar(self.surface_settings.mean_height);
+            let _e22 = self.v_flattened(_e17, _e20, rt::Scalar(_e4.fade));
+            at_14.path = _e22;
+            let _e26 = at_14.path.h.x();
+            if rt::Scalar::into_branch_condition((!_e26.elementwise_gt(rt::Scalar(0f32)))) {
+                rt::Scalar(at_14.valid) = rt::Scalar(0u32);
+            }
+        }
+        let _e32 = at_14;
+        return _e32;
+    }
+    pub(crate) fn entered_once(
+        &self,
+        path_12: Path,
+        grid_5: Grid,
+        above: impl rt::Into<rt::Scalar<f32>>,
+        below: impl rt::Into<rt::Scalar<f32>>,
+        above_gap: impl rt::Into<rt::Scalar<f32>>,
+        below_gap: impl rt::Into<rt::Scalar<f32>>,
+        so_far: impl rt::Into<rt::Vec3<u32>>,
+    ) -> Found {
+        rt::into(self.v_entered_once(path_12, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_entered_once(
+        &self,
+        path_12: Path,
+        grid_5: Grid,
+        above: rt::Scalar<f32>,
+        below: rt::Scalar<f32>,
+        above_gap: rt::Scalar<f32>,
+        below_gap: rt::Scalar<f32>,
+        so_far: rt::Vec3<u32>,
+    ) -> Found {
+        let mut near_1: rt::Scalar<f32>;
+        let mut far_1: rt::Scalar<f32>;
+        let mut near_gap: rt::Scalar<f32>;
+        let mut far_gap: rt::Scalar<f32>;
+        let mut cost_1: rt::Vec3<u32>;
+        let mut local_7: rt::Scalar<bool>;
+
+        near_1 = above;
+        far_1 = below;
+        near_gap = above_gap;
+        far_gap = below_gap;
+        cost_1 = so_far;
+        let wide = (grid_5.step.x().abs() + grid_5.step.y().abs());
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = far_1;
+                let _e20 = near_1;
+                if rt::Scalar::into_branch_condition((wide * (_e19 - _e20)).elementwise_gt(rt::Scalar(3f32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e25 = cost_1;
+                    cost_1 = (_e25 + STEP);
+                    let _e28 = near_1;
+                    let _e29 = far_1;
+                    let middle_3 = (rt::Scalar(0.5f32) * (_e28 + _e29));
+                    let _e33 = near_1;
+                    if rt::Scalar::into_branch_condition(middle_3.elementwise_gt(_e33)) {
+                        let _e37 = far_1;
+                        local_7 = middle_3.elementwise_lt(_e37);
+                    } else {
+                        local_7 = rt::Scalar(false);
+                    }
+                    let _e40 = local_7;
+                    if rt::Scalar::into_branch_condition((!_e40)) {
+                        break 'naga_break;
+                    }
+                    let _e42 = self.v_path_gap(path_12, middle_3);
+                    let _e43 = cost_1;
+                    cost_1 = (_e43 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
+                        far_1 = middle_3;
+                        far_gap = _e42;
+                    } else {
+                        near_1 = middle_3;
+                        near_gap = _e42;
+                    }
+                }
+            }
+        }
+        let _e49 = near_1;
+        let _e50 = far_1;
+        let _e51 = near_gap;
+        let _e52 = far_gap;
+        let _e53 = cost_1;
+        return <Found>::new(FOUND_BRACKET, _e49, _e50, _e51, _e52, _e53);
+    }
+    pub(crate) fn facing_four(
+        &self,
+        middle_1: impl rt::Into<rt::Scalar<f32>>,
+        along: impl rt::Into<rt::Scalar<f32>>,
+        across: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_facing_four(rt::into(middle_1), rt::into(along), rt::into(across)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_facing_four(
+        &self,
+        middle_1: rt::Scalar<f32>,
+        along: rt::Scalar<f32>,
+        across: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        let x_1 = (along * rt::Scalar(1.7320508f32));
+        let y = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle_1 + x_1), (middle_1 - x_1), (middle_1 + y), (middle_1 - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+    }
+    pub(crate) fn normal_at(
+        &self,
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
+        layer_3: impl rt::Into<rt::Scalar<i32>>,
+        level_12: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_7), rt::into(layer_3), rt::into(level_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_at(
+        &self,
+        uv_7: rt::Vec2<f32>,
+        layer_3: rt::Scalar<i32>,
+        level_12: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e5 = self.surface_settings.normal_size;
+        let _e6 = self.v_level_texels(_e5, level_12);
+        let _e7 = self.v_texels_around(uv_7, _e6);
+        let k_15 = level_12.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
+        let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
+        return _e38;
+    }
+    pub(crate) fn normal_from_height(
+        &self,
+        at_15: Entered,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_from_height(at_15, rt::into(uv_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_from_height(
+        &self,
+        at_15: Entered,
+        uv_8: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e3 = self.v_height_size(rt::Scalar(0u32));
+        let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
+        let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
+        let _e16 = self.v_height_at((uv_8 + du), rt::Scalar(0u32));
+        let _e19 = self.v_height_at((uv_8 - du), rt::Scalar(0u32));
+        let rise_u = (_e16 - _e19);
+        let _e23 = self.v_height_at((uv_8 + dv), rt::Scalar(0u32));
+        let _e26 = self.v_height_at((uv_8 - dv), rt::Scalar(0u32));
+        let rise_v = (_e23 - _e26);
+        let _e33 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
+        let _e41 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
+        let along_u_1 = (at_15.tangent + (at_15.normal * slope_u));
+        let along_v_1 = (at_15.bitangent + (at_15.normal * slope_v));
+        let across_2 = along_v_1.cross(along_u_1).normalize();
+        return (across_2 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_2.dot(at_15.normal).elementwise_ge(rt::Scalar(0f32))));
+    }
+    pub(crate) fn finest_normal(
+        &self,
+        at_16: Entered,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_finest_normal(at_16, rt::into(uv_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_finest_normal(
+        &self,
+        at_16: Entered,
+        uv_9: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
+            let _e9 = self.v_normal_at(uv_9, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e11 = self.v_from_tangent_space(at_16, _e9.xyz());
+            return _e11.normalize();
+        }
+        let _e13 = self.v_normal_from_height(at_16, uv_9);
+        return _e13;
+    }
     pub(crate) fn least_at(
         &self,
         c_2: impl rt::Into<rt::Vec3<f32>>,
@@ -2232,18 +2388,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
-        t_7: impl rt::Into<rt::Scalar<f32>>,
+        t_8: impl rt::Into<rt::Scalar<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
         first: impl rt::Into<rt::Scalar<bool>>,
         cost_2: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_7), rt::into(span_2), rt::into(first), rt::into(cost_2)))
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_8), rt::into(span_2), rt::into(first), rt::into(cost_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_3: rt::Vec3<f32>,
-        t_7: rt::Scalar<f32>,
+        t_8: rt::Scalar<f32>,
         span_2: rt::Scalar<f32>,
         first: rt::Scalar<bool>,
         cost_2: rt::Vec3<u32>,
@@ -2260,15 +2416,15 @@ impl<'g> Resources<'g> {
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_2);
             }
-            return <Found>::new(FOUND_BRACKET, t_7, t_7, c_3.x(), c_3.x(), cost_2);
+            return <Found>::new(FOUND_BRACKET, t_8, t_8, c_3.x(), c_3.x(), cost_2);
         }
         let _e25 = self.v_least_at(c_3, span_2);
         let _e26 = self.v_quadratic(c_3, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_7, (t_7 + _e25), c_3.x(), _e26, cost_2);
+            return <Found>::new(FOUND_BRACKET, t_8, (t_8 + _e25), c_3.x(), _e26, cost_2);
         }
         let _e36 = self.v_quadratic(c_3, span_2);
-        return <Found>::new(FOUND_ABOVE, t_7, (t_7 + span_2), c_3.x(), _e36, cost_2);
+        return <Found>::new(FOUND_ABOVE, t_8, (t_8 + span_2), c_3.x(), _e36, cost_2);
     }
     pub(crate) fn near_uv(&self, uv_10: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_near_uv(rt::into(uv_10)))
@@ -2285,33 +2441,33 @@ impl<'g> Resources<'g> {
         }
         return uv_10;
     }
-    pub(crate) fn from_hit(&self, at_15: Entered, hit_6: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_15, hit_6, light_1))
+    pub(crate) fn from_hit(&self, at_17: Entered, hit_6: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_17, hit_6, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_15: Entered, hit_6: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_15, light_1.direction);
+    fn v_from_hit(&self, at_17: Entered, hit_6: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_17, light_1.direction);
         let _e6 = self.v_near_uv(hit_6.uv);
-        let _e9 = self.v_height_at(_e6, rt::Scalar(at_15.path.level));
-        let h_1 = <rt::Vec3<f32>>::from_scalars(_e9, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_1, rt::Scalar(0f32), rt::Scalar(0f32), at_15.path.metric, RAY_SHADOW, rt::Scalar(at_15.path.level));
+        let _e9 = self.v_height_at(_e6, rt::Scalar(at_17.path.level));
+        let h_2 = <rt::Vec3<f32>>::from_scalars(_e9, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_2, rt::Scalar(0f32), rt::Scalar(0f32), at_17.path.metric, RAY_SHADOW, rt::Scalar(at_17.path.level));
     }
-    pub(crate) fn way_out(&self, path_11: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_11, light_2))
+    pub(crate) fn way_out(&self, path_13: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_13, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_11: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_13: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way: rt::Scalar<f32>;
         let mut interval_2: rt::Vec2<f32>;
 
-        way = ((rt::Scalar(1f32) - path_11.h.x()) / path_11.h.y()).min(rt::Scalar(light_2.distance));
+        way = ((rt::Scalar(1f32) - path_13.h.x()) / path_13.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way;
-            let _e24 = self.v_inside_unit(path_11.uv.x(), path_11.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            let _e24 = self.v_inside_unit(path_13.uv.x(), path_13.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
             interval_2 = _e24;
             let _e30 = interval_2;
-            let _e31 = self.v_inside_unit(path_11.uv.y(), path_11.duv.y(), _e30);
+            let _e31 = self.v_inside_unit(path_13.uv.y(), path_13.duv.y(), _e30);
             interval_2 = _e31;
             let _e33 = interval_2.y();
             way = _e33;
@@ -2319,22 +2475,22 @@ impl<'g> Resources<'g> {
         let _e34 = way;
         return _e34;
     }
-    pub(crate) fn grid_of(&self, path_12: Path) -> Grid {
-        rt::into(self.v_grid_of(path_12))
+    pub(crate) fn grid_of(&self, path_14: Path) -> Grid {
+        rt::into(self.v_grid_of(path_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_12: Path) -> Grid {
-        let _e2 = self.v_height_size(rt::Scalar(path_12.level));
-        return <Grid>::new(((path_12.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e2));
+    fn v_grid_of(&self, path_14: Path) -> Grid {
+        let _e2 = self.v_height_size(rt::Scalar(path_14.level));
+        return <Grid>::new(((path_14.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_14.duv * _e2));
     }
-    pub(crate) fn light_ray(&self, at_16: Entered, hit_7: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_16, hit_7, light_3))
+    pub(crate) fn light_ray(&self, at_18: Entered, hit_7: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_18, hit_7, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_16: Entered, hit_7: Hit, light_3: Toward) -> LightRay {
+    fn v_light_ray(&self, at_18: Entered, hit_7: Hit, light_3: Toward) -> LightRay {
         let mut local_9: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_16, hit_7, light_3);
+        let _e3 = self.v_from_hit(at_18, hit_7, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -2363,46 +2519,46 @@ impl<'g> Resources<'g> {
         let _e51 = self.v_path_uv(_e3, end);
         let gap_1 = (end * (_e31.y() + (_e31.z() * end)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_2 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_47 = <Path>::new(_e51, _e3.duv, h_2, (_e11 - end), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_47);
+        let h_3 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_48 = <Path>::new(_e51, _e3.duv, h_3, (_e11 - end), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_48);
     }
     pub(crate) fn search_none(
         &self,
-        path_13: Path,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
+        path_15: Path,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_13, rt::into(params_8)))
+        rt::into(self.v_search_none(path_15, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_13: Path,
-        params_8: rt::Vec4<f32>,
+        path_15: Path,
+        params_9: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_13.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_15.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_14: Path,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        path_16: Path,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_14, rt::into(params_9)))
+        rt::into(self.v_search_linear(path_16, rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_14: Path,
-        params_9: rt::Vec4<f32>,
+        path_16: Path,
+        params_10: rt::Vec4<f32>,
     ) -> Found {
         let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_1: rt::Scalar<f32>;
         let mut cost_3: rt::Vec3<u32> = HEIGHTS_READ;
         let mut k: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_3 = (path_14.h.y().abs() * path_14.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_9.x() * params_9.y().mix_scalar(rt::Scalar(1f32), cosine_3)).ceil());
-        let _e22 = self.v_path_gap(path_14, rt::Scalar(0f32));
+        let cosine_3 = (path_16.h.y().abs() * path_16.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_10.x() * params_10.y().mix_scalar(rt::Scalar(1f32), cosine_3)).ceil());
+        let _e22 = self.v_path_gap(path_16, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
         if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
@@ -2422,17 +2578,17 @@ impl<'g> Resources<'g> {
                     let _e40 = cost_3;
                     cost_3 = (_e40 + STEP);
                     let _e44 = k;
-                    let t_27 = (rt::Scalar(path_14.exit) * (_e44 / steps));
-                    let _e47 = self.v_path_gap(path_14, t_27);
+                    let t_26 = (rt::Scalar(path_16.exit) * (_e44 / steps));
+                    let _e47 = self.v_path_gap(path_16, t_26);
                     let _e48 = cost_3;
                     cost_3 = (_e48 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e47.elementwise_le(rt::Scalar(0f32))) {
                         let _e54 = near_2;
                         let _e55 = near_gap_1;
                         let _e56 = cost_3;
-                        return <Found>::new(FOUND_BRACKET, _e54, t_27, _e55, _e47, _e56);
+                        return <Found>::new(FOUND_BRACKET, _e54, t_26, _e55, _e47, _e56);
                     }
-                    near_2 = t_27;
+                    near_2 = t_26;
                     near_gap_1 = _e47;
                     let _e58 = k;
                     k = (_e58 + rt::Scalar(1f32));
@@ -2448,25 +2604,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cells(
         &self,
-        path_15: Path,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        path_17: Path,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_15, rt::into(params_10)))
+        rt::into(self.v_search_cells(path_17, rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_15: Path,
-        params_10: rt::Vec4<f32>,
+        path_17: Path,
+        params_11: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_6: rt::Vec2<f32>;
-        let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_9: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_4: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_15);
+        let _e2 = self.v_grid_of(path_17);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_6 = _e4;
-        let limit = params_10.x().cast_elem_as_u32();
+        let limit = params_11.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_4.x();
@@ -2479,52 +2635,37 @@ impl<'g> Resources<'g> {
                     cost_4 = (_e15 + STEP);
                     let _e18 = cell_6;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_1 = _e19.x().min(_e19.y()).min(rt::Scalar(path_15.exit));
+                    let end_1 = _e19.x().min(_e19.y()).min(rt::Scalar(path_17.exit));
                     let _e25 = cell_6;
-                    let _e26 = t_8;
-                    let _e27 = self.v_cell_gap(path_15, _e2, _e25, _e26);
+                    let _e26 = t_9;
+                    let _e27 = self.v_cell_gap(path_17, _e2, _e25, _e26);
                     let _e28 = cost_4;
                     cost_4 = (_e28 + HEIGHTS_READ);
-                    let _e31 = t_8;
+                    let _e31 = t_9;
                     let span_4 = (end_1 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_8;
+                    let _e35 = t_9;
                     let _e37 = cost_4.x();
                     let _e40 = cost_4;
                     let _e41 = self.v_found_in_cell(_e27, _e35, span_4, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_15.exit))) {
-                        let _e48 = t_8;
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_17.exit))) {
+                        let _e48 = t_9;
                         let _e52 = cost_4;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_15.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_17.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_6;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
                     cell_6 = _e55;
-                    let _e56 = t_8;
-                    t_8 = _e56.max(end_1);
+                    let _e56 = t_9;
+                    t_9 = _e56.max(end_1);
                 }
             }
         }
-        let _e59 = t_8;
+        let _e59 = t_9;
         let _e61 = cost_4;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_15.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
-    }
-    pub(crate) fn path_slope(
-        &self,
-        path_16: Path,
-        t_9: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_path_slope(path_16, rt::into(t_9)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_path_slope(
-        &self,
-        path_16: Path,
-        t_9: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        return (path_16.h.y() + ((rt::Scalar(2f32) * t_9) * path_16.h.z()));
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_17.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
@@ -2570,22 +2711,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_17: Path,
+        path_18: Path,
         cell_8: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_17, rt::into(cell_8), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_18, rt::into(cell_8), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_17: Path,
+        path_18: Path,
         cell_8: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
         let mut local_11: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_17.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_18.level));
         let _e7 = self.v_image_of(cell_8.x(), _e4.x());
         let _e10 = self.v_image_of(cell_8.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
@@ -2597,25 +2738,25 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_17, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_17.level).cast_elem_as_i32());
+        let _e29 = self.v_search_texel(path_18, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_18.level).cast_elem_as_i32());
         let right = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right).select(_e29.y().select(_e29.x(), right), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_18: Path,
+        path_19: Path,
         texels_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_18, rt::into(texels_1)))
+        rt::into(self.v_map_read(path_19, rt::into(texels_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_map_read(
         &self,
-        path_18: Path,
+        path_19: Path,
         texels_1: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_18.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_19.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_1 * _e14));
     }
@@ -2657,16 +2798,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_19: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        path_20: Path,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_19, rt::into(params_11)))
+        rt::into(self.v_search_frustum(path_20, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_19: Path,
-        params_11: rt::Vec4<f32>,
+        path_20: Path,
+        params_12: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_9: rt::Vec2<f32>;
         let mut t_10: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -2675,11 +2816,11 @@ impl<'g> Resources<'g> {
         let mut slope_1: rt::Scalar<f32>;
         let mut local_12: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_19);
+        let _e2 = self.v_grid_of(path_20);
         let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_9 = _e9;
-        let limit_1 = params_11.x().cast_elem_as_u32();
+        let limit_1 = params_12.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_5.x();
@@ -2693,50 +2834,50 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_5.x();
                     let first_2 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_9;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_19.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_20.level));
                     let _e31 = cost_5;
                     cost_5 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_9;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_2 = _e35.x().min(_e35.y()).min(rt::Scalar(path_19.exit));
+                    let end_2 = _e35.x().min(_e35.y()).min(rt::Scalar(path_20.exit));
                     let _e41 = t_10;
                     let span_5 = (end_2 - _e41).max(rt::Scalar(0f32));
-                    let top_4 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
+                    let top_5 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_10;
-                    let _e53 = self.v_path_height(path_19, _e52);
+                    let _e53 = self.v_path_height(path_20, _e52);
                     let _e55 = t_10;
-                    let _e56 = self.v_path_slope(path_19, _e55);
-                    let above_3 = <rt::Vec3<f32>>::from_scalars((_e53 - top_4), _e56, path_19.h.z());
+                    let _e56 = self.v_path_slope(path_20, _e55);
+                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e53 - top_5), _e56, path_20.h.z());
                     let _e63 = t_10;
                     let _e67 = t_10;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_19.h.x().abs() + (_e63 * (path_19.h.y().abs() + (_e67 * path_19.h.z().abs())))));
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_20.h.x().abs() + (_e63 * (path_20.h.y().abs() + (_e67 * path_20.h.z().abs())))));
                     let _e77 = t_10;
                     next_1 = _e77.max(end_2);
                     slope_1 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_3, span_5);
-                    let _e83 = self.v_quadratic(above_3, _e82);
+                    let _e82 = self.v_least_at(above_4, span_5);
+                    let _e83 = self.v_quadratic(above_4, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_12 = above_3.x().elementwise_gt(of_heights);
+                        local_12 = above_4.x().elementwise_gt(of_heights);
                     } else {
                         local_12 = rt::Scalar(false);
                     }
                     let _e90 = local_12;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_19.exit))) {
+                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_20.exit))) {
                             let _e93 = cell_9;
-                            let _e95 = self.v_frustum_slope(path_19, _e93.cast_elem_as_i32(), forward_2);
+                            let _e95 = self.v_frustum_slope(path_20, _e93.cast_elem_as_i32(), forward_2);
                             slope_1 = _e95;
                             let _e96 = slope_1;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_5;
-                                let _e101 = self.v_map_read(path_19, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_20, rt::Scalar(1u32));
                                 cost_5 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_9;
                         let _e104 = t_10;
-                        let _e105 = self.v_gap_to(path_19, _e2, _e103, _e30, _e104);
+                        let _e105 = self.v_gap_to(path_20, _e2, _e103, _e30, _e104);
                         let _e106 = t_10;
                         let _e107 = cost_5;
                         let _e108 = self.v_found_in_cell(_e105, _e106, span_5, first_2, _e107);
@@ -2748,27 +2889,27 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_9;
                         let _e119 = t_10;
-                        let at_40 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_1 = at_40.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_40), forward_2);
+                        let at_42 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_1 = at_42.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_42), forward_2);
                         let _e131 = t_10;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_1;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
                         let _e145 = t_10;
-                        let rest_1 = (rt::Scalar(path_19.exit) - _e145);
+                        let rest_2 = (rt::Scalar(path_20.exit) - _e145);
                         let _e147 = slope_1;
-                        let _e152 = self.v_stays_above(above_3, _e147, left_1.x(), _e2.step.x(), lost_1.x(), rest_1);
+                        let _e152 = self.v_stays_above(above_4, _e147, left_1.x(), _e2.step.x(), lost_1.x(), rest_2);
                         let _e153 = slope_1;
-                        let _e158 = self.v_stays_above(above_3, _e153, left_1.y(), _e2.step.y(), lost_1.y(), rest_1);
+                        let _e158 = self.v_stays_above(above_4, _e153, left_1.y(), _e2.step.y(), lost_1.y(), rest_2);
                         let _e159 = next_1;
                         let _e160 = t_10;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_19.exit))) {
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_20.exit))) {
                         let _e168 = t_10;
                         let _e170 = cost_5;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_19.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_1;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
@@ -2788,30 +2929,30 @@ impl<'g> Resources<'g> {
         }
         let _e184 = t_10;
         let _e186 = cost_5;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_19.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_17: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_17)))
+    pub(crate) fn nearest_corner(&self, at_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_17: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_17.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_19.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_20: Path,
+        path_21: Path,
         grid_6: Grid,
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_2: impl rt::Into<rt::Scalar<f32>>,
         t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_20, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_2), rt::into(t_11)))
+        rt::into(self.v_stays_inside(path_21, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_2), rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_20: Path,
+        path_21: Path,
         grid_6: Grid,
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
@@ -2822,25 +2963,25 @@ impl<'g> Resources<'g> {
         let mut local_13: rt::Scalar<bool>;
         let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_2 = (rt::Scalar(path_20.exit) - t_11);
-        let _e8 = self.v_path_height(path_20, t_11);
-        let height_2 = (_e8 - apex);
-        let terms = (path_20.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_20.exit)) * path_20.h.z().abs()));
-        let _e21 = self.v_path_slope(path_20, t_11);
-        let rise_1 = ((_e21 + (path_20.h.z().min(rt::Scalar(0f32)) * rest_2)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_2;
+        let rest_3 = (rt::Scalar(path_21.exit) - t_11);
+        let _e8 = self.v_path_height(path_21, t_11);
+        let height_3 = (_e8 - apex);
+        let terms = (path_21.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_21.exit)) * path_21.h.z().abs()));
+        let _e21 = self.v_path_slope(path_21, t_11);
+        let rise_1 = ((_e21 + (path_21.h.z().min(rt::Scalar(0f32)) * rest_3)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_3;
         if rt::Scalar::into_branch_condition(rise_1.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_2 / (rt::Scalar(0f32) - rise_1)));
+            most = _e34.min((height_3 / (rt::Scalar(0f32) - rise_1)));
         }
         let _e39 = most;
         let end_3 = (t_11 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_20.level));
+        let _e52 = self.v_height_size(rt::Scalar(path_21.level));
         let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_20.h.x().abs() + (end_3 * (path_20.h.y().abs() + (end_3 * path_20.h.z().abs())))));
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_21.h.x().abs() + (end_3 * (path_21.h.y().abs() + (end_3 * path_21.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_2) * (far_5.x() + far_5.y())));
-        let gap_3 = (height_2 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_20.level));
+        let gap_3 = (height_3 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_21.level));
         let aside_1 = (((grid_6.origin - offset) + (grid_6.step * t_11)) / _e85);
         let c_5 = (((slope_2 * aside_1.length()) - gap_3) * ((slope_2 * aside_1.length()) + gap_3));
         if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
@@ -2852,8 +2993,8 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_2 * slope_2) * aside_1.dot(path_20.duv)) - (gap_3 * rise_1));
-        let a_5 = (((slope_2 * slope_2) * path_20.duv.dot(path_20.duv)) - (rise_1 * rise_1));
+        let b_3 = (((slope_2 * slope_2) * aside_1.dot(path_21.duv)) - (gap_3 * rise_1));
+        let a_5 = (((slope_2 * slope_2) * path_21.duv.dot(path_21.duv)) - (rise_1 * rise_1));
         let discriminant_1 = ((b_3 * b_3) - (a_5 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -2870,7 +3011,7 @@ impl<'g> Resources<'g> {
         leave_4 = _e135.min(_e136);
         let _e139 = leave_4;
         let _e145 = leave_4;
-        if rt::Scalar::into_branch_condition(((slope_2 * (aside_1 + (path_20.duv * _e139)).length()) + lost_2).elementwise_le((height_2 + (rise_1 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_2 * (aside_1 + (path_21.duv * _e139)).length()) + lost_2).elementwise_le((height_3 + (rise_1 * _e145)))) {
             let _e149 = leave_4;
             return _e149;
         }
@@ -2878,27 +3019,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_21: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        path_22: Path,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_21, rt::into(params_12)))
+        rt::into(self.v_search_cone(path_22, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_21: Path,
-        params_12: rt::Vec4<f32>,
+        path_22: Path,
+        params_13: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_10: rt::Vec2<f32>;
         let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_6: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_21);
+        let _e2 = self.v_grid_of(path_22);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_10 = _e9;
-        let limit_2 = params_12.x().cast_elem_as_u32();
+        let limit_2 = params_13.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_6.x();
@@ -2912,34 +3053,34 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_6.x();
                     let first_3 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_10;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_21.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_22.level));
                     let _e31 = cost_6;
                     cost_6 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_10;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_21.exit));
+                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_22.exit));
                     let _e41 = t_12;
                     let span_6 = (end_4 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_10;
                     let _e49 = t_12;
-                    let at_41 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_41);
+                    let at_43 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_43);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_12;
                     next_2 = _e54;
                     let _e56 = t_12;
-                    let _e57 = self.v_path_height(path_21, _e56);
+                    let _e57 = self.v_path_height(path_22, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_10;
                         let texel_6 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_21, texel_6);
+                        let _e61 = self.v_cone_slope(path_22, texel_6);
                         let _e62 = cost_6;
-                        let _e64 = self.v_map_read(path_21, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_22, rt::Scalar(1u32));
                         cost_6 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
                             let _e68 = t_12;
                             let _e69 = t_12;
-                            let _e70 = self.v_stays_inside(path_21, _e2, texel_6, _e53, _e61, _e69);
+                            let _e70 = self.v_stays_inside(path_22, _e2, texel_6, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
@@ -2947,7 +3088,7 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_4)) {
                         let _e74 = cell_10;
                         let _e75 = t_12;
-                        let _e76 = self.v_gap_to(path_21, _e2, _e74, _e30, _e75);
+                        let _e76 = self.v_gap_to(path_22, _e2, _e74, _e30, _e75);
                         let _e77 = t_12;
                         let _e78 = cost_6;
                         let _e79 = self.v_found_in_cell(_e76, _e77, span_6, first_3, _e78);
@@ -2958,10 +3099,10 @@ impl<'g> Resources<'g> {
                         next_2 = _e83.max(end_4);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_21.exit))) {
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_22.exit))) {
                         let _e89 = t_12;
                         let _e91 = cost_6;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     let _e95 = cell_10;
                     let _e96 = next_2;
@@ -2974,7 +3115,7 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_12;
         let _e102 = cost_6;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_21.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
@@ -3042,16 +3183,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_22: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        path_23: Path,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_22, rt::into(params_13)))
+        rt::into(self.v_search_pyramid(path_23, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_22: Path,
-        params_13: rt::Vec4<f32>,
+        path_23: Path,
+        params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_14: rt::Scalar<u32> = rt::Scalar(0u32);
@@ -3064,9 +3205,9 @@ impl<'g> Resources<'g> {
         let mut local_17: rt::Scalar<bool>;
         let mut local_18: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_22);
-        let _e4 = self.v_height_texels(rt::Scalar(path_22.level));
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_22.exit));
+        let _e2 = self.v_grid_of(path_23);
+        let _e4 = self.v_height_texels(rt::Scalar(path_23.level));
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_23.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -3087,7 +3228,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_12 = _e37.cast_elem_as_i32();
-        let limit_3 = params_13.x().cast_elem_as_u32();
+        let limit_3 = params_14.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_7.x();
@@ -3140,7 +3281,7 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_5 = _e117.min(_e122).min(rt::Scalar(path_22.exit));
+                    let end_5 = _e117.min(_e122).min(rt::Scalar(path_23.exit));
                     let _e126 = t_13;
                     let span_7 = (end_5 - _e126).max(rt::Scalar(0f32));
                     let low_1 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
@@ -3151,9 +3292,9 @@ impl<'g> Resources<'g> {
                         cost_7 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_12;
                         let _e148 = cell_12;
-                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_22.level));
+                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_23.level));
                         let _e151 = t_13;
-                        let _e152 = self.v_gap_to(path_22, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
+                        let _e152 = self.v_gap_to(path_23, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
                         let _e153 = t_13;
                         let _e154 = t_13;
                         let _e157 = cost_7;
@@ -3163,22 +3304,22 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_7;
-                        let _e164 = self.v_map_read(path_22, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_23, rt::Scalar(1u32));
                         cost_7 = (_e162 + _e164);
                         let _e167 = level_14;
                         let _e170 = level_14;
                         let node = <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e167), (place_6.y() >> _e170));
                         let _e174 = level_14;
-                        let _e180 = self.v_search_texel(path_22, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_22.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_23, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_23.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_13;
                         let furthest = (_e182 + span_7);
-                        let rounded = (path_22.h.x().abs() + (furthest * (path_22.h.y().abs() + (furthest * path_22.h.z().abs()))));
+                        let rounded = (path_23.h.x().abs() + (furthest * (path_23.h.y().abs() + (furthest * path_23.h.z().abs()))));
                         let _e197 = t_13;
-                        let _e198 = self.v_path_height(path_22, _e197);
+                        let _e198 = self.v_path_height(path_23, _e197);
                         let _e203 = t_13;
-                        let _e204 = self.v_path_slope(path_22, _e203);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_22.h.z());
+                        let _e204 = self.v_path_slope(path_23, _e203);
+                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_23.h.z());
                         if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_4, span_7);
                             let _e215 = self.v_quadratic(gap_4, _e214);
@@ -3202,10 +3343,10 @@ impl<'g> Resources<'g> {
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_22.exit))) {
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_23.exit))) {
                         let _e244 = t_13;
                         let _e246 = cost_7;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
                     cell_12 = _e254.cast_elem_as_i32().clamp(low_1, last_2);
@@ -3225,7 +3366,7 @@ impl<'g> Resources<'g> {
         }
         let _e293 = t_13;
         let _e295 = cost_7;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -3270,16 +3411,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_23: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        path_24: Path,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_23, rt::into(params_14)))
+        rt::into(self.v_search_pyramid_texels(path_24, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_23: Path,
-        params_14: rt::Vec4<f32>,
+        path_24: Path,
+        params_15: rt::Vec4<f32>,
     ) -> Found {
         let mut level_16: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
@@ -3289,11 +3430,11 @@ impl<'g> Resources<'g> {
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_23.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_23.level));
-        let origin_2 = (path_23.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_23.level));
-        let step_1 = (path_23.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_24.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_24.level));
+        let origin_2 = (path_24.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_24.level));
+        let step_1 = (path_24.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_16;
@@ -3309,10 +3450,10 @@ impl<'g> Resources<'g> {
         }
         let _e24 = self.v_cell_of(origin_2);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_4 = params_14.x().cast_elem_as_u32();
+        let limit_4 = params_15.x().cast_elem_as_u32();
         let _e35 = level_16;
-        finest_1 = params_14.y().cast_elem_as_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_23.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_15.y().cast_elem_as_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_24.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -3342,10 +3483,10 @@ impl<'g> Resources<'g> {
                         let _e73 = level_16;
                         let node_1 = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e70), (place_7.y() >> _e73));
                         let _e76 = cost_8;
-                        let _e78 = self.v_map_read(path_23, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_24, rt::Scalar(1u32));
                         cost_8 = (_e76 + _e78);
                         let _e81 = level_16;
-                        let _e85 = self.v_search_texel(path_23, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_24, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -3358,13 +3499,13 @@ impl<'g> Resources<'g> {
                     let _e102 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e96);
                     let leave_5 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
                     let _e109 = t_14;
-                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_23.exit)).max(_e109);
+                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_24.exit)).max(_e109);
                     let _e111 = t_14;
-                    let _e112 = self.v_path_height(path_23, _e111);
+                    let _e112 = self.v_path_height(path_24, _e111);
                     let _e113 = highest;
                     let _e115 = t_14;
-                    let _e116 = self.v_path_slope(path_23, _e115);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_23.h.z());
+                    let _e116 = self.v_path_slope(path_24, _e115);
+                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_24.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
                         let _e125 = t_14;
@@ -3391,10 +3532,10 @@ impl<'g> Resources<'g> {
                         let _e160 = self.v_cell_of((origin_2 + (step_1 * _e157)));
                         texel_3 = _e160.cast_elem_as_i32().clamp(low_2, last_4);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_23.exit))) {
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_24.exit))) {
                             let _e166 = t_14;
                             let _e168 = cost_8;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_2 + (step_1 * end_6)));
                         texel_3 = _e174.cast_elem_as_i32().clamp(low_2, last_4);
@@ -3411,7 +3552,7 @@ impl<'g> Resources<'g> {
         }
         let _e200 = t_14;
         let _e202 = cost_8;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -3436,16 +3577,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_24: Path,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        path_25: Path,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_24, rt::into(params_15)))
+        rt::into(self.v_search_dilation_erosion(path_25, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_24: Path,
-        params_15: rt::Vec4<f32>,
+        path_25: Path,
+        params_16: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_14: rt::Vec2<f32>;
         let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3458,12 +3599,12 @@ impl<'g> Resources<'g> {
         let mut local_22: rt::Scalar<bool>;
         let mut local_23: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_24);
-        let _e4 = self.v_height_texels(rt::Scalar(path_24.level));
+        let _e2 = self.v_grid_of(path_25);
+        let _e4 = self.v_height_texels(rt::Scalar(path_25.level));
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_14 = _e11;
-        let limit_5 = params_15.x().cast_elem_as_u32();
+        let limit_5 = params_16.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_9.x();
@@ -3476,12 +3617,12 @@ impl<'g> Resources<'g> {
                     cost_9 = (_e24 + STEP);
                     let _e27 = cell_14;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_7 = _e28.x().min(_e28.y()).min(rt::Scalar(path_24.exit));
+                    let end_7 = _e28.x().min(_e28.y()).min(rt::Scalar(path_25.exit));
                     let _e34 = t_15;
                     let span_8 = (end_7 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_15;
                     next_3 = _e38;
-                    looks = params_15.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_16.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_14.x();
                     let _e48 = self.v_image_of(_e45.cast_elem_as_i32(), _e4.x());
                     let _e50 = cell_14.y();
@@ -3495,22 +3636,22 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_24, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_24.level).cast_elem_as_i32());
+                        let _e72 = self.v_search_texel(path_25, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_25.level).cast_elem_as_i32());
                         let _e73 = cost_9;
-                        let _e75 = self.v_map_read(path_24, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_25, rt::Scalar(1u32));
                         cost_9 = (_e73 + _e75);
                         let _e77 = cell_14;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_15.z());
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_16.z());
                         let _e82 = t_15;
-                        let reach = (_e79.min(rt::Scalar(path_24.exit)) - _e82).max(rt::Scalar(0f32));
+                        let reach = (_e79.min(rt::Scalar(path_25.exit)) - _e82).max(rt::Scalar(0f32));
                         let _e86 = t_15;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_24.h.x().abs() + (furthest_1 * (path_24.h.y().abs() + (furthest_1 * path_24.h.z().abs()))));
+                        let rounded_1 = (path_25.h.x().abs() + (furthest_1 * (path_25.h.y().abs() + (furthest_1 * path_25.h.z().abs()))));
                         let _e101 = t_15;
-                        let _e102 = self.v_path_height(path_24, _e101);
+                        let _e102 = self.v_path_height(path_25, _e101);
                         let _e108 = t_15;
-                        let _e109 = self.v_path_slope(path_24, _e108);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_24.h.z());
+                        let _e109 = self.v_path_slope(path_25, _e108);
+                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_25.h.z());
                         if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
                             let _e116 = t_15;
                             safe_ = _e116;
@@ -3533,7 +3674,7 @@ impl<'g> Resources<'g> {
                         }
                         let _e134 = local_21;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_24, end_7);
+                            let _e137 = self.v_path_height(path_25, end_7);
                             local_22 = _e137.elementwise_lt(_e72.x());
                         } else {
                             local_22 = rt::Scalar(false);
@@ -3542,7 +3683,7 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_9;
-                            let _e144 = self.v_bracket_between(path_24, _e142, end_7, _e143);
+                            let _e144 = self.v_bracket_between(path_25, _e142, end_7, _e143);
                             return _e144;
                         }
                     }
@@ -3560,10 +3701,10 @@ impl<'g> Resources<'g> {
                             let _e156 = cost_9;
                             cost_9 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_14;
-                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_24.level));
+                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_25.level));
                             let _e163 = cell_14;
                             let _e164 = t_15;
-                            let _e165 = self.v_gap_to(path_24, _e2, _e163, _e162, _e164);
+                            let _e165 = self.v_gap_to(path_25, _e2, _e163, _e162, _e164);
                             let _e166 = t_15;
                             let _e167 = t_15;
                             let _e170 = cost_9;
@@ -3576,10 +3717,10 @@ impl<'g> Resources<'g> {
                         next_3 = _e175.max(end_7);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_24.exit))) {
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_25.exit))) {
                         let _e181 = t_15;
                         let _e183 = cost_9;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
                     let _e187 = cell_14;
                     let _e188 = next_3;
@@ -3592,20 +3733,20 @@ impl<'g> Resources<'g> {
         }
         let _e192 = t_15;
         let _e194 = cost_9;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_25: Path,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        path_26: Path,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_25, rt::into(params_16)))
+        rt::into(self.v_search_sphere(path_26, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_25: Path,
-        params_16: rt::Vec4<f32>,
+        path_26: Path,
+        params_17: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_15: rt::Vec2<f32>;
         let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3613,19 +3754,19 @@ impl<'g> Resources<'g> {
         let mut next_4: rt::Scalar<f32>;
         let mut local_24: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_25);
+        let _e2 = self.v_grid_of(path_26);
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_25, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_25, rt::Scalar(path_25.exit));
+        let _e9 = self.v_path_slope(path_26, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_26, rt::Scalar(path_26.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_25.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_26.duv, climb_1).length();
         let speed_1 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_6 = (path_25.uv.abs() + (path_25.duv.abs() * rt::Scalar(path_25.exit)));
-        let height_terms = (path_25.h.x().abs() + (rt::Scalar(path_25.exit) * (path_25.h.y().abs() + (rt::Scalar(path_25.exit) * path_25.h.z().abs()))));
+        let far_6 = (path_26.uv.abs() + (path_26.duv.abs() * rt::Scalar(path_26.exit)));
+        let height_terms = (path_26.h.x().abs() + (rt::Scalar(path_26.exit) * (path_26.h.y().abs() + (rt::Scalar(path_26.exit) * path_26.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_15 = _e52;
-        let limit_6 = params_16.x().cast_elem_as_u32();
+        let limit_6 = params_17.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_10.x();
@@ -3638,18 +3779,18 @@ impl<'g> Resources<'g> {
                     cost_10 = (_e63 + STEP);
                     let _e66 = cell_15;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_8 = _e67.x().min(_e67.y()).min(rt::Scalar(path_25.exit));
+                    let end_8 = _e67.x().min(_e67.y()).min(rt::Scalar(path_26.exit));
                     let _e73 = t_16;
                     let span_9 = (end_8 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_16;
-                    let _e78 = self.v_path_uv(path_25, _e77);
+                    let _e78 = self.v_path_uv(path_26, _e77);
                     let _e79 = t_16;
-                    let _e80 = self.v_path_height(path_25, _e79);
-                    let _e82 = self.v_distance_at(path_25, _e78, _e80, params_16.z());
+                    let _e80 = self.v_path_height(path_26, _e79);
+                    let _e82 = self.v_distance_at(path_26, _e78, _e80, params_17.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_10;
-                    let _e86 = self.v_map_read(path_25, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_25, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_26, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_26, rt::Scalar(4u32));
                     cost_10 = ((_e84 + _e86) + _e89);
                     let _e91 = t_16;
                     next_4 = _e91;
@@ -3657,13 +3798,13 @@ impl<'g> Resources<'g> {
                         let _e95 = t_16;
                         next_4 = (_e95 + (free_1 / speed_1));
                     }
-                    if rt::Scalar::into_branch_condition(params_16.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_17.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
                         let _e102 = t_16;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_25.exit))))) {
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))))) {
                             let _e110 = t_16;
                             let _e112 = cost_10;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
@@ -3679,9 +3820,9 @@ impl<'g> Resources<'g> {
                             cost_10 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_15;
                             let _e130 = cell_15;
-                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_25.level));
+                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_26.level));
                             let _e134 = t_16;
-                            let _e135 = self.v_gap_to(path_25, _e2, _e129, _e133, _e134);
+                            let _e135 = self.v_gap_to(path_26, _e2, _e129, _e133, _e134);
                             let _e136 = t_16;
                             let _e137 = t_16;
                             let _e140 = cost_10;
@@ -3694,10 +3835,10 @@ impl<'g> Resources<'g> {
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_25.exit))) {
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_26.exit))) {
                         let _e151 = t_16;
                         let _e153 = cost_10;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
                     let _e157 = cell_15;
                     let _e158 = next_4;
@@ -3710,20 +3851,20 @@ impl<'g> Resources<'g> {
         }
         let _e162 = t_16;
         let _e164 = cost_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_26: Path,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        path_27: Path,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_26, rt::into(params_17)))
+        rt::into(self.v_search_cone_moved(path_27, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_26: Path,
-        params_17: rt::Vec4<f32>,
+        path_27: Path,
+        params_18: rt::Vec4<f32>,
     ) -> Found {
         let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_3: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3732,11 +3873,11 @@ impl<'g> Resources<'g> {
         let mut k_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_25: rt::Scalar<bool>;
 
-        let aside_2 = path_26.duv.length();
+        let aside_2 = path_27.duv.length();
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_1;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_17.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_18.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3744,7 +3885,7 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_11;
                     cost_11 = (_e17 + STEP);
                     let _e20 = t_17;
-                    let _e21 = self.v_path_gap(path_26, _e20);
+                    let _e21 = self.v_path_gap(path_27, _e20);
                     let _e22 = cost_11;
                     cost_11 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
@@ -3769,37 +3910,37 @@ impl<'g> Resources<'g> {
                     near_3 = _e47;
                     near_gap_2 = _e21;
                     let _e48 = t_17;
-                    let _e49 = self.v_path_uv(path_26, _e48);
-                    let _e51 = self.v_search_texel_between(path_26, _e49, rt::Scalar(0i32));
+                    let _e49 = self.v_path_uv(path_27, _e48);
+                    let _e51 = self.v_search_texel_between(path_27, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_11;
-                    let _e56 = self.v_map_read(path_26, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_27, rt::Scalar(4u32));
                     cost_11 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e61 = t_17;
-                    let rest_3 = (rt::Scalar(path_26.exit) - _e61);
+                    let rest_4 = (rt::Scalar(path_27.exit) - _e61);
                     let _e63 = t_17;
-                    let _e64 = self.v_path_slope(path_26, _e63);
-                    let rise_2 = (_e64 + (path_26.h.z().min(rt::Scalar(0f32)) * rest_3));
-                    let terms_1 = (path_26.h.x().abs() + (rt::Scalar(path_26.exit) * (path_26.h.y().abs() + (rt::Scalar(path_26.exit) * path_26.h.z().abs()))));
-                    let far_7 = (((path_26.uv.abs() + (path_26.duv.abs() * rt::Scalar(path_26.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e64 = self.v_path_slope(path_27, _e63);
+                    let rise_2 = (_e64 + (path_27.h.z().min(rt::Scalar(0f32)) * rest_4));
+                    let terms_1 = (path_27.h.x().abs() + (rt::Scalar(path_27.exit) * (path_27.h.y().abs() + (rt::Scalar(path_27.exit) * path_27.h.z().abs()))));
+                    let far_7 = (((path_27.uv.abs() + (path_27.duv.abs() * rt::Scalar(path_27.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
                     let nearing = ((_e53 * aside_2) - rise_2);
                     let closing_1 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_1.elementwise_le(rt::Scalar(0f32))) {
                         let _e112 = t_17;
                         let _e114 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
                     let _e118 = t_17;
                     t_17 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_1));
                     let _e124 = t_17;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_26.exit))) {
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_27.exit))) {
                         let _e128 = near_3;
                         let _e130 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
                     let _e134 = k_1;
                     k_1 = (_e134 + rt::Scalar(1f32));
@@ -3808,22 +3949,22 @@ impl<'g> Resources<'g> {
         }
         let _e138 = t_17;
         let _e140 = t_17;
-        let _e141 = self.v_path_height(path_26, _e140);
+        let _e141 = self.v_path_height(path_27, _e140);
         let _e142 = cost_11;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_26.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_27.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_27: Path,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        path_28: Path,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_27, rt::into(params_18)))
+        rt::into(self.v_search_relaxed_cone(path_28, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_27: Path,
-        params_18: rt::Vec4<f32>,
+        path_28: Path,
+        params_19: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
         let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3831,21 +3972,21 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut local_26: rt::Scalar<bool>;
-        let mut start: rt::Scalar<f32>;
+        let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
         let mut local_27: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_27);
+        let _e2 = self.v_grid_of(path_28);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_3 = path_27.duv.length();
-        let _e11 = self.v_path_slope(path_27, rt::Scalar(0f32));
-        let terms_2 = (path_27.h.x().abs() + (rt::Scalar(path_27.exit) * path_27.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_27.level));
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_27.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_3 = path_28.duv.length();
+        let _e11 = self.v_path_slope(path_28, rt::Scalar(0f32));
+        let terms_2 = (path_28.h.x().abs() + (rt::Scalar(path_28.exit) * path_28.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_28.level));
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_28.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_16 = _e36;
-        let limit_7 = params_18.x().cast_elem_as_u32();
+        let limit_7 = params_19.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_12.x();
@@ -3858,14 +3999,14 @@ impl<'g> Resources<'g> {
                     cost_12 = (_e51 + STEP);
                     let _e54 = cell_16;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_9 = _e55.x().min(_e55.y()).min(rt::Scalar(path_27.exit));
+                    let end_9 = _e55.x().min(_e55.y()).min(rt::Scalar(path_28.exit));
                     let _e61 = t_18;
                     let span_10 = (end_9 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_16;
                     let _e66 = cell_16;
-                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_27.level));
+                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_28.level));
                     let _e70 = t_18;
-                    let _e71 = self.v_gap_to(path_27, _e2, _e65, _e69, _e70);
+                    let _e71 = self.v_gap_to(path_28, _e2, _e65, _e69, _e70);
                     let _e72 = cost_12;
                     cost_12 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
@@ -3883,7 +4024,7 @@ impl<'g> Resources<'g> {
                             let _e89 = t_18;
                             let _e90 = near_gap_3;
                             let _e92 = cost_12;
-                            let _e93 = self.v_entered_once(path_27, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_28, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
                         let _e94 = t_18;
@@ -3893,9 +4034,9 @@ impl<'g> Resources<'g> {
                         return _e99;
                     }
                     let _e100 = t_18;
-                    start = _e100;
+                    start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_19.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e107 = t_18;
                         let _e108 = t_18;
                         let _e111 = cost_12;
@@ -3904,28 +4045,28 @@ impl<'g> Resources<'g> {
                             return _e112;
                         }
                         let _e116 = t_18;
-                        start = _e116.max(end_9);
+                        start_1 = _e116.max(end_9);
                         gap = rt::Scalar(_e112.far_gap);
                     }
-                    let _e119 = start;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_27.exit))) {
+                    let _e119 = start_1;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_28.exit))) {
                         let _e123 = t_18;
                         let _e125 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
-                    let _e129 = start;
+                    let _e129 = start_1;
                     near_4 = _e129;
                     let _e130 = gap;
                     near_gap_3 = _e130;
                     let _e131 = cell_16;
                     let _e133 = cell_16;
-                    let _e136 = start;
+                    let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_27, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_28, (_e131 + _e139));
                     let _e142 = cost_12;
-                    let _e144 = self.v_map_read(path_27, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_28, rt::Scalar(1u32));
                     cost_12 = (_e142 + _e144);
-                    let _e146 = start;
+                    let _e146 = start_1;
                     next_5 = _e146;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_ge(rt::Scalar(0f32))) {
                         let nearing_1 = ((_e141 * aside_3) - _e11);
@@ -3934,14 +4075,14 @@ impl<'g> Resources<'g> {
                         let room = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_8.x() + far_8.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
-                            let _e167 = start;
+                            let _e167 = start_1;
                             next_5 = (_e167 + (room.max(rt::Scalar(0f32)) / closing_2));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_18.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_19.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_18;
-                        local_27 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_27.exit))));
+                        local_27 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_28.exit))));
                     } else {
                         local_27 = rt::Scalar(false);
                     }
@@ -3950,23 +4091,23 @@ impl<'g> Resources<'g> {
                         let _e188 = t_18;
                         let _e190 = gap;
                         let _e191 = cost_12;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_27.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_28.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_27.exit))) {
-                        let _e198 = self.v_path_gap(path_27, rt::Scalar(path_27.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_28.exit))) {
+                        let _e198 = self.v_path_gap(path_28, rt::Scalar(path_28.exit));
                         let _e199 = cost_12;
                         cost_12 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
-                            let _e204 = start;
+                            let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_12;
-                            let _e208 = self.v_entered_once(path_27, _e2, _e204, rt::Scalar(path_27.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_28, _e2, _e204, rt::Scalar(path_28.exit), _e206, _e198, _e207);
                             return _e208;
                         }
-                        let _e210 = start;
+                        let _e210 = start_1;
                         let _e212 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
                     let _e216 = cell_16;
                     let _e217 = next_5;
@@ -3979,20 +4120,20 @@ impl<'g> Resources<'g> {
         }
         let _e221 = t_18;
         let _e223 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_28: Path,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        path_29: Path,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_28, rt::into(params_19)))
+        rt::into(self.v_search_relaxed_cone_resting(path_29, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_28: Path,
-        params_19: rt::Vec4<f32>,
+        path_29: Path,
+        params_20: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
         let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -4002,11 +4143,11 @@ impl<'g> Resources<'g> {
         let mut local_28: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_28);
+        let _e2 = self.v_grid_of(path_29);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_17 = _e9;
-        let limit_8 = params_19.x().cast_elem_as_u32();
+        let limit_8 = params_20.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_13.x();
@@ -4018,17 +4159,17 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_13;
                     cost_13 = (_e24 + STEP);
                     let _e27 = cell_17;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_28.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_29.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_17;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_28.exit));
+                    let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_29.exit));
                     let _e41 = t_19;
                     let span_11 = (end_10 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_17;
                     let _e46 = t_19;
-                    let _e47 = self.v_gap_to(path_28, _e2, _e45, _e30, _e46);
+                    let _e47 = self.v_gap_to(path_29, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_5;
                         let _e52 = t_19;
@@ -4044,7 +4185,7 @@ impl<'g> Resources<'g> {
                             let _e62 = t_19;
                             let _e63 = near_gap_4;
                             let _e65 = cost_13;
-                            let _e66 = self.v_entered_once(path_28, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_29, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
                         let _e67 = t_19;
@@ -4061,44 +4202,44 @@ impl<'g> Resources<'g> {
                         return _e78;
                     }
                     let _e82 = t_19;
-                    let start_1 = _e82.max(end_10);
-                    if rt::Scalar::into_branch_condition(start_1.elementwise_ge(rt::Scalar(path_28.exit))) {
+                    let start_2 = _e82.max(end_10);
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_29.exit))) {
                         let _e87 = t_19;
                         let _e89 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
-                    near_5 = start_1;
+                    near_5 = start_2;
                     near_gap_4 = rt::Scalar(_e78.far_gap);
                     let _e95 = cell_17;
-                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_1)));
+                    let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_2)));
                     let _e101 = self.v_corner_height(_e30, _e100);
-                    next_6 = start_1;
-                    let _e103 = self.v_path_height(path_28, start_1);
+                    next_6 = start_2;
+                    let _e103 = self.v_path_height(path_29, start_2);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_17;
                         let texel_7 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_28, texel_7);
+                        let _e107 = self.v_cone_slope(path_29, texel_7);
                         let _e108 = cost_13;
-                        let _e110 = self.v_map_read(path_28, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_29, rt::Scalar(1u32));
                         cost_13 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_28, _e2, texel_7, _e101, _e107, start_1);
-                            next_6 = (start_1 + _e114);
+                            let _e114 = self.v_stays_inside(path_29, _e2, texel_7, _e101, _e107, start_2);
+                            next_6 = (start_2 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_28.exit))) {
-                        let _e120 = self.v_path_gap(path_28, rt::Scalar(path_28.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_29.exit))) {
+                        let _e120 = self.v_path_gap(path_29, rt::Scalar(path_29.exit));
                         let _e121 = cost_13;
                         cost_13 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_4;
                             let _e128 = cost_13;
-                            let _e129 = self.v_entered_once(path_28, _e2, start_1, rt::Scalar(path_28.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_29, _e2, start_2, rt::Scalar(path_29.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_13;
-                        return <Found>::new(FOUND_MISS, start_1, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_17;
                     let _e137 = next_6;
@@ -4111,83 +4252,83 @@ impl<'g> Resources<'g> {
         }
         let _e141 = t_19;
         let _e143 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn shadow_search_stage(&self, path_29: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_29))
+    pub(crate) fn shadow_search_stage(&self, path_30: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_30))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_29: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_30: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_29, _e10);
+                let _e11 = self.v_search_none(path_30, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_29, _e16);
+                let _e17 = self.v_search_linear(path_30, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_29, _e22);
+                let _e23 = self.v_search_cells(path_30, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_29, _e28);
+                let _e29 = self.v_search_frustum(path_30, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_29, _e34);
+                let _e35 = self.v_search_cone(path_30, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_29, _e40);
+                let _e41 = self.v_search_pyramid(path_30, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_29, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_30, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_29, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_30, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_29, _e58);
+                let _e59 = self.v_search_sphere(path_30, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_29, _e64);
+                let _e65 = self.v_search_cone_moved(path_30, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_29, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_30, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_29, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_30, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_18: Entered, hit_8: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_18, hit_8, light_4))
+    pub(crate) fn free_way(&self, at_20: Entered, hit_8: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_20, hit_8, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_18: Entered, hit_8: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_18, hit_8, light_4);
+    fn v_free_way(&self, at_20: Entered, hit_8: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_20, hit_8, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -4244,11 +4385,11 @@ impl<'g> Resources<'g> {
         let _e8 = self.v_cell_of(point_6);
         let f_1 = (point_6 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_17);
-        let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
+        let top_6 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
         let right_1 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_2 - top_5) * f_1.y())), ((right_1 - left_3) * _e2.x()), ((bottom_2 - top_5) * _e2.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_6 + ((bottom_2 - top_6) * f_1.y())), ((right_1 - left_3) * _e2.x()), ((bottom_2 - top_6) * _e2.y()));
     }
     pub(crate) fn miss(&self, cost_14: impl rt::Into<rt::Vec3<u32>>) -> Hit {
         rt::into(self.v_miss(rt::into(cost_14)))
@@ -4259,25 +4400,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_30: Path,
+        path_31: Path,
         t_20: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_15: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_30, rt::into(t_20), rt::into(exhausted), rt::into(cost_15)))
+        rt::into(self.v_hit_on_path(path_31, rt::into(t_20), rt::into(exhausted), rt::into(cost_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_30: Path,
+        path_31: Path,
         t_20: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_15: rt::Vec3<u32>,
     ) -> Hit {
         let mut local_32: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_20.elementwise_gt(rt::Scalar(path_30.exit))) {
-            let _e9 = self.v_path_height(path_30, rt::Scalar(path_30.exit));
+        if rt::Scalar::into_branch_condition(t_20.elementwise_gt(rt::Scalar(path_31.exit))) {
+            let _e9 = self.v_path_height(path_31, rt::Scalar(path_31.exit));
             local_32 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
             local_32 = rt::Scalar(false);
@@ -4287,36 +4428,36 @@ impl<'g> Resources<'g> {
             let _e14 = self.v_miss(cost_15);
             return _e14;
         }
-        let inside_1 = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_30.exit));
-        let _e19 = self.v_path_uv(path_30, inside_1);
-        let _e20 = self.v_path_height(path_30, inside_1);
+        let inside_1 = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_31.exit));
+        let _e19 = self.v_path_uv(path_31, inside_1);
+        let _e20 = self.v_path_height(path_31, inside_1);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_1, cost_15);
     }
-    pub(crate) fn hit_position(&self, at_19: Entered, hit_9: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_hit_position(at_19, hit_9))
+    pub(crate) fn hit_position(&self, at_21: Entered, hit_9: Hit) -> rt::Vec3<f32> {
+        rt::into(self.v_hit_position(at_21, hit_9))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_position(&self, at_19: Entered, hit_9: Hit) -> rt::Vec3<f32> {
-        let aside_4 = (hit_9.uv - at_19.uv);
+    fn v_hit_position(&self, at_21: Entered, hit_9: Hit) -> rt::Vec3<f32> {
+        let aside_4 = (hit_9.uv - at_21.uv);
         let _e17 = rt::Scalar(self.surface_settings.bias_m);
         let _e20 = rt::Scalar(self.surface_settings.scale_m);
-        let _e24 = self.v_height_at(hit_9.uv, rt::Scalar(at_19.path.level));
-        return (((at_19.point + (at_19.tangent * aside_4.x())) + (at_19.bitangent * aside_4.y())) + (at_19.normal * (_e17 + (_e20 * _e24))));
+        let _e24 = self.v_height_at(hit_9.uv, rt::Scalar(at_21.path.level));
+        return (((at_21.point + (at_21.tangent * aside_4.x())) + (at_21.bitangent * aside_4.y())) + (at_21.normal * (_e17 + (_e20 * _e24))));
     }
     pub(crate) fn mean_of_five(
         &self,
-        middle_1: impl rt::Into<rt::Scalar<f32>>,
+        middle_2: impl rt::Into<rt::Scalar<f32>>,
         four: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_mean_of_five(rt::into(middle_1), rt::into(four)))
+        rt::into(self.v_mean_of_five(rt::into(middle_2), rt::into(four)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mean_of_five(
         &self,
-        middle_1: rt::Scalar<f32>,
+        middle_2: rt::Scalar<f32>,
         four: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return ((middle_1 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
+        return ((middle_2 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
     pub(crate) fn means_of_one(&self, n_6: impl rt::Into<rt::Vec3<f32>>) -> Normals {
         rt::into(self.v_means_of_one(rt::into(n_6)))
@@ -4328,51 +4469,51 @@ impl<'g> Resources<'g> {
         let square_1 = ((slope_5 * slope_5) * upright);
         return <Normals>::new(<rt::Vec4<f32>>::new_31(n_6, slope_5.x()), <rt::Vec4<f32>>::from_scalars(square_1.x(), ((slope_5.x() * slope_5.y()) * upright), square_1.y(), slope_5.y()));
     }
-    pub(crate) fn one_seen(&self, normal_8: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_8)))
+    pub(crate) fn one_seen(&self, normal_9: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_one_seen(&self, normal_8: rt::Vec3<f32>) -> SeenNormals {
+    fn v_one_seen(&self, normal_9: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        return <SeenNormals>::new(normal_8, rt::Scalar(1f32), rt::Scalar(0u32), none, none, none, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts);
+        return <SeenNormals>::new(normal_9, rt::Scalar(1f32), rt::Scalar(0u32), none, none, none, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_20: Entered,
+        at_22: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_20, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_22, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_20: Entered,
+        at_22: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_20.tangent.normalize();
-        let along_v_2 = at_20.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_20.normal.dot(v));
+        let along_u_2 = at_22.tangent.normalize();
+        let along_v_2 = at_22.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_22.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_21: Entered,
+        at_23: Entered,
         uv_12: impl rt::Into<rt::Vec2<f32>>,
         level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_21, rt::into(uv_12), rt::into(level_18)))
+        rt::into(self.v_normals_of_level(at_23, rt::into(uv_12), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_21: Entered,
+        at_23: Entered,
         uv_12: rt::Vec2<f32>,
         level_18: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_18.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_21, uv_12);
-            let _e6 = self.v_to_tangent_space(at_21, _e5);
+            let _e5 = self.v_finest_normal(at_23, uv_12);
+            let _e6 = self.v_to_tangent_space(at_23, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -4383,8 +4524,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_21.tangent.normalize().dot(at_21.tangent)) / at_21.tangent.dot(at_21.tangent));
-        let y_1 = ((tile.y() * at_21.bitangent.normalize().dot(at_21.bitangent)) / at_21.bitangent.dot(at_21.bitangent));
+        let x_2 = ((tile.x() * at_23.tangent.normalize().dot(at_23.tangent)) / at_23.tangent.dot(at_23.tangent));
+        let y_1 = ((tile.y() * at_23.bitangent.normalize().dot(at_23.bitangent)) / at_23.bitangent.dot(at_23.bitangent));
         let _e44 = self.v_normal_at(uv_12, rt::Scalar(0i32), (level_18 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_12, rt::Scalar(1i32), (level_18 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
@@ -4401,16 +4542,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_22: Entered,
+        at_24: Entered,
         normals: Normals,
         view_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_22, normals, rt::into(view_6)))
+        rt::into(self.v_seen_normals(at_24, normals, rt::into(view_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_22: Entered,
+        at_24: Entered,
         normals: Normals,
         view_6: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -4428,111 +4569,113 @@ impl<'g> Resources<'g> {
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second.y(), second.z(), first_6.y())) - (first_6.xyz() * slope_6.y()));
         let most_3 = ((a_6 * a_6) + spread).sqrt().min(rt::Scalar(1f32));
         let along_4 = (with_x / rt::Vec3::splat_from_scalar(a_6.max((with_x.length() / most_3))));
-        let rest_4 = (with_y - (along_4 * b_4));
-        let across_3 = (rest_4 / rt::Vec3::splat_from_scalar(d_1.max((rest_4.length() / most_3))));
-        let _e77 = self.v_to_tangent_space(at_22, view_6);
-        let middle_3 = (_e77.z() - _e77.xy().dot(slope_6));
-        let _e91 = self.v_facing_four(middle_3, (-((_e77.x() * a_6) + (_e77.y() * b_4))), (-(_e77.y() * d_1)));
-        let one = middle_3.max(rt::Scalar(0f32));
+        let rest_5 = (with_y - (along_4 * b_4));
+        let across_3 = (rest_5 / rt::Vec3::splat_from_scalar(d_1.max((rest_5.length() / most_3))));
+        let _e77 = self.v_to_tangent_space(at_24, view_6);
+        let middle_4 = (_e77.z() - _e77.xy().dot(slope_6));
+        let _e91 = self.v_facing_four(middle_4, (-((_e77.x() * a_6) + (_e77.y() * b_4))), (-(_e77.y() * d_1)));
+        let one = middle_4.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
         let aside_5 = ((along_4 * ((_e91.x() - _e91.y()) / all)) + (across_3 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_22, (first_6.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
+        let _e113 = self.v_from_tangent_space(at_24, (first_6.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
         return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_6.xyz(), along_4, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_6, b_4), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_23: Entered,
+        at_25: Entered,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
         view_7: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_23, rt::into(uv_13), rt::into(view_7)))
+        rt::into(self.v_mesostructure_normals(at_25, rt::into(uv_13), rt::into(view_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_23: Entered,
+        at_25: Entered,
         uv_13: rt::Vec2<f32>,
         view_7: rt::Vec3<f32>,
     ) -> SeenNormals {
         let mut local_33: rt::Scalar<bool>;
 
-        let upright_2 = at_23.normal.dot(view_7);
-        let _e8 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_2 = ((rt::Scalar(at_23.footprint) * _e8) * upright_2.max(rt::Scalar(0.5f32)));
-        let _e15 = rt::Scalar(self.surface_settings.normal_levels);
-        let _e16 = self.v_levels_of(texels_2, _e15);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e16.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_33 = (!rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32)));
+        let upright_2 = at_25.normal.dot(view_7);
+        let shown = upright_2.max(rt::Scalar(0.5f32));
+        let width_2 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_25.fade)));
+        let _e15 = rt::Scalar(self.surface_settings.normal_texels);
+        let texels_2 = ((rt::Scalar(at_25.footprint) * _e15) * width_2);
+        let _e20 = rt::Scalar(self.surface_settings.normal_levels);
+        let _e21 = self.v_levels_of(texels_2, _e20);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
+            local_33 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
             local_33 = rt::Scalar(false);
         }
-        let _e27 = local_33;
-        if rt::Scalar::into_branch_condition(_e27) {
-            let _e28 = self.v_finest_normal(at_23, uv_13);
-            let _e29 = self.v_one_seen(_e28);
-            return _e29;
+        let _e32 = local_33;
+        if rt::Scalar::into_branch_condition(_e32) {
+            let _e33 = self.v_finest_normal(at_25, uv_13);
+            let _e34 = self.v_one_seen(_e33);
+            return _e34;
         }
-        let _e31 = self.v_normals_of_level(at_23, uv_13, rt::Scalar(_e16.fine));
-        if rt::Scalar::into_branch_condition((!rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32)))) {
-            let _e36 = self.v_seen_normals(at_23, _e31, view_7);
-            return _e36;
+        let _e36 = self.v_normals_of_level(at_25, uv_13, rt::Scalar(_e21.fine));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)))) {
+            let _e41 = self.v_seen_normals(at_25, _e36, view_7);
+            return _e41;
         }
-        let _e40 = self.v_normals_of_level(at_23, uv_13, (rt::Scalar(_e16.fine) + rt::Scalar(1u32)));
-        let first_7 = (_e31.first + ((_e40.first - _e31.first) * rt::Scalar(_e16.part)));
-        let second_1 = (_e31.second + ((_e40.second - _e31.second) * rt::Scalar(_e16.part)));
-        let _e56 = self.v_seen_normals(at_23, <Normals>::new(first_7, second_1), view_7);
-        return _e56;
+        let _e45 = self.v_normals_of_level(at_25, uv_13, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+        let first_7 = (_e36.first + ((_e45.first - _e36.first) * rt::Scalar(_e21.part)));
+        let second_1 = (_e36.second + ((_e45.second - _e36.second) * rt::Scalar(_e21.part)));
+        let _e61 = self.v_seen_normals(at_25, <Normals>::new(first_7, second_1), view_7);
+        return _e61;
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_24: Entered,
+        at_26: Entered,
         hit_10: Hit,
         light_5: Toward,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_24, hit_10, light_5, rt::into(params_20)))
+        rt::into(self.v_shadow_ray(at_26, hit_10, light_5, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_24: Entered,
+        at_26: Entered,
         hit_10: Hit,
         light_5: Toward,
-        params_20: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_24, hit_10, light_5);
+        let _e4 = self.v_free_way(at_26, hit_10, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_25: Entered,
+        at_27: Entered,
         hit_11: Hit,
         light_6: Toward,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_25, hit_11, light_6, rt::into(params_21)))
+        rt::into(self.v_shadow_none(at_27, hit_11, light_6, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_25: Entered,
+        at_27: Entered,
         hit_11: Hit,
         light_6: Toward,
-        params_21: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn starting_point(&self, path_31: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_31, found_1))
+    pub(crate) fn starting_point(&self, path_32: Path, found_1: Found) -> f32 {
+        rt::into(self.v_starting_point(path_32, found_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_31: Path, found_1: Found) -> rt::Scalar<f32> {
+    fn v_starting_point(&self, path_32: Path, found_1: Found) -> rt::Scalar<f32> {
         let mut local_34: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_31.base);
+            return rt::Scalar(path_32.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
             local_34 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
@@ -4547,42 +4690,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_32: Path,
+        path_33: Path,
         found_2: Found,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_32, found_2, rt::into(params_22)))
+        rt::into(self.v_refine_none(path_33, found_2, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_32: Path,
+        path_33: Path,
         found_2: Found,
-        params_22: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_32, found_2);
-        let _e16 = self.v_hit_on_path(path_32, _e14, exhausted_1, found_2.cost);
+        let _e14 = self.v_starting_point(path_33, found_2);
+        let _e16 = self.v_hit_on_path(path_33, _e14, exhausted_1, found_2.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_33: Path,
+        path_34: Path,
         found_3: Found,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_33, found_3, rt::into(params_23)))
+        rt::into(self.v_refine_offset(path_34, found_3, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_33: Path,
+        path_34: Path,
         found_3: Found,
-        params_23: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_21: rt::Scalar<f32>;
 
@@ -4590,33 +4733,33 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_33, found_3);
-        let _e9 = self.v_path_uv(path_33, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_33.level));
-        let _e12 = self.v_path_slope(path_33, _e8);
+        let _e8 = self.v_starting_point(path_34, found_3);
+        let _e9 = self.v_path_uv(path_34, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_34.level));
+        let _e12 = self.v_path_slope(path_34, _e8);
         t_21 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_33, _e8);
+            let _e16 = self.v_path_height(path_34, _e8);
             t_21 = (_e8 + ((_e11 - _e16) / _e12));
         }
         let _e20 = t_21;
-        let _e30 = self.v_hit_on_path(path_33, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
+        let _e30 = self.v_hit_on_path(path_34, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_34: Path,
+        path_35: Path,
         found_4: Found,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_34, found_4, rt::into(params_24)))
+        rt::into(self.v_refine_offset_limited(path_35, found_4, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_34: Path,
+        path_35: Path,
         found_4: Found,
-        params_24: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_12: Hit;
 
@@ -4624,13 +4767,13 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_34, found_4);
-        let _e9 = self.v_path_uv(path_34, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_34.level));
-        let _e12 = self.v_path_height(path_34, _e8);
-        let rise_m = ((_e11 - _e12) * path_34.metric.w());
+        let _e8 = self.v_starting_point(path_35, found_4);
+        let _e9 = self.v_path_uv(path_35, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_35.level));
+        let _e12 = self.v_path_height(path_35, _e8);
+        let rise_m = ((_e11 - _e12) * path_35.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_34, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
+        let _e27 = self.v_hit_on_path(path_35, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
         hit_12 = _e27;
         let _e30 = rt::Scalar(hit_12.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
@@ -4641,36 +4784,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_z(
         &self,
-        path_35: Path,
+        path_36: Path,
         slope_3: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_35, rt::into(slope_3)))
+        rt::into(self.v_normal_z(path_36, rt::into(slope_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_35: Path,
+        path_36: Path,
         slope_3: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m = path_35.metric;
+        let m = path_36.metric;
         let area_3 = ((m.x() * m.z()) - (m.y() * m.y()));
         let squared_2 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_3);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_36: Path,
+        path_37: Path,
         found_5: Found,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_36, found_5, rt::into(params_25)))
+        rt::into(self.v_refine_slope(path_37, found_5, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_36: Path,
+        path_37: Path,
         found_5: Found,
-        params_25: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_22: rt::Scalar<f32>;
 
@@ -4678,40 +4821,40 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_36, found_5);
-        let _e9 = self.v_path_uv(path_36, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_36.level));
-        let _e13 = self.v_path_height(path_36, _e8);
+        let _e8 = self.v_starting_point(path_37, found_5);
+        let _e9 = self.v_path_uv(path_37, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_37.level));
+        let _e13 = self.v_path_height(path_37, _e8);
         let rise_3 = (_e11.x() - _e13);
         t_22 = _e8;
-        if rt::Scalar::into_branch_condition(params_25.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_36, _e8);
-            let closing_3 = (_e19 - ((_e11.y() * path_36.duv.x()) + (_e11.z() * path_36.duv.y())));
+        if rt::Scalar::into_branch_condition(params_26.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_37, _e8);
+            let closing_3 = (_e19 - ((_e11.y() * path_37.duv.x()) + (_e11.z() * path_37.duv.y())));
             if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
                 t_22 = (_e8 + (rise_3 / closing_3));
             }
         } else {
-            let _e40 = self.v_normal_z(path_36, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_22 = (_e8 - ((rise_3 * path_36.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_37, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_22 = (_e8 - ((rise_3 * path_37.metric.w()) * _e40));
         }
         let _e43 = t_22;
-        let _e53 = self.v_hit_on_path(path_36, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
+        let _e53 = self.v_hit_on_path(path_37, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_37: Path,
+        path_38: Path,
         found_6: Found,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_37, found_6, rt::into(params_26)))
+        rt::into(self.v_refine_slope_iterative(path_38, found_6, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_37: Path,
+        path_38: Path,
         found_6: Found,
-        params_26: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_23: rt::Scalar<f32>;
         let mut cost_16: rt::Vec3<u32>;
@@ -4721,13 +4864,13 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_6.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_37, found_6);
+        let _e8 = self.v_starting_point(path_38, found_6);
         t_23 = _e8;
         cost_16 = found_6.cost;
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = k_2;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_26.x())) {
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_27.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4735,28 +4878,28 @@ impl<'g> Resources<'g> {
                     let _e17 = cost_16;
                     cost_16 = (_e17 + STEP);
                     let _e20 = t_23;
-                    let _e21 = self.v_path_uv(path_37, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_37.level));
+                    let _e21 = self.v_path_uv(path_38, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_38.level));
                     let _e24 = cost_16;
                     cost_16 = (_e24 + HEIGHTS_READ);
                     let _e28 = t_23;
-                    let _e29 = self.v_path_height(path_37, _e28);
+                    let _e29 = self.v_path_height(path_38, _e28);
                     let rise_4 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_26.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_27.y().elementwise_gt(rt::Scalar(0.5f32))) {
                         let _e34 = t_23;
-                        let _e35 = self.v_path_slope(path_37, _e34);
-                        let closing_4 = (_e35 - ((_e23.y() * path_37.duv.x()) + (_e23.z() * path_37.duv.y())));
+                        let _e35 = self.v_path_slope(path_38, _e34);
+                        let closing_4 = (_e35 - ((_e23.y() * path_38.duv.x()) + (_e23.z() * path_38.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_lt(rt::Scalar(0f32))) {
                             let _e48 = t_23;
                             t_23 = (_e48 + (rise_4 / closing_4));
                         }
                     } else {
                         let _e51 = t_23;
-                        let _e58 = self.v_normal_z(path_37, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_23 = (_e51 - ((rise_4 * path_37.metric.w()) * _e58));
+                        let _e58 = self.v_normal_z(path_38, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_23 = (_e51 - ((rise_4 * path_38.metric.w()) * _e58));
                     }
                     let _e61 = t_23;
-                    t_23 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_37.exit));
+                    t_23 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_38.exit));
                     let _e65 = k_2;
                     k_2 = (_e65 + rt::Scalar(1f32));
                 }
@@ -4764,23 +4907,23 @@ impl<'g> Resources<'g> {
         }
         let _e68 = t_23;
         let _e75 = cost_16;
-        let _e76 = self.v_hit_on_path(path_37, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_38, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_38: Path,
+        path_39: Path,
         found_7: Found,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_38, found_7, rt::into(params_27)))
+        rt::into(self.v_refine_binary(path_39, found_7, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_38: Path,
+        path_39: Path,
         found_7: Found,
-        params_27: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
@@ -4791,7 +4934,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_38, found_7, params_27);
+            let _e5 = self.v_refine_none(path_39, found_7, params_28);
             return _e5;
         }
         near_6 = rt::Scalar(found_7.near);
@@ -4799,7 +4942,7 @@ impl<'g> Resources<'g> {
         cost_17 = found_7.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_38, _e18);
+            let _e19 = self.v_path_height(path_39, _e18);
             local_35 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
             local_35 = rt::Scalar(true);
@@ -4809,7 +4952,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = k_3;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_27.x())) {
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_28.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4818,15 +4961,15 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e30 + STEP);
                     let _e33 = near_6;
                     let _e34 = far_2;
-                    let middle_4 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let middle_5 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_17;
                     cost_17 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_38, middle_4);
+                    let _e41 = self.v_path_gap(path_39, middle_5);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_2 = middle_4;
+                        far_2 = middle_5;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_6 = middle_4;
+                        near_6 = middle_5;
                     }
                     let _e45 = k_3;
                     k_3 = (_e45 + rt::Scalar(1f32));
@@ -4842,23 +4985,23 @@ impl<'g> Resources<'g> {
         let _e52 = near_6;
         let _e53 = far_2;
         let _e58 = cost_17;
-        let _e59 = self.v_hit_on_path(path_38, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_39, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_39: Path,
+        path_40: Path,
         found_8: Found,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_39, found_8, rt::into(params_28)))
+        rt::into(self.v_refine_secant(path_40, found_8, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_39: Path,
+        path_40: Path,
         found_8: Found,
-        params_28: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_7: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
@@ -4870,7 +5013,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_39, found_8, params_28);
+            let _e5 = self.v_refine_none(path_40, found_8, params_29);
             return _e5;
         }
         near_7 = rt::Scalar(found_8.near);
@@ -4880,10 +5023,10 @@ impl<'g> Resources<'g> {
         cost_18 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_7;
-            let _e20 = self.v_path_gap(path_39, _e19);
+            let _e20 = self.v_path_gap(path_40, _e19);
             near_gap_5 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_39, _e21);
+            let _e22 = self.v_path_gap(path_40, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_18;
             cost_18 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -4899,7 +5042,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e37 = k_4;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_28.x())) {
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_29.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4918,9 +5061,9 @@ impl<'g> Resources<'g> {
                     let _e53 = near_gap_5;
                     t_24 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
                     let _e57 = k_4;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_28.x())) {
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_29.x())) {
                         let _e60 = t_24;
-                        let _e61 = self.v_path_gap(path_39, _e60);
+                        let _e61 = self.v_path_gap(path_40, _e60);
                         let _e62 = cost_18;
                         cost_18 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
@@ -4940,23 +5083,23 @@ impl<'g> Resources<'g> {
         }
         let _e72 = t_24;
         let _e74 = cost_18;
-        let _e75 = self.v_hit_on_path(path_39, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_40, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_40: Path,
+        path_41: Path,
         found_9: Found,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_40, found_9, rt::into(params_29)))
+        rt::into(self.v_refine_true_secant(path_41, found_9, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_40: Path,
+        path_41: Path,
         found_9: Found,
-        params_29: rt::Vec4<f32>,
+        params_30: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
@@ -4967,7 +5110,7 @@ impl<'g> Resources<'g> {
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_40, found_9, params_29);
+            let _e5 = self.v_refine_none(path_41, found_9, params_30);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -4977,10 +5120,10 @@ impl<'g> Resources<'g> {
         cost_19 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_40, _e19);
+            let _e20 = self.v_path_gap(path_41, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_40, _e21);
+            let _e22 = self.v_path_gap(path_41, _e21);
             last_gap = _e22;
             let _e23 = cost_19;
             cost_19 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -4994,7 +5137,7 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e35 = k_5;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_29.x())) {
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_30.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -5011,15 +5154,15 @@ impl<'g> Resources<'g> {
                     let _e47 = last;
                     let _e48 = before;
                     let _e50 = last_gap;
-                    let t_28 = (_e46 + ((_e47 - _e48) * (_e50 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let t_27 = (_e46 + ((_e47 - _e48) * (_e50 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
                     let _e57 = last;
                     before = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
-                    last = t_28;
+                    last = t_27;
                     let _e59 = k_5;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_29.x())) {
-                        let _e62 = self.v_path_gap(path_40, t_28);
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_30.x())) {
+                        let _e62 = self.v_path_gap(path_41, t_27);
                         last_gap = _e62;
                         let _e63 = cost_19;
                         cost_19 = (_e63 + HEIGHTS_READ);
@@ -5031,23 +5174,23 @@ impl<'g> Resources<'g> {
         }
         let _e69 = last;
         let _e71 = cost_19;
-        let _e72 = self.v_hit_on_path(path_40, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_41, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_41: Path,
+        path_42: Path,
         found_10: Found,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_41, found_10, rt::into(params_30)))
+        rt::into(self.v_refine_patch(path_42, found_10, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_41: Path,
+        path_42: Path,
         found_10: Found,
-        params_30: rt::Vec4<f32>,
+        params_31: rt::Vec4<f32>,
     ) -> Hit {
         let mut t_25: rt::Scalar<f32>;
         let mut cell_18: rt::Vec2<f32>;
@@ -5059,21 +5202,21 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_41, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
+            let _e14 = self.v_hit_on_path(path_42, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_41, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
+            let _e21 = self.v_hit_on_path(path_42, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_41);
+        let _e22 = self.v_grid_of(path_42);
         t_25 = rt::Scalar(found_10.near);
         let _e27 = t_25;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_18 = _e30;
         cost_20 = found_10.cost;
         let _e35 = cost_20.x();
-        let limit_9 = (_e35 + params_30.x().cast_elem_as_u32());
+        let limit_9 = (_e35 + params_31.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_20.x();
@@ -5091,20 +5234,20 @@ impl<'g> Resources<'g> {
                     let span_12 = (end_11 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_18;
                     let _e57 = t_25;
-                    let _e58 = self.v_cell_gap(path_41, _e22, _e56, _e57);
+                    let _e58 = self.v_cell_gap(path_42, _e22, _e56, _e57);
                     let _e59 = cost_20;
                     cost_20 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e65 = t_25;
                         let _e67 = cost_20;
-                        let _e68 = self.v_hit_on_path(path_41, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_42, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_12);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_25;
                         let _e75 = cost_20;
-                        let _e76 = self.v_hit_on_path(path_41, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_42, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
                     if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(found_10.far))) {
@@ -5116,7 +5259,7 @@ impl<'g> Resources<'g> {
                         let _e89 = local_36;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_20;
-                            let _e93 = self.v_hit_on_path(path_41, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_42, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_20;
@@ -5133,197 +5276,197 @@ impl<'g> Resources<'g> {
         }
         let _e100 = t_25;
         let _e102 = cost_20;
-        let _e103 = self.v_hit_on_path(path_41, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_42, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_42: Path,
+        path_43: Path,
         found_11: Found,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_42, found_11, rt::into(params_31)))
+        rt::into(self.v_refine_half_texel(path_43, found_11, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_42: Path,
+        path_43: Path,
         found_11: Found,
-        params_31: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_1: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_2: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_42, found_11, params_31);
+            let _e6 = self.v_refine_none(path_43, found_11, params_32);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_42.level));
-        let speed_2 = (path_42.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_42.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_42, found_11, params_31);
+        let _e9 = self.v_height_size(rt::Scalar(path_43.level));
+        let speed_2 = (path_43.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_43.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_43, found_11, params_32);
             return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_2);
         let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
-        let forward_8 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_42.exit));
-        let _e28 = self.v_path_gap(path_42, backward);
+        let forward_8 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_43.exit));
+        let _e28 = self.v_path_gap(path_43, backward);
         let before_1 = _e28.abs();
-        let _e30 = self.v_path_gap(path_42, forward_8);
+        let _e30 = self.v_path_gap(path_43, forward_8);
         let behind_1 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
-            part_1 = (before_1 / (before_1 + behind_1));
+            part_2 = (before_1 / (before_1 + behind_1));
         }
         let cost_21 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_1;
-        let _e49 = self.v_hit_on_path(path_42, (backward + ((forward_8 - backward) * _e45)), rt::Scalar(0u32), cost_21);
+        let _e45 = part_2;
+        let _e49 = self.v_hit_on_path(path_43, (backward + ((forward_8 - backward) * _e45)), rt::Scalar(0u32), cost_21);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_43: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_43, found_12))
+    pub(crate) fn refine_stage(&self, path_44: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_44, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_43: Path, found_12: Found) -> Hit {
+    fn v_refine_stage(&self, path_44: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_refine_none(path_43, found_12, _e11);
+                let _e12 = self.v_refine_none(path_44, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_refine_offset(path_43, found_12, _e17);
+                let _e18 = self.v_refine_offset(path_44, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_refine_offset_limited(path_43, found_12, _e23);
+                let _e24 = self.v_refine_offset_limited(path_44, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_refine_slope(path_43, found_12, _e29);
+                let _e30 = self.v_refine_slope(path_44, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[3usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_43, found_12, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_44, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[3usize].params;
-                let _e42 = self.v_refine_binary(path_43, found_12, _e41);
+                let _e42 = self.v_refine_binary(path_44, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[3usize].params;
-                let _e48 = self.v_refine_secant(path_43, found_12, _e47);
+                let _e48 = self.v_refine_secant(path_44, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[3usize].params;
-                let _e54 = self.v_refine_true_secant(path_43, found_12, _e53);
+                let _e54 = self.v_refine_true_secant(path_44, found_12, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[3usize].params;
-                let _e60 = self.v_refine_patch(path_43, found_12, _e59);
+                let _e60 = self.v_refine_patch(path_44, found_12, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[3usize].params;
-                let _e66 = self.v_refine_half_texel(path_43, found_12, _e65);
+                let _e66 = self.v_refine_half_texel(path_44, found_12, _e65);
                 return _e66;
             }
         }
     }
-    pub(crate) fn search_stage(&self, path_44: Path) -> Found {
-        rt::into(self.v_search_stage(path_44))
+    pub(crate) fn search_stage(&self, path_45: Path) -> Found {
+        rt::into(self.v_search_stage(path_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_44: Path) -> Found {
+    fn v_search_stage(&self, path_45: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[2usize].params;
-                let _e11 = self.v_search_none(path_44, _e10);
+                let _e11 = self.v_search_none(path_45, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[2usize].params;
-                let _e17 = self.v_search_linear(path_44, _e16);
+                let _e17 = self.v_search_linear(path_45, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[2usize].params;
-                let _e23 = self.v_search_cells(path_44, _e22);
+                let _e23 = self.v_search_cells(path_45, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[2usize].params;
-                let _e29 = self.v_search_frustum(path_44, _e28);
+                let _e29 = self.v_search_frustum(path_45, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[2usize].params;
-                let _e35 = self.v_search_cone(path_44, _e34);
+                let _e35 = self.v_search_cone(path_45, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[2usize].params;
-                let _e41 = self.v_search_pyramid(path_44, _e40);
+                let _e41 = self.v_search_pyramid(path_45, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[2usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_44, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_45, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[2usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_44, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_45, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[2usize].params;
-                let _e59 = self.v_search_sphere(path_44, _e58);
+                let _e59 = self.v_search_sphere(path_45, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[2usize].params;
-                let _e65 = self.v_search_cone_moved(path_44, _e64);
+                let _e65 = self.v_search_cone_moved(path_45, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[2usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_44, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_45, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[2usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_44, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_45, _e76);
                 return _e77;
             }
         }
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_26: Entered,
+        at_28: Entered,
         hit_13: Hit,
         light_7: Toward,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_26, hit_13, light_7, rt::into(params_32)))
+        rt::into(self.v_shadow_entry(at_28, hit_13, light_7, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_26: Entered,
+        at_28: Entered,
         hit_13: Hit,
         light_7: Toward,
-        params_32: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_26, hit_13, light_7);
+        let _e4 = self.v_from_hit(at_28, hit_13, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -5342,7 +5485,7 @@ impl<'g> Resources<'g> {
         }
         let _e49 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_1 = ((_e39.uv - _e4.uv).abs() * _e49);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_32.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_33.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -5395,9 +5538,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_sine_of(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_2 = (turn_1 - turn_1.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_2 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_2.elementwise_gt(rt::Scalar(0.5f32)));
+        let part_4 = (turn_1 - turn_1.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_4 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_4.elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn turned(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_turned(rt::into(turn_2)))
@@ -5440,25 +5583,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_27: Entered,
+        at_29: Entered,
         hit_15: Hit,
         light_9: Toward,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_27, hit_15, light_9, rt::into(params_33)))
+        rt::into(self.v_shadow_soft(at_29, hit_15, light_9, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_27: Entered,
+        at_29: Entered,
         hit_15: Hit,
         light_9: Toward,
-        params_33: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_2 = params_33.x().cast_elem_as_u32();
+        let count_2 = params_34.x().cast_elem_as_u32();
         let _e6 = self.v_seed_of(hit_15);
         'naga_break: loop {
             'naga_continue: {
@@ -5471,7 +5614,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_7;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_2);
-                    let _e16 = self.v_free_way(at_27, hit_15, _e15);
+                    let _e16 = self.v_free_way(at_29, hit_15, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_7;
                     k_7 = (_e18 + rt::Scalar(1u32));
@@ -5483,25 +5626,25 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_28: Entered,
+        at_30: Entered,
         hit_16: Hit,
         light_10: Toward,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_28, hit_16, light_10, rt::into(params_34)))
+        rt::into(self.v_shadow_heuristic(at_30, hit_16, light_10, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_28: Entered,
+        at_30: Entered,
         hit_16: Hit,
         light_10: Toward,
-        params_34: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_28, hit_16, light_10);
+        let _e4 = self.v_from_hit(at_30, hit_16, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -5509,23 +5652,23 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e16 = k_8;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_34.x())) {
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_35.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e19 = k_8;
-                    let part_3 = (_e19 / params_34.x());
+                    let part_5 = (_e19 / params_35.x());
                     let _e22 = most_1;
-                    let _e24 = self.v_path_gap(_e4, (part_3 * _e11));
-                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_3)));
+                    let _e24 = self.v_path_gap(_e4, (part_5 * _e11));
+                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_5)));
                     let _e31 = k_8;
                     k_8 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_34.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_35.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn turn_of(&self, v_1: impl rt::Into<rt::Vec2<f32>>) -> f32 {
         rt::into(self.v_turn_of(rt::into(v_1)))
@@ -5611,9 +5754,9 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_12 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        let level_22 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
+        let level_23 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
         let _e24 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
-        let _e26 = self.v_gap_to(level_22, _e1, _e3, _e24, rt::Scalar(0f32));
+        let _e26 = self.v_gap_to(level_23, _e1, _e3, _e24, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e26.y().min((_e26.y() + (_e26.z() * end_12))));
     }
     pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -5627,42 +5770,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_29: Entered,
+        at_31: Entered,
         hit_17: Hit,
         light_11: Toward,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_29, hit_17, light_11, rt::into(params_35)))
+        rt::into(self.v_shadow_horizon(at_31, hit_17, light_11, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_29: Entered,
+        at_31: Entered,
         hit_17: Hit,
         light_11: Toward,
-        params_35: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_29, light_11.direction);
+        let _e5 = self.v_climb(at_31, light_11.direction);
         let map_1 = self.surface_settings.maps[2usize];
         let along_6 = (_e5.xy() * map_1.tile_m);
         let _e13 = self.v_turn_of(along_6);
-        let azimuth_1 = (_e13 * params_35.x());
+        let azimuth_1 = (_e13 * params_36.x());
         let first_8 = azimuth_1.floor();
-        let count_3 = params_35.x().cast_elem_as_i32();
+        let count_3 = params_36.x().cast_elem_as_i32();
         let before_2 = (first_8.cast_elem_as_i32() % count_3);
-        let part_4 = (azimuth_1 - first_8);
-        let _e25 = self.v_shadow_texel_between(hit_17.uv, before_2, rt::Scalar(at_29.path.level));
+        let part_6 = (azimuth_1 - first_8);
+        let _e25 = self.v_shadow_texel_between(hit_17.uv, before_2, rt::Scalar(at_31.path.level));
         let low_3 = _e25.x();
-        let _e33 = self.v_shadow_texel_between(hit_17.uv, ((before_2 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_29.path.level));
-        let sine = (low_3 + ((_e33.x() - low_3) * part_4));
+        let _e33 = self.v_shadow_texel_between(hit_17.uv, ((before_2 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_31.path.level));
+        let sine = (low_3 + ((_e33.x() - low_3) * part_6));
         let squared_3 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
         let far_9 = (squared_3 * along_6.dot(along_6)).sqrt();
-        let _e50 = self.v_from_hit(at_29, hit_17, light_11);
+        let _e50 = self.v_from_hit(at_31, hit_17, light_11);
         let _e51 = self.v_own_slope(_e50);
         let _e54 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e51 * _e54);
         let horizon = far_9.max(near_8);
-        let up_1 = at_29.normal.dot(light_11.direction);
+        let up_1 = at_31.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
         }
@@ -5676,60 +5819,60 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_30: Entered,
+        at_32: Entered,
         hit_18: Hit,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_30, hit_18, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
+        rt::into(self.v_open_part(at_32, hit_18, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_30: Entered,
+        at_32: Entered,
         hit_18: Hit,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e10 = self.v_shadow_texel_between(hit_18.uv, ((azimuth * elevations) + elevation), rt::Scalar(at_30.path.level));
+        let _e10 = self.v_shadow_texel_between(hit_18.uv, ((azimuth * elevations) + elevation), rt::Scalar(at_32.path.level));
         return (rt::Scalar(1f32) - _e10.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_31: Entered,
+        at_33: Entered,
         hit_19: Hit,
         light_12: Toward,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_31, hit_19, light_12, rt::into(params_36)))
+        rt::into(self.v_shadow_visibility(at_33, hit_19, light_12, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_31: Entered,
+        at_33: Entered,
         hit_19: Hit,
         light_12: Toward,
-        params_36: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_31, light_12.direction);
+        let _e5 = self.v_climb(at_33, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[2usize];
         let along_7 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_3 = (_e5.z() * _e21);
-        let squared_4 = ((height_3 * height_3) / (along_7.dot(along_7) + (height_3 * height_3)));
-        let azimuths = params_36.x().cast_elem_as_i32();
-        let elevations_1 = params_36.y().cast_elem_as_i32();
+        let height_4 = (_e5.z() * _e21);
+        let squared_4 = ((height_4 * height_4) / (along_7.dot(along_7) + (height_4 * height_4)));
+        let azimuths = params_37.x().cast_elem_as_i32();
+        let elevations_1 = params_37.y().cast_elem_as_i32();
         let _e32 = self.v_turn_of(along_7);
-        let azimuth_2 = (_e32 * params_36.x());
-        let elevation_1 = ((squared_4 * params_36.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_36.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_36.z().elementwise_lt(rt::Scalar(2f32))) {
+        let azimuth_2 = (_e32 * params_37.x());
+        let elevation_1 = ((squared_4 * params_37.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_37.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_37.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_7 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_31, hit_19, a_7, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_33, hit_19, a_7, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_ = (azimuth_2.floor().cast_elem_as_i32() % azimuths);
@@ -5738,67 +5881,67 @@ impl<'g> Resources<'g> {
         let e1_1 = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_2 - azimuth_2.floor());
         let along_elevation = (elevation_1 - elevation_1.floor());
-        let _e74 = self.v_open_part(at_31, hit_19, a1_, e0_, elevations_1);
-        let _e75 = self.v_open_part(at_31, hit_19, a0_, e1_1, elevations_1);
+        let _e74 = self.v_open_part(at_33, hit_19, a1_, e0_, elevations_1);
+        let _e75 = self.v_open_part(at_33, hit_19, a0_, e1_1, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_31, hit_19, a0_, e0_, elevations_1);
+            let _e79 = self.v_open_part(at_33, hit_19, a0_, e0_, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_31, hit_19, a1_, e1_1, elevations_1);
+        let _e86 = self.v_open_part(at_33, hit_19, a1_, e1_1, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_32: Entered, hit_20: Hit, light_13: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_32, hit_20, light_13))
+    pub(crate) fn shadow_stage(&self, at_34: Entered, hit_20: Hit, light_13: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_34, hit_20, light_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_32: Entered, hit_20: Hit, light_13: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_34: Entered, hit_20: Hit, light_13: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_32, hit_20, light_13, _e12);
+                let _e13 = self.v_shadow_ray(at_34, hit_20, light_13, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_32, hit_20, light_13, _e18);
+                let _e19 = self.v_shadow_none(at_34, hit_20, light_13, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_32, hit_20, light_13, _e24);
+                let _e25 = self.v_shadow_entry(at_34, hit_20, light_13, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_32, hit_20, light_13, _e30);
+                let _e31 = self.v_shadow_soft(at_34, hit_20, light_13, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_32, hit_20, light_13, _e36);
+                let _e37 = self.v_shadow_heuristic(at_34, hit_20, light_13, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_32, hit_20, light_13, _e42);
+                let _e43 = self.v_shadow_horizon(at_34, hit_20, light_13, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_32, hit_20, light_13, _e48);
+                let _e49 = self.v_shadow_visibility(at_34, hit_20, light_13, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_7: PixelIn, at_33: Entered, hit_21: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_7, at_33, hit_21))
+    pub(crate) fn mirrored_light(&self, pixel_12: PixelIn, at_35: Entered, hit_21: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_12, at_35, hit_21))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_7: PixelIn, at_33: Entered, hit_21: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_12: PixelIn, at_35: Entered, hit_21: Hit) -> rt::Scalar<f32> {
         let mut local_37: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_33.valid).elementwise_eq(rt::Scalar(0u32)))) {
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_35.valid).elementwise_eq(rt::Scalar(0u32)))) {
             local_37 = rt::Scalar(hit_21.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_37 = rt::Scalar(true);
@@ -5807,30 +5950,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e13) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_7.direction.normalize();
-        let up_2 = (down_2 - (at_33.normal * (rt::Scalar(2f32) * down_2.dot(at_33.normal))));
-        let _e31 = self.v_shadow_stage(at_33, hit_21, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        let down_2 = pixel_12.direction.normalize();
+        let up_2 = (down_2 - (at_35.normal * (rt::Scalar(2f32) * down_2.dot(at_35.normal))));
+        let _e31 = self.v_shadow_stage(at_35, hit_21, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
         return _e31;
     }
-    pub(crate) fn pixel_direction(&self, pixel_8: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_8)))
+    pub(crate) fn pixel_direction(&self, pixel_13: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_direction(&self, pixel_8: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_13: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_8.x())) + (_e14.xyz() * pixel_8.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_13.x())) + (_e14.xyz() * pixel_13.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_9: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_9)))
+    pub(crate) fn pixel_eye(&self, pixel_14: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_eye(&self, pixel_9: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_14: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_9.x())) + (_e14.xyz() * pixel_9.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_14.x())) + (_e14.xyz() * pixel_14.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -5879,47 +6022,47 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_34: Entered,
+        at_36: Entered,
         hit_22: Hit,
         number: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_34, hit_22, rt::into(number)))
+        rt::into(self.v_ray_to_light(at_36, hit_22, rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_34: Entered,
+        at_36: Entered,
         hit_22: Hit,
         number: rt::Scalar<u32>,
     ) -> LightRay {
         let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e7 = self.v_hit_position(at_34, hit_22);
+        let _e7 = self.v_hit_position(at_36, hit_22);
         let _e8 = self.v_toward_light(_e6, _e7);
-        let _e9 = self.v_light_ray(at_34, hit_22, _e8);
+        let _e9 = self.v_light_ray(at_36, hit_22, _e8);
         return _e9;
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_35: Entered,
+        at_37: Entered,
         seen: SeenNormals,
         toward: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_35, seen, rt::into(toward)))
+        rt::into(self.v_seen_cosine(at_37, seen, rt::into(toward)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_35: Entered,
+        at_37: Entered,
         seen: SeenNormals,
         toward: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen.normal.dot(toward).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_35, toward);
-        let middle_5 = seen.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_5, seen.along.dot(_e10), seen.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen.middle_seen) * middle_5.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_37, toward);
+        let middle_6 = seen.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_6, seen.along.dot(_e10), seen.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen.middle_seen) * middle_6.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         let _e31 = rt::Scalar(self.surface_settings.has_shadows);
@@ -5979,26 +6122,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_9: impl rt::Into<rt::Vec3<f32>>,
+        normal_10: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine: impl rt::Into<rt::Scalar<f32>>,
         view_8: impl rt::Into<rt::Vec3<f32>>,
         toward_1: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_9), rt::into(mean), rt::into(cosine), rt::into(view_8), rt::into(toward_1), rt::into(color_7), rt::into(params_37)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine), rt::into(view_8), rt::into(toward_1), rt::into(color_7), rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_9: rt::Vec3<f32>,
+        normal_10: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine: rt::Scalar<f32>,
         view_8: rt::Vec3<f32>,
         toward_1: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_37: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -6013,7 +6156,7 @@ impl<'g> Resources<'g> {
                 exponent_1 = wide_2.cast_elem_as_u32();
                 dimmed = ((wide_2 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_9.dot((toward_1 + view_8).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_10.dot((toward_1 + view_8).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_1;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -6025,19 +6168,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_10: impl rt::Into<rt::Vec3<f32>>,
+        normal_11: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
         view_9: impl rt::Into<rt::Vec3<f32>>,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_10), rt::into(mean_1), rt::into(cosine_1), rt::into(view_9), rt::into(toward_2), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_11), rt::into(mean_1), rt::into(cosine_1), rt::into(view_9), rt::into(toward_2), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
         &self,
-        normal_10: rt::Vec3<f32>,
+        normal_11: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
         view_9: rt::Vec3<f32>,
@@ -6048,7 +6191,7 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[4usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_10, mean_1, cosine_1, view_9, toward_2, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_11, mean_1, cosine_1, view_9, toward_2, color_8, _e15);
                 return _e16;
             }
         }
@@ -6056,20 +6199,20 @@ impl<'g> Resources<'g> {
     pub(crate) fn reflected_light(
         &self,
         position_1: impl rt::Into<rt::Vec3<f32>>,
-        at_36: Entered,
+        at_38: Entered,
         hit_23: Hit,
         seen_1: SeenNormals,
         view_10: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), at_36, hit_23, seen_1, rt::into(view_10), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(rt::into(position_1), at_38, hit_23, seen_1, rt::into(view_10), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
         position_1: rt::Vec3<f32>,
-        at_36: Entered,
+        at_38: Entered,
         hit_23: Hit,
         seen_1: SeenNormals,
         view_10: rt::Vec3<f32>,
@@ -6082,7 +6225,7 @@ impl<'g> Resources<'g> {
         let _e9 = self.surface_settings.diffuse;
         let _e14 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e9.xyz() * color_9) * (rt::Scalar(1f32) - _e14));
-        let _e21 = self.v_ambient_stage(at_36, hit_23, (seen_1.normal * rt::Scalar(seen_1.length)), view_10, diffuse);
+        let _e21 = self.v_ambient_stage(at_38, hit_23, (seen_1.normal * rt::Scalar(seen_1.length)), view_10, diffuse);
         light_15 = _e21;
         'naga_break: loop {
             'naga_continue: {
@@ -6096,7 +6239,7 @@ impl<'g> Resources<'g> {
                     let _e32 = k_9;
                     let _e34 = self.frame.lights[rt::Scalar::into_array_index(_e32)];
                     let _e35 = self.v_toward_light(_e34, position_1);
-                    let _e37 = self.v_seen_cosine(at_36, seen_1, _e35.direction);
+                    let _e37 = self.v_seen_cosine(at_38, seen_1, _e35.direction);
                     let _e41 = self.v_shade_stage(seen_1.normal, rt::Scalar(seen_1.length), _e37, view_10, _e35.direction, diffuse);
                     let _e42 = light_15;
                     let _e45 = k_9;
@@ -6111,14 +6254,14 @@ impl<'g> Resources<'g> {
         let _e61 = light_15;
         return _e61;
     }
-    pub(crate) fn shade_hit(&self, pixel_10: PixelIn, at_37: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_10, at_37, hit_24, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_15: PixelIn, at_39: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_15, at_39, hit_24, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_10: PixelIn, at_37: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_shade_hit(&self, pixel_15: PixelIn, at_39: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
         let mut local_38: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_37.valid).elementwise_eq(rt::Scalar(0u32)))) {
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_39.valid).elementwise_eq(rt::Scalar(0u32)))) {
             local_38 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_38 = rt::Scalar(true);
@@ -6127,37 +6270,37 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e14) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e51 = self.v_height_at(hit_24.uv, rt::Scalar(at_37.path.level));
-        let _e52 = self.v_hit_position(at_37, hit_24);
-        let view_11 = (pixel_10.origin - _e52).normalize();
-        let _e57 = self.v_mesostructure_normals(at_37, hit_24.uv, view_11);
-        let _e60 = self.v_color_or_white(hit_24.uv, rt::Scalar(at_37.footprint));
-        let _e61 = self.v_reflected_light(_e52, at_37, hit_24, _e57, view_11, _e60, visible_1);
+        let _e51 = self.v_height_at(hit_24.uv, rt::Scalar(at_39.path.level));
+        let _e52 = self.v_hit_position(at_39, hit_24);
+        let view_11 = (pixel_15.origin - _e52).normalize();
+        let _e57 = self.v_mesostructure_normals(at_39, hit_24.uv, view_11);
+        let _e60 = self.v_color_or_white(hit_24.uv, rt::Scalar(at_39.footprint));
+        let _e61 = self.v_reflected_light(_e52, at_39, hit_24, _e57, view_11, _e60, visible_1);
         let _e66 = self.frame.forward;
-        let depth = (_e52 - pixel_10.origin).dot(_e66.xyz());
+        let depth = (_e52 - pixel_15.origin).dot(_e66.xyz());
         let _e71 = self.v_height_size(rt::Scalar(0u32));
         let _e77 = self.v_cell_of(((hit_24.uv * _e71) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e61, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), hit_24.uv, _e51, _e52, _e57.normal, depth, rt::Scalar(hit_24.t), _e77.cast_elem_as_i32(), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), visible_1[0usize].x(), rt::Scalar(at_37.path.level));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e61, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), hit_24.uv, _e51, _e52, _e57.normal, depth, rt::Scalar(hit_24.t), _e77.cast_elem_as_i32(), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), visible_1[0usize].x(), rt::Scalar(at_39.path.level));
     }
-    pub(crate) fn trace(&self, path_45: Path) -> Hit {
-        rt::into(self.v_trace(path_45))
+    pub(crate) fn trace(&self, path_46: Path) -> Hit {
+        rt::into(self.v_trace(path_46))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_45: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_45);
-        let _e2 = self.v_refine_stage(path_45, _e1);
+    fn v_trace(&self, path_46: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_46);
+        let _e2 = self.v_refine_stage(path_46, _e1);
         return _e2;
     }
-    pub(crate) fn visible_lights(&self, at_38: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_38, hit_25))
+    pub(crate) fn visible_lights(&self, at_40: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_40, hit_25))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_38: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_40: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut local_39: rt::Scalar<bool>;
         let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_38.valid).elementwise_eq(rt::Scalar(0u32)))) {
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_40.valid).elementwise_eq(rt::Scalar(0u32)))) {
             local_39 = rt::Scalar(hit_25.found).elementwise_eq(rt::Scalar(0u32));
         } else {
             local_39 = rt::Scalar(true);
@@ -6167,7 +6310,7 @@ impl<'g> Resources<'g> {
             let _e15 = visible_2;
             return _e15;
         }
-        let _e16 = self.v_hit_position(at_38, hit_25);
+        let _e16 = self.v_hit_position(at_40, hit_25);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_10;
@@ -6180,7 +6323,7 @@ impl<'g> Resources<'g> {
                     let _e26 = k_10;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, _e16);
-                    let _e30 = self.v_shadow_stage(at_38, hit_25, _e29);
+                    let _e30 = self.v_shadow_stage(at_40, hit_25, _e29);
                     let _e31 = k_10;
                     visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e37 = k_10;
@@ -6191,14 +6334,14 @@ impl<'g> Resources<'g> {
         let _e40 = visible_2;
         return _e40;
     }
-    pub(crate) fn shade_pixel(&self, pixel_11: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_11))
+    pub(crate) fn shade_pixel(&self, pixel_16: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_16))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_11: PixelIn) -> PixelOut {
+    fn v_shade_pixel(&self, pixel_16: PixelIn) -> PixelOut {
         let mut hit_26: Hit;
 
-        let _e1 = self.v_enter_relief(pixel_11);
+        let _e1 = self.v_enter_relief(pixel_16);
         let _e3 = self.v_miss(NO_COST);
         hit_26 = _e3;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
@@ -6208,7 +6351,7 @@ impl<'g> Resources<'g> {
         let _e10 = hit_26;
         let _e11 = hit_26;
         let _e12 = self.v_visible_lights(_e1, _e11);
-        let _e13 = self.v_shade_hit(pixel_11, _e1, _e10, _e12);
+        let _e13 = self.v_shade_hit(pixel_16, _e1, _e10, _e12);
         return _e13;
     }
 }

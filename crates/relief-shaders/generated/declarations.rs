@@ -31,6 +31,10 @@ pub const MODULES: &[Module] = &[
 // and light changes without a seam. Each level after the first holds the light within lobes that are twice
 // as wide as those of the level before. In the last one they are cosines.
 "# },
+    Module { path: "shared/footprint", head: r#"// How much of a surface a sample of a pixel covers.
+//
+// Made from the rays of the neighbouring pixels, not from derivatives, so that any ray has a footprint.
+"# },
     Module { path: "shared/height", head: r#"// The one module that reads the textures of a surface: heights, colours and normals.
 //
 // `exact` loads texels and interpolates in plain arithmetic, which gives the same bits on every machine.
@@ -90,15 +94,19 @@ pub const MODULES: &[Module] = &[
 // triangle, so that relief runs smoothly from one triangle to the next; the segment lies in the frame of the
 // base point.
 "# },
+    Module { path: "detail/fade", head: r#"// From displacement to bump mapping with distance: as `footprint`, and what is hardly deeper than a pixel is
+// traced flatter.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 4.1.1, after Becker and Max 1993. `params.x` and `params.y` are
+// those of `footprint`. A relief that is `params.z` samples deep is flat, one that is `params.w` times as deep
+// is not flattened at all.
+"# },
     Module { path: "detail/footprint", head: r#"// The level of detail of which about two texels lie beside each other in a pixel's footprint on the base
 // surface.
 //
-// Oh, Ki and Lee 2006, section 3.4. The footprint is an ellipse, and its shorter axis decides, as in
-// anisotropic filtering; `params.x` is how many times as long the longer one may be. `params.y` is how many
-// texels of the level lie beside each other in it: with one, shadows are lost that are still seen.
-//
-// The footprint is made from the rays of the neighbouring pixels, not from derivatives, so that any ray has
-// one.
+// Oh, Ki and Lee 2006, section 3.4. `params.x` is how many times as long as wide the footprint may be taken to
+// be. `params.y` is how many texels of the level lie beside each other in it: with one, shadows are lost that
+// are still seen.
 "# },
     Module { path: "detail/none", head: r#"// No level of detail: the finest level of all maps.
 "# },
@@ -1383,6 +1391,83 @@ fn environment_on(normal: vec3f) -> vec3f {
 }"#,
     },
     Declaration {
+        module: "shared/footprint",
+        name: "plane_distance",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"// Where on the ray the triangle's plane is. `normal` is the triangle's, of any length.
+fn plane_distance(pixel: PixelIn, normal: vec3f) -> f32 {
+    return dot(normal, pixel.a.position - pixel.origin) / dot(normal, pixel.direction);
+}"#,
+    },
+    Declaration {
+        module: "shared/footprint",
+        name: "plane_normal",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"// The triangle's normal, of any length.
+fn plane_normal(pixel: PixelIn) -> vec3f {
+    let a = pixel.a.position;
+    return cross(pixel.b.position - a, pixel.c.position - a);
+}"#,
+    },
+    Declaration {
+        module: "shared/footprint",
+        name: "footprint_axis",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "climb", "surface_settings"],
+        text: r#"// How far the base point moves, in texels, when the ray's origin and direction change by these.
+fn footprint_axis(
+    pixel: PixelIn,
+    at: Entered,
+    normal: vec3f,
+    t: f32,
+    origin: vec3f,
+    direction: vec3f,
+) -> vec2f {
+    let aside = origin + direction * t;
+    let along = dot(normal, aside) / dot(normal, pixel.direction);
+    return climb(at, aside - pixel.direction * along).xy * vec2f(surface_settings.height_size);
+}"#,
+    },
+    Declaration {
+        module: "shared/footprint",
+        name: "footprint_of",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "footprint_axis", "frame", "plane_distance", "plane_normal"],
+        text: r#"// Width of the footprint on the base surface, in texels of the height map's finest level. It is an ellipse,
+// and its shorter axis decides, as in anisotropic filtering; the longer one may be `anisotropy` times as
+// long.
+fn footprint_of(pixel: PixelIn, at: Entered, anisotropy: f32) -> f32 {
+    let normal = plane_normal(pixel);
+    let t = plane_distance(pixel, normal);
+    let right = footprint_axis(pixel, at, normal, t, frame.eye_right.xyz, frame.right.xyz);
+    let down = footprint_axis(pixel, at, normal, t, frame.eye_down.xyz, frame.down.xyz);
+    // One product of four: of two sums that are added compilers make another sum, which ends in other bits.
+    let both = vec4f(right, down);
+    let sum = dot(both, both);
+    let area = right.x * down.y - right.y * down.x;
+    // Of the squared axes of the ellipse the sum is known, and the product: the area squared.
+    let apart = sqrt(max((sum - 2.0 * area) * (sum + 2.0 * area), 0.0));
+    let longer = 0.5 * (sum + apart);
+    let shorter = area * area / longer;
+    let squared = max(shorter, longer / (anisotropy * anisotropy));
+    return sqrt(squared) * frame.sample_width;
+}"#,
+    },
+    Declaration {
+        module: "shared/footprint",
+        name: "depth_in_samples",
+        sampling: None,
+        uses: &["PixelIn", "frame", "plane_distance", "plane_normal", "surface_settings"],
+        text: r#"// How many samples of a pixel wide the relief is deep, seen from the distance of the base point.
+fn depth_in_samples(pixel: PixelIn) -> f32 {
+    let t = plane_distance(pixel, plane_normal(pixel));
+    let width = length(frame.eye_right.xyz + frame.right.xyz * t) * frame.sample_width;
+    return surface_settings.scale_m / width;
+}"#,
+    },
+    Declaration {
         module: "shared/height",
         name: "CELL_LIMIT",
         sampling: None,
@@ -2035,6 +2120,16 @@ const FLOOR = 0.000001;"#,
     },
     Declaration {
         module: "shared/path",
+        name: "BELOW_FLOOR",
+        sampling: None,
+        uses: &[],
+        text: r#"// A descending path ends this much, relatively, below the lowest level of the map, so that rounding cannot
+// let it end above a floor. Larger costs steps below the floor; smaller than an ulp of f32 lets paths leak
+// through.
+const BELOW_FLOOR = 1.000001;"#,
+    },
+    Declaration {
+        module: "shared/path",
         name: "path_uv",
         sampling: None,
         uses: &["Path"],
@@ -2069,6 +2164,33 @@ fn path_slope(path: Path, t: f32) -> f32 {
         text: r#"// Height of the path above the surface: positive above. One read.
 fn path_gap(path: Path, t: f32) -> f32 {
     return path_height(path, t) - height_at(path_uv(path, t), path.level);
+}"#,
+    },
+    Declaration {
+        module: "shared/path",
+        name: "flattened",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "NEVER", "Path", "first_root", "path_slope", "path_uv"],
+        text: r#"// The path through a relief whose heights are drawn toward `middle` by this part, which is below 1: as much
+// steeper, it meets the relief as it is where the given path meets the flatter one.
+fn flattened(path: Path, middle: f32, part: f32) -> Path {
+    let kept = 1.0 - part;
+    let top = middle + (1.0 - middle) * kept;
+    // It begins where the given path comes down to the flatter relief's top.
+    let above = path.h.x - top;
+    let begins = above > 0.0;
+    var start = 0.0;
+    if (begins) {
+        start = min(first_root(vec3f(above, path.h.y, path.h.z), path.exit), path.exit);
+    }
+    let height = select(middle + (path.h.x - middle) / kept, 1.0, begins);
+    let h = vec3f(height, path_slope(path, start) / kept, path.h.z / kept);
+    // As paths do, it ends a little below the floor, unless it ends elsewhere.
+    let rest = path.exit - start;
+    let exit = min(first_root(vec3f(max(h.x, 0.0), h.y, h.z), rest) * BELOW_FLOOR, rest);
+    // A limit that is never reached: compilers would cancel what is added to `uv` here against `base` there.
+    let base = clamp(path.base - start, 0.0 - NEVER, NEVER);
+    return Path(path_uv(path, start), path.duv, h, exit, base, path.metric, path.ray, path.level);
 }"#,
     },
     Declaration {
@@ -2146,13 +2268,21 @@ fn pixel_of(a: Corner, b: Corner, c: Corner, side: f32, point: vec2f) -> PixelIn
         module: "shared/pixel",
         name: "enter_relief",
         sampling: None,
-        uses: &["Entered", "PixelIn", "detail_stage", "surface_stage"],
+        uses: &["Entered", "PixelIn", "detail_stage", "flattened", "surface_settings", "surface_stage"],
         text: r#"// The ray at the base surface, in the detail that it is seen in.
 fn enter_relief(pixel: PixelIn) -> Entered {
     var at = surface_stage(pixel);
     let detail = detail_stage(pixel, at);
     at.path.level = detail.level;
     at.footprint = detail.footprint;
+    at.fade = detail.fade;
+    if (detail.fade > 0.0) {
+        at.path = flattened(at.path, surface_settings.mean_height, detail.fade);
+        // Where the map ends, a ray may come in below the floor of the flatter relief.
+        if (!(at.path.h.x > 0.0)) {
+            at.valid = 0u;
+        }
+    }
     return at;
 }"#,
     },
@@ -2693,9 +2823,11 @@ fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
         text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
 fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
     // At the side the traced level shows by itself which of its parts face the eye: only what is finer than
-    // it is left to be weighed.
+    // it is left to be weighed. A flat one shows nothing.
     let upright = dot(at.normal, view);
-    let texels = at.footprint * surface_settings.normal_texels * max(upright, LEAST_WIDTH);
+    let shown = max(upright, LEAST_WIDTH);
+    let width = shown + (1.0 - shown) * at.fade;
+    let texels = at.footprint * surface_settings.normal_texels * width;
     let levels = levels_of(texels, surface_settings.normal_levels);
     if (levels.fine == 0u && !(levels.part > 0.0)) {
         return one_seen(finest_normal(at, uv));
@@ -2820,6 +2952,8 @@ struct SurfaceSettings {
     has_shadows: u32,
     scale_m: f32,
     bias_m: f32,
+    // The mean of the height map, where pixels are seen in levels of detail.
+    mean_height: f32,
     // The part of the light that is refracted where it enters the surface, not scattered, and the index of
     // refraction.
     transmission: f32,
@@ -3026,6 +3160,9 @@ struct Entered {
     // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     // the finest level.
     footprint: f32,
+    // The part, below 1, by which the traced relief is flatter than it is: its heights are drawn toward their
+    // mean.
+    fade: f32,
 }"#,
     },
     Declaration {
@@ -3039,6 +3176,7 @@ struct Detail {
     level: u32,
     // As in `Entered`.
     footprint: f32,
+    fade: f32,
 }"#,
     },
     Declaration {
@@ -3108,16 +3246,6 @@ struct PixelOut {
     // The level of detail that was traced.
     level: u32,
 }"#,
-    },
-    Declaration {
-        module: "surface/plane",
-        name: "BELOW_FLOOR",
-        sampling: None,
-        uses: &[],
-        text: r#"// A descending path ends this much, relatively, below the lowest level of the map, so that rounding cannot
-// let it end above a floor. Larger costs steps below the floor; smaller than an ulp of f32 lets paths leak
-// through.
-const BELOW_FLOOR = 1.000001;"#,
     },
     Declaration {
         module: "surface/plane",
@@ -3192,51 +3320,46 @@ const BELOW_FLOOR = 1.000001;"#,
         RAY_VIEW,
         0u,
     );
-    return Entered(valid, path, point, uv, tangent, bitangent, normal, 0.0);
+    return Entered(valid, path, point, uv, tangent, bitangent, normal, 0.0, 0.0);
 }"#,
     },
     Declaration {
-        module: "detail/footprint",
-        name: "footprint_axis",
+        module: "detail/fade",
+        name: "FLATTEST",
         sampling: None,
-        uses: &["Entered", "PixelIn", "climb", "surface_settings"],
-        text: r#"// How far the base point moves, in texels, when the ray's origin and direction change by these. `normal` is
-// the triangle's, of any length; `t` is where its plane is on the ray.
-fn footprint_axis(
-    pixel: PixelIn,
-    at: Entered,
-    normal: vec3f,
-    t: f32,
-    origin: vec3f,
-    direction: vec3f,
-) -> vec2f {
-    let aside = origin + direction * t;
-    let along = dot(normal, aside) / dot(normal, pixel.direction);
-    return climb(at, aside - pixel.direction * along).xy * vec2f(surface_settings.height_size);
+        uses: &[],
+        text: r#"// Flatter than this, a path has too few bits left between its entry and its exit.
+const FLATTEST = 0.9990234375;"#,
+    },
+    Declaration {
+        module: "detail/fade",
+        name: "LEAST_RANGE",
+        sampling: None,
+        uses: &[],
+        text: r#"// Less than any difference of depths that counts.
+const LEAST_RANGE = 0.000001;"#,
+    },
+    Declaration {
+        module: "detail/fade",
+        name: "detail_fade",
+        sampling: None,
+        uses: &["Detail", "Entered", "FLATTEST", "LEAST_RANGE", "PixelIn", "depth_in_samples", "footprint_of", "levels_of", "surface_settings"],
+        text: r#"fn detail_fade(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
+    let footprint = footprint_of(pixel, at, params.x);
+    let begin = params.z * params.w;
+    let part = (begin - depth_in_samples(pixel)) / max(begin - params.z, LEAST_RANGE);
+    let level = levels_of(footprint / params.y, surface_settings.height_levels).fine;
+    return Detail(level, footprint, clamp(part, 0.0, FLATTEST));
 }"#,
     },
     Declaration {
         module: "detail/footprint",
         name: "detail_footprint",
         sampling: None,
-        uses: &["Detail", "Entered", "PixelIn", "footprint_axis", "frame", "levels_of", "surface_settings"],
+        uses: &["Detail", "Entered", "PixelIn", "footprint_of", "levels_of", "surface_settings"],
         text: r#"fn detail_footprint(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
-    let a = pixel.a.position;
-    let normal = cross(pixel.b.position - a, pixel.c.position - a);
-    let t = dot(normal, a - pixel.origin) / dot(normal, pixel.direction);
-    let right = footprint_axis(pixel, at, normal, t, frame.eye_right.xyz, frame.right.xyz);
-    let down = footprint_axis(pixel, at, normal, t, frame.eye_down.xyz, frame.down.xyz);
-    // One product of four: of two sums that are added compilers make another sum, which ends in other bits.
-    let both = vec4f(right, down);
-    let sum = dot(both, both);
-    let area = right.x * down.y - right.y * down.x;
-    // Of the squared axes of the ellipse the sum is known, and the product: the area squared.
-    let apart = sqrt(max((sum - 2.0 * area) * (sum + 2.0 * area), 0.0));
-    let longer = 0.5 * (sum + apart);
-    let shorter = area * area / longer;
-    let squared = max(shorter, longer / (params.x * params.x));
-    let footprint = sqrt(squared) * frame.sample_width;
-    return Detail(levels_of(footprint / params.y, surface_settings.height_levels).fine, footprint);
+    let footprint = footprint_of(pixel, at, params.x);
+    return Detail(levels_of(footprint / params.y, surface_settings.height_levels).fine, footprint, 0.0);
 }"#,
     },
     Declaration {
@@ -3245,7 +3368,7 @@ fn footprint_axis(
         sampling: None,
         uses: &["Detail", "Entered", "PixelIn"],
         text: r#"fn detail_none(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
-    return Detail(0u, 0.0);
+    return Detail(0u, 0.0, 0.0);
 }"#,
     },
     Declaration {

@@ -167,10 +167,11 @@ impl Shared for SurfaceSettings {
         self.has_shadows.write(&mut bytes[680..]);
         self.scale_m.write(&mut bytes[684..]);
         self.bias_m.write(&mut bytes[688..]);
-        self.transmission.write(&mut bytes[692..]);
-        self.ior.write(&mut bytes[696..]);
-        self.environment_side.write(&mut bytes[700..]);
-        self.environment_levels.write(&mut bytes[704..]);
+        self.mean_height.write(&mut bytes[692..]);
+        self.transmission.write(&mut bytes[696..]);
+        self.ior.write(&mut bytes[700..]);
+        self.environment_side.write(&mut bytes[704..]);
+        self.environment_levels.write(&mut bytes[708..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -195,10 +196,11 @@ impl Shared for SurfaceSettings {
             has_shadows: Shared::read(&bytes[680..]),
             scale_m: Shared::read(&bytes[684..]),
             bias_m: Shared::read(&bytes[688..]),
-            transmission: Shared::read(&bytes[692..]),
-            ior: Shared::read(&bytes[696..]),
-            environment_side: Shared::read(&bytes[700..]),
-            environment_levels: Shared::read(&bytes[704..]),
+            mean_height: Shared::read(&bytes[692..]),
+            transmission: Shared::read(&bytes[696..]),
+            ior: Shared::read(&bytes[700..]),
+            environment_side: Shared::read(&bytes[704..]),
+            environment_levels: Shared::read(&bytes[708..]),
         }
     }
 }

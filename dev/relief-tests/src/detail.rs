@@ -75,16 +75,47 @@ impl Seen<'_> {
         })
     }
 
-    fn pixels(&self, detail: &str, samples: u32, step: f64) -> Vec<PixelOut> {
-        let mesh = Builtin::Square.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::splat(TILES)));
-        let mesh = mesh.expect("a few tiles");
-        let tile_m = mesh.tile_m()[0];
-        let map = self.map.clone().with_displacement(DEPTH * tile_m, -DEPTH * tile_m).expect("lengths");
-        let pixel_m = self.texels * tile_m / f64::from(map.width());
+    /// The depth of the relief in pixels.
+    pub fn depth(&self) -> f64 {
+        DEPTH * f64::from(self.map.width()) / self.texels
+    }
+
+    /// What is chosen, in that detail.
+    ///
+    /// # Panics
+    ///
+    /// When a name is unknown.
+    pub fn selection(&self, detail: &str) -> Selection {
         let mut selection = Selection::method(self.method).expect("a method");
         for (stage, name) in [("shadow", self.shadow), ("detail", detail)] {
             selection.choose(stage, name).expect("a listed name");
         }
+        selection
+    }
+
+    fn pixels(&self, detail: &str, samples: u32, step: f64) -> Vec<PixelOut> {
+        self.pixels_of(self.selection(detail), [1.0, -1.0], samples, step)
+    }
+
+    /// The picture with that selection, where the heights 1 and 0 lie so many depths of the relief apart and 0
+    /// so many above the plane, moved by so many pixels.
+    ///
+    /// # Panics
+    ///
+    /// When no picture can be made.
+    pub fn pixels_of(
+        &self,
+        selection: Selection,
+        [scale, bias]: [f64; 2],
+        samples: u32,
+        step: f64,
+    ) -> Vec<PixelOut> {
+        let mesh = Builtin::Square.build([1.0, 1.0]).and_then(|mesh| mesh.tiled(Vec2::splat(TILES)));
+        let mesh = mesh.expect("a few tiles");
+        let tile_m = mesh.tile_m()[0];
+        let [scale_m, bias_m] = [scale, bias].map(|part| part * DEPTH * tile_m);
+        let map = self.map.clone().with_displacement(scale_m, bias_m).expect("lengths");
+        let pixel_m = self.texels * tile_m / f64::from(map.width());
         let (sin, cos) = self.tilt_deg.to_radians().sin_cos();
         let back = DVec3::new(0.6 * sin, cos, 0.8 * sin);
         let projection = Projection::Orthographic { height_m: pixel_m * f64::from(self.side) };

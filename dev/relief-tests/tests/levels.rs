@@ -8,7 +8,7 @@ use relief_render::light::Light;
 use relief_render::mesh::Builtin;
 use relief_render::scene::{BackendChoice, Surface, View};
 use relief_shaders::Selection;
-use relief_shaders::cpu::MethodTracer;
+use relief_shaders::cpu::{MethodTracer, PixelOut};
 use relief_tests::accuracy;
 use relief_tests::baked::{maps_in, slots};
 use relief_tests::detail::Seen;
@@ -87,6 +87,57 @@ fn coarser_columns_lie_over_finer_ones() {
         }
     }
     assert!(hits > 100, "{hits}");
+}
+
+#[test]
+fn a_faded_relief_is_hit_where_a_flatter_one_is() {
+    let maps = accuracy::maps();
+    let cobbles = maps.iter().find(|named| named.name == "cobbles").expect("a sample map");
+    for wrap in [Wrap::Repeat, Wrap::Mirror] {
+        let map = cobbles.map.clone().with_wrap(wrap);
+        let seen = Seen { map: &map, method: "cone", shadow: "none", texels: 4.0, tilt_deg: 60.0, side: 96 };
+        // Half of it is flattened where its depth is in the middle between where that begins and where it ends.
+        let (depth, mean) = (seen.depth(), f64::from(map.mean()));
+        let with = |flat: f64, begin: f64| {
+            let mut selection = seen.selection("fade");
+            selection.set("detail.flat", flat * depth).expect("pixels");
+            selection.set("detail.begin", begin).expect("times");
+            selection
+        };
+        let is_near = |selection, place| {
+            let faded = seen.pixels_of(selection, [1.0, -1.0], 1, 0.0);
+            let flatter = seen.pixels_of(seen.selection("footprint"), place, 1, 0.0);
+            let same = |(a, b): &(&PixelOut, &PixelOut)| {
+                let apart = [a.uv.x - b.uv.x, a.uv.y - b.uv.y].map(f32::abs);
+                a.hit == b.hit && apart.iter().all(|apart| *apart < 2e-4)
+            };
+            faded.iter().zip(&flatter).filter(same).count() as f64 / faded.len() as f64
+        };
+        let half = with(0.5, 3.0);
+        let near = is_near(half, [0.5, -1.0 + 0.5 * mean]);
+        assert!(near > 0.998, "{wrap}: {near} of the pixels");
+        let other = is_near(half, [1.0, -1.0]);
+        assert!(other < 0.9, "{wrap}: {other} of the pixels are where they are without");
+        // What is deep stays as it is, to the bit.
+        let full = seen.pixels_of(with(0.5, 1.5), [1.0, -1.0], 1, 0.0);
+        assert!(full == seen.pixels_of(seen.selection("footprint"), [1.0, -1.0], 1, 0.0), "{wrap}");
+    }
+}
+
+#[test]
+fn what_is_hardly_deeper_than_a_pixel_is_as_well_seen_flat() {
+    let maps = accuracy::maps();
+    for named in maps.iter().filter(|named| ["cobbles", "ground"].contains(&named.name)) {
+        for (texels, tilt_deg) in [(16.0, 45.0), (32.0, 45.0), (32.0, 70.0)] {
+            let seen = Seen { map: &named.map, method: "cone", shadow: "none", texels, tilt_deg, side: 32 };
+            let [levels, faded] = seen.shown(["footprint", "fade"]);
+            let case = format!("{} {tilt_deg} {texels}: {levels:.4?}\n{faded:.4?}", named.name);
+            println!("{case}");
+            assert!(faded.error < 1.1 * levels.error, "{case}");
+            assert!(faded.reads < 0.9 * levels.reads, "{case}");
+            assert!((faded.brightness - 1.0).abs() < 0.08, "{case}");
+        }
+    }
 }
 
 #[test]

@@ -121,6 +121,7 @@ impl SurfaceSettings {
             has_shadows: u32::from(selection.has_shadows()),
             scale_m: map.scale_m() as f32,
             bias_m: map.bias_m() as f32,
+            mean_height: if selection.has_levels() { map.mean() } else { 0.0 },
             transmission: 0.0,
             ior: 1.0,
             environment_side,

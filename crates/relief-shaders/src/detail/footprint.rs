@@ -1,6 +1,8 @@
 //! Registry entry of the detail `footprint`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+
+use super::{ANISOTROPY, TEXELS};
 
 /// The level of which some texels lie beside each other in the pixel's footprint.
 pub const ENTRY: Entry = Entry {
@@ -12,26 +14,7 @@ pub const ENTRY: Entry = Entry {
         section: "3.4",
     },
     maps: &[],
-    params: &[
-        Param {
-            name: "anisotropy",
-            summary: "the most that a footprint may be longer than it is taken to be wide",
-            unit: "",
-            min: 1.0,
-            max: 64.0,
-            default: 8.0,
-            integer: false,
-        },
-        Param {
-            name: "texels",
-            summary: "texels of the traced level beside each other in a footprint, at least; more show more",
-            unit: "",
-            min: 1.0,
-            max: 64.0,
-            default: 2.0,
-            integer: false,
-        },
-    ],
+    params: &[ANISOTROPY, TEXELS],
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],

@@ -1,13 +1,36 @@
 //! Detail: in which level of its maps a pixel is seen. A new one is a `.wesl` and a `.rs` file here and its
 //! name in the list below.
 
-use relief_core::registry::Entry;
+use relief_core::registry::{Entry, Param};
 
+mod fade;
 mod footprint;
 mod none;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[none::ENTRY, footprint::ENTRY];
+pub const ENTRIES: &[Entry] = &[none::ENTRY, footprint::ENTRY, fade::ENTRY];
 
 /// The one that sees everything in the finest level.
 pub(crate) const NONE: &str = none::ENTRY.name;
+
+/// How long a footprint may be beside its width.
+const ANISOTROPY: Param = Param {
+    name: "anisotropy",
+    summary: "the most that a footprint may be longer than it is taken to be wide",
+    unit: "",
+    min: 1.0,
+    max: 64.0,
+    default: 8.0,
+    integer: false,
+};
+
+/// How fine a level is traced.
+const TEXELS: Param = Param {
+    name: "texels",
+    summary: "texels of the traced level beside each other in a footprint, at least; more show more",
+    unit: "",
+    min: 1.0,
+    max: 64.0,
+    default: 2.0,
+    integer: false,
+};
