@@ -1,6 +1,6 @@
 //! The azimuths that maps are baked for: their parameters, their directions, and what textures say of them.
 //!
-//! The kinds `horizon`, `occlusion`, `bent-normal`, `visibility` and `bounce` use them.
+//! The kinds `horizon`, `occlusion`, `bent-normal`, `visibility`, `bounce` and `seen-normal` use them.
 
 use relief_core::registry::Param;
 

@@ -57,7 +57,7 @@ impl WantedMap<'_> {
 
     fn first_level(&self) -> u32 {
         match self.levels {
-            MapLevels::One | MapLevels::EachDetail => 0,
+            MapLevels::One | MapLevels::EachDetail | MapLevels::Means => 0,
             MapLevels::ChainFrom(first) => first,
         }
     }
@@ -71,10 +71,10 @@ impl WantedMap<'_> {
                 let size = [shape.size[0], shape.size[1]];
                 (size, level_count(size))
             }
-            MapLevels::ChainFrom(first) => {
+            MapLevels::ChainFrom(_) | MapLevels::Means => {
                 // Of a texture of a single level the chain is that level.
                 let last = shape.mips.len() as u32;
-                let first = first.min(last);
+                let first = self.first_level().min(last);
                 (shape.chain_size(first as usize), last - first + 1)
             }
         };

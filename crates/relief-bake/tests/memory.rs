@@ -21,11 +21,12 @@ const MOST: f64 = 1.5;
 
 /// The most memory of a volume, and of kinds that look along many rays, in maps besides the input: what the
 /// kinds' texts say, and a half for what grows with the side and the threads.
-const OTHERS: [(&str, f64); 4] = [
+const OTHERS: [(&str, f64); 5] = [
     ("distance", 3.0 + 0.5),
     ("horizon", 1.25 + 0.5),
     ("visibility", 2.0 + 4.0 + 3.0 + 0.5),
     ("bounce", 2.0 + 4.0 + 2.0 + 0.5),
+    ("seen-normal", 16.0 + 6.0 + 0.5),
 ];
 
 /// Forgets what it gets, but for its size.

@@ -443,6 +443,25 @@ impl PixelOut {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// Means of the normals that are seen, in tangent space, and of the products of their parts.
+pub struct SeenTable {
+    pub mean: rt::Vec3<f32>,
+    /// x², y², z²
+    pub squares: rt::Vec3<f32>,
+    /// xy, xz, yz
+    pub products: rt::Vec3<f32>,
+}
+impl SeenTable {
+    pub fn new(
+        mean: impl rt::Into<rt::Vec3<f32>>,
+        squares: impl rt::Into<rt::Vec3<f32>>,
+        products: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Self {
+        Self { mean: rt::into(mean), squares: rt::into(squares), products: rt::into(products) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The normals within a footprint as an eye sees them.
 pub struct SeenNormals {
     /// The direction of their mean, in the world.
@@ -464,6 +483,9 @@ pub struct SeenNormals {
     /// What is seen of a slope for each of them, beside what is seen of all.
     pub middle_seen: f32,
     pub others_seen: rt::Vec4<f32>,
+    /// The part in which the table of directions is told in place of them, and what it holds.
+    pub table_part: f32,
+    pub table: SeenTable,
 }
 impl SeenNormals {
     pub fn new(
@@ -479,8 +501,27 @@ impl SeenNormals {
         upright: impl rt::Into<f32>,
         middle_seen: impl rt::Into<f32>,
         others_seen: impl rt::Into<rt::Vec4<f32>>,
+        table_part: impl rt::Into<f32>,
+        table: impl rt::Into<SeenTable>,
     ) -> Self {
-        Self { normal: rt::into(normal), length: rt::into(length), differ: rt::into(differ), middle: rt::into(middle), along: rt::into(along), across: rt::into(across), slope: rt::into(slope), slope_along: rt::into(slope_along), slope_across: rt::into(slope_across), upright: rt::into(upright), middle_seen: rt::into(middle_seen), others_seen: rt::into(others_seen) }
+        Self { normal: rt::into(normal), length: rt::into(length), differ: rt::into(differ), middle: rt::into(middle), along: rt::into(along), across: rt::into(across), slope: rt::into(slope), slope_along: rt::into(slope_along), slope_across: rt::into(slope_across), upright: rt::into(upright), middle_seen: rt::into(middle_seen), others_seen: rt::into(others_seen), table_part: rt::into(table_part), table: rt::into(table) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// One direction's values in a texel.
+pub struct SeenTexel {
+    /// x, y, z, x²
+    pub first: rt::Vec4<f32>,
+    /// xy, y², xz, yz
+    pub second: rt::Vec4<f32>,
+}
+impl SeenTexel {
+    pub fn new(
+        first: impl rt::Into<rt::Vec4<f32>>,
+        second: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { first: rt::into(first), second: rt::into(second) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -490,7 +531,7 @@ pub struct SurfaceSettings {
     /// For each stage, in the order in which a pixel goes through them.
     pub choices: [Choice; 8],
     /// For each slot of baked maps.
-    pub maps: [MapSettings; 5],
+    pub maps: [MapSettings; 6],
     pub diffuse: rt::Vec4<f32>,
     pub specular: rt::Vec4<f32>,
     /// Columns and rows of the height map, the colour map and the normal map.
@@ -528,7 +569,7 @@ pub struct SurfaceSettings {
 impl SurfaceSettings {
     pub fn new(
         choices: impl rt::Into<[Choice; 8]>,
-        maps: impl rt::Into<[MapSettings; 5]>,
+        maps: impl rt::Into<[MapSettings; 6]>,
         diffuse: impl rt::Into<rt::Vec4<f32>>,
         specular: impl rt::Into<rt::Vec4<f32>>,
         height_size: impl rt::Into<rt::Vec2<u32>>,
@@ -604,25 +645,35 @@ pub const LIGHT_RAY_LIT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
 pub const LIGHT_RAY_OPEN: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
-pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(5u32);
+pub const MAP_SLOTS: rt::Scalar<u32> = rt::Scalar(6u32);
 #[allow(non_upper_case_globals)]
 pub const MAX_LIGHTS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
 pub const NO_COST: rt::Vec3<u32> = <rt::Vec3<u32>>::from_scalars(rt::Scalar(0u32), rt::Scalar(0u32), rt::Scalar(0u32));
 #[allow(non_upper_case_globals)]
+pub const PARTS_OF_FOUR: rt::Vec4<f32> = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0.45412415f32), rt::Scalar(0.45412415f32), rt::Scalar(0.04587585f32), rt::Scalar(0.04587585f32));
+#[allow(non_upper_case_globals)]
 pub const RAY_SHADOW: rt::Scalar<u32> = rt::Scalar(1u32);
 #[allow(non_upper_case_globals)]
 pub const RAY_VIEW: rt::Scalar<u32> = rt::Scalar(0u32);
 #[allow(non_upper_case_globals)]
-pub const SLOT_AMBIENT: rt::Scalar<u32> = rt::Scalar(3u32);
+pub const SEEN_AZIMUTHS: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
-pub const SLOT_ENVIRONMENT: rt::Scalar<u32> = rt::Scalar(4u32);
+pub const SEEN_ELEVATIONS: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
-pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(0u32);
+pub const SEEN_FIRST_LEVEL: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
-pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(2u32);
+pub const SLOT_AMBIENT: rt::Scalar<u32> = rt::Scalar(4u32);
 #[allow(non_upper_case_globals)]
-pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
+pub const SLOT_DETAIL: rt::Scalar<u32> = rt::Scalar(0u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_ENVIRONMENT: rt::Scalar<u32> = rt::Scalar(5u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_SEARCH: rt::Scalar<u32> = rt::Scalar(1u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_SHADOW: rt::Scalar<u32> = rt::Scalar(3u32);
+#[allow(non_upper_case_globals)]
+pub const SLOT_SHADOW_SEARCH: rt::Scalar<u32> = rt::Scalar(2u32);
 #[allow(non_upper_case_globals)]
 pub const STAGES: rt::Scalar<u32> = rt::Scalar(8u32);
 #[allow(non_upper_case_globals)]
@@ -635,23 +686,25 @@ pub const WRAP_MIRROR: rt::Scalar<u32> = rt::Scalar(2u32);
 pub const WRAP_REPEAT: rt::Scalar<u32> = rt::Scalar(0u32);
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Resources<'g> {
-    #[doc = "group(0) binding(8)"]
+    #[doc = "group(0) binding(9)"]
     pub(crate) ambient_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(2)"]
     pub(crate) color_map: rt::ColorTexture<'g>,
-    #[doc = "group(0) binding(9)"]
-    pub(crate) environment_map: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(5)"]
+    pub(crate) detail_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(10)"]
+    pub(crate) environment_map: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(11)"]
     pub(crate) frame: Frame,
     #[doc = "group(0) binding(1)"]
     pub(crate) height_map: rt::HeightTexture<'g>,
     #[doc = "group(0) binding(3)"]
     pub(crate) normal_map: rt::ColorTexture<'g>,
-    #[doc = "group(0) binding(5)"]
-    pub(crate) search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(6)"]
-    pub(crate) shadow_search_map: rt::MapTexture<'g>,
+    pub(crate) search_map: rt::MapTexture<'g>,
     #[doc = "group(0) binding(7)"]
+    pub(crate) shadow_search_map: rt::MapTexture<'g>,
+    #[doc = "group(0) binding(8)"]
     pub(crate) shadow_texels: rt::MapTexture<'g>,
     #[doc = "group(0) binding(0)"]
     pub(crate) surface_settings: SurfaceSettings,
@@ -837,7 +890,7 @@ impl<'g> Resources<'g> {
         level_2: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = rt::texture::Read::read_texel((&self.ambient_map), place, rt::Scalar::into_inner(layer), 0i32, rt::Scalar::into_inner(level_2));
-        let _e8 = self.surface_settings.maps[3usize];
+        let _e8 = self.surface_settings.maps[4usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
@@ -1043,7 +1096,7 @@ impl<'g> Resources<'g> {
         level_5: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = rt::texture::Read::read_texel((&self.environment_map), place_1, rt::Scalar::into_inner(face), 0i32, rt::Scalar::into_inner(level_5));
-        let _e8 = self.surface_settings.maps[4usize];
+        let _e8 = self.surface_settings.maps[5usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
@@ -1133,17 +1186,17 @@ impl<'g> Resources<'g> {
 
         let mean_2 = normal_4.length();
         let n_7 = normal_4.normalize();
-        let cosine_2 = n_7.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let cosine_3 = n_7.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let ior = rt::Scalar(self.surface_settings.ior);
         let eta = (rt::Scalar(1f32) / ior);
-        let inside = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_2 * cosine_2)))).max(rt::Scalar(0f32)).sqrt();
-        let across_1 = ((cosine_2 - (ior * inside)) / (cosine_2 + (ior * inside)).max(rt::Scalar(0.000001f32)));
-        let along_1 = (((ior * cosine_2) - inside) / ((ior * cosine_2) + inside).max(rt::Scalar(0.000001f32)));
+        let inside = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
+        let across_1 = ((cosine_3 - (ior * inside)) / (cosine_3 + (ior * inside)).max(rt::Scalar(0.000001f32)));
+        let along_1 = (((ior * cosine_3) - inside) / ((ior * cosine_3) + inside).max(rt::Scalar(0.000001f32)));
         let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_1);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.cast_elem_as_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
-        let mirrored = ((n_7 * (rt::Scalar(2f32) * cosine_2)) - view_3);
+        let mirrored = ((n_7 * (rt::Scalar(2f32) * cosine_3)) - view_3);
         let _e67 = self.v_environment_in_lobe(mirrored, (rt::Scalar(2f32) * lean));
         light = (_e67 * reflected);
         let transmission = rt::Scalar(self.surface_settings.transmission);
@@ -1151,7 +1204,7 @@ impl<'g> Resources<'g> {
         let _e74 = self.v_environment_on(n_7);
         light = (_e73 + ((_e74 * color_4) * (rt::Scalar(1f32) - reflected)));
         if rt::Scalar::into_branch_condition(transmission.elementwise_gt(rt::Scalar(0f32))) {
-            let refracted = ((n_7 * ((eta * cosine_2) - inside)) - (view_3 * eta));
+            let refracted = ((n_7 * ((eta * cosine_3) - inside)) - (view_3 * eta));
             let _e90 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta) * lean));
             let _e91 = light;
             light = (_e91 + (_e90 * (transmission * (rt::Scalar(1f32) - reflected))));
@@ -1430,10 +1483,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_41 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_44 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_41.x())) + (by * at_41.y())) + ((twist * at_41.x()) * at_41.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_41.x() * grid_1.step.y()) + (at_41.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_44.x())) + (by * at_44.y())) + ((twist * at_44.x()) * at_44.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_44.x() * grid_1.step.y()) + (at_44.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -1615,12 +1668,12 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(path_6.ray).elementwise_eq(RAY_SHADOW)) {
             let texel_5 = rt::texture::Read::read_texel((&self.shadow_search_map), place_2, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
-            let _e12 = self.surface_settings.maps[1usize];
+            let _e12 = self.surface_settings.maps[2usize];
             let _e13 = self.v_decoded(texel_5, _e12);
             return _e13;
         }
         let _e15 = rt::texture::Read::read_texel((&self.search_map), place_2, rt::Scalar::into_inner(layer_1), 0i32, rt::Scalar::into_inner(level_11));
-        let _e19 = self.surface_settings.maps[0usize];
+        let _e19 = self.surface_settings.maps[1usize];
         let _e20 = self.v_decoded(_e15, _e19);
         return _e20;
     }
@@ -1638,9 +1691,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_7.level));
-        let place_4 = texel_1.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(place_4.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_4.y(), _e3.y());
+        let place_5 = texel_1.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(place_5.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_5.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -1683,8 +1736,8 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_plane_normal(&self, pixel_1: PixelIn) -> rt::Vec3<f32> {
-        let a_2 = pixel_1.a.position;
-        return (pixel_1.b.position - a_2).cross((pixel_1.c.position - a_2));
+        let a_3 = pixel_1.a.position;
+        return (pixel_1.b.position - a_3).cross((pixel_1.c.position - a_3));
     }
     pub(crate) fn depth_in_samples(&self, pixel_2: PixelIn) -> f32 {
         rt::into(self.v_depth_in_samples(pixel_2))
@@ -1778,11 +1831,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_footprint_of(pixel_5, at_10, params_5.x());
         let begin = (params_5.z() * params_5.w());
         let _e8 = self.v_depth_in_samples(pixel_5);
-        let part_3 = ((begin - _e8) / (begin - params_5.z()).max(rt::Scalar(0.000001f32)));
+        let part_5 = ((begin - _e8) / (begin - params_5.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
-        let level_21 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_21, _e4, part_3.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_24 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_24, _e4, part_5.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -1845,55 +1898,100 @@ impl<'g> Resources<'g> {
             }
         }
     }
+    pub(crate) fn detail_texel(
+        &self,
+        place_3: impl rt::Into<rt::Vec2<i32>>,
+        layer_2: impl rt::Into<rt::Scalar<i32>>,
+        level_12: impl rt::Into<rt::Scalar<i32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_detail_texel(rt::into(place_3), rt::into(layer_2), rt::into(level_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_detail_texel(
+        &self,
+        place_3: rt::Vec2<i32>,
+        layer_2: rt::Scalar<i32>,
+        level_12: rt::Scalar<i32>,
+    ) -> rt::Vec4<f32> {
+        let _e4 = rt::texture::Read::read_texel((&self.detail_map), place_3, rt::Scalar::into_inner(layer_2), 0i32, rt::Scalar::into_inner(level_12));
+        let _e8 = self.surface_settings.maps[0usize];
+        let _e9 = self.v_decoded(_e4, _e8);
+        return _e9;
+    }
+    pub(crate) fn detail_texel_between(
+        &self,
+        uv_5: impl rt::Into<rt::Vec2<f32>>,
+        layer_3: impl rt::Into<rt::Scalar<i32>>,
+        level_13: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_detail_texel_between(rt::into(uv_5), rt::into(layer_3), rt::into(level_13)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_detail_texel_between(
+        &self,
+        uv_5: rt::Vec2<f32>,
+        layer_3: rt::Scalar<i32>,
+        level_13: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e3 = self.v_height_texels(level_13);
+        let _e4 = self.v_texels_around(uv_5, _e3);
+        let k_15 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_15);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_15);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_15);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_15);
+        let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
+        return _e33;
+    }
     pub(crate) fn search_texel_between(
         &self,
         path_8: Path,
-        uv_5: impl rt::Into<rt::Vec2<f32>>,
-        layer_2: impl rt::Into<rt::Scalar<i32>>,
+        uv_6: impl rt::Into<rt::Vec2<f32>>,
+        layer_4: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_search_texel_between(path_8, rt::into(uv_5), rt::into(layer_2)))
+        rt::into(self.v_search_texel_between(path_8, rt::into(uv_6), rt::into(layer_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_texel_between(
         &self,
         path_8: Path,
-        uv_5: rt::Vec2<f32>,
-        layer_2: rt::Scalar<i32>,
+        uv_6: rt::Vec2<f32>,
+        layer_4: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_8.level));
-        let _e5 = self.v_texels_around(uv_5, _e4);
-        let level_22 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_2, level_22);
-        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_2, level_22);
-        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_2, level_22);
-        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_2, level_22);
+        let _e5 = self.v_texels_around(uv_6, _e4);
+        let level_25 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_25);
+        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_25);
+        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_25);
+        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_25);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
     pub(crate) fn distance_at(
         &self,
         path_9: Path,
-        uv_6: impl rt::Into<rt::Vec2<f32>>,
+        uv_7: impl rt::Into<rt::Vec2<f32>>,
         height: impl rt::Into<rt::Scalar<f32>>,
         slices: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_distance_at(path_9, rt::into(uv_6), rt::into(height), rt::into(slices)))
+        rt::into(self.v_distance_at(path_9, rt::into(uv_7), rt::into(height), rt::into(slices)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_distance_at(
         &self,
         path_9: Path,
-        uv_6: rt::Vec2<f32>,
+        uv_7: rt::Vec2<f32>,
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_5 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_2 = place_5.floor();
-        let _e13 = self.v_search_texel_between(path_9, uv_6, below_2.cast_elem_as_i32());
+        let place_6 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_2 = place_6.floor();
+        let _e13 = self.v_search_texel_between(path_9, uv_7, below_2.cast_elem_as_i32());
         let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_9, uv_6, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let _e21 = self.v_search_texel_between(path_9, uv_7, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_5 - below_2)));
+        return (lower + ((upper - lower) * (place_6 - below_2)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -1933,9 +2031,9 @@ impl<'g> Resources<'g> {
             }
             return interval;
         }
-        let a_3 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_2 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_3.min(b_2)), interval.y().min(a_3.max(b_2)));
+        let a_4 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_3 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_4.min(b_3)), interval.y().min(a_4.max(b_3)));
     }
     pub(crate) fn surface_plane(
         &self,
@@ -1956,19 +2054,19 @@ impl<'g> Resources<'g> {
         let mut leave_3: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
 
-        let a_4 = pixel_9.a.position;
-        let e1_ = (pixel_9.b.position - a_4);
-        let e2_ = (pixel_9.c.position - a_4);
+        let a_5 = pixel_9.a.position;
+        let e1_ = (pixel_9.b.position - a_5);
+        let e2_ = (pixel_9.c.position - a_5);
         let n_8 = e1_.cross(e2_);
         let nn = n_8.dot(n_8);
-        let toward_3 = n_8.dot(pixel_9.direction);
-        let distance = (n_8.dot((a_4 - pixel_9.origin)) / toward_3);
+        let toward_4 = n_8.dot(pixel_9.direction);
+        let distance = (n_8.dot((a_5 - pixel_9.origin)) / toward_4);
         let point_5 = (pixel_9.origin + (pixel_9.direction * distance));
-        let from_a = (point_5 - a_4);
+        let from_a = (point_5 - a_5);
         let wb = (from_a.cross(e2_).dot(n_8) / nn);
         let wc = (e1_.cross(from_a).dot(n_8) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_15 = (((pixel_9.a.uv * wa) + (pixel_9.b.uv * wb)) + (pixel_9.c.uv * wc));
+        let uv_19 = (((pixel_9.a.uv * wa) + (pixel_9.b.uv * wb)) + (pixel_9.c.uv * wc));
         let tangent_1 = (((pixel_9.a.tangent * wa) + (pixel_9.b.tangent * wb)) + (pixel_9.c.tangent * wc));
         let bitangent = (((pixel_9.a.bitangent * wa) + (pixel_9.b.bitangent * wb)) + (pixel_9.c.bitangent * wc));
         let normal_12 = ((((pixel_9.a.normal * wa) + (pixel_9.b.normal * wb)) + (pixel_9.c.normal * wc)).normalize() * rt::Scalar(pixel_9.side));
@@ -2005,10 +2103,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e143.elementwise_eq(WRAP_CLAMP)) {
             let _e148 = enter;
             let _e149 = leave_3;
-            let _e151 = self.v_inside_unit(uv_15.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e148, _e149));
+            let _e151 = self.v_inside_unit(uv_19.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e148, _e149));
             interval_1 = _e151;
             let _e155 = interval_1;
-            let _e156 = self.v_inside_unit(uv_15.y(), duv_1.y(), _e155);
+            let _e156 = self.v_inside_unit(uv_19.y(), duv_1.y(), _e155);
             interval_1 = _e156;
             let _e158 = interval_1.x();
             enter = _e158;
@@ -2029,9 +2127,9 @@ impl<'g> Resources<'g> {
         let _e184 = leave_3;
         let _e185 = enter;
         let _e189 = rt::Scalar(self.surface_settings.scale_m);
-        let path_47 = <Path>::new((uv_15 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
+        let path_47 = <Path>::new((uv_19 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
         let _e194 = valid;
-        return <Entered>::new(_e194, path_47, point_5, uv_15, tangent_1, bitangent, normal_12, rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(_e194, path_47, point_5, uv_19, tangent_1, bitangent, normal_12, rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn surface_stage(&self, pixel_10: PixelIn) -> Entered {
         rt::into(self.v_surface_stage(pixel_10))
@@ -2096,9 +2194,9 @@ impl<'g> Resources<'g> {
             b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
             let _e49 = a;
             let _e50 = b;
-            let first_1 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_1.elementwise_le(span)) {
-                return first_1;
+            let first_2 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_2.elementwise_le(span)) {
+                return first_2;
             }
         }
         let _e53 = self.v_quadratic(c_1, span);
@@ -2290,51 +2388,51 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_at(
         &self,
-        uv_7: impl rt::Into<rt::Vec2<f32>>,
-        layer_3: impl rt::Into<rt::Scalar<i32>>,
-        level_12: impl rt::Into<rt::Scalar<u32>>,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        layer_5: impl rt::Into<rt::Scalar<i32>>,
+        level_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_7), rt::into(layer_3), rt::into(level_12)))
+        rt::into(self.v_normal_at(rt::into(uv_8), rt::into(layer_5), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_at(
         &self,
-        uv_7: rt::Vec2<f32>,
-        layer_3: rt::Scalar<i32>,
-        level_12: rt::Scalar<u32>,
+        uv_8: rt::Vec2<f32>,
+        layer_5: rt::Scalar<i32>,
+        level_14: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_12);
-        let _e7 = self.v_texels_around(uv_7, _e6);
-        let k_15 = level_12.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_3), 0i32, rt::Scalar::into_inner(k_15));
+        let _e6 = self.v_level_texels(_e5, level_14);
+        let _e7 = self.v_texels_around(uv_8, _e6);
+        let k_16 = level_14.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_16));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_16));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_16));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_16));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
     pub(crate) fn normal_from_height(
         &self,
         at_15: Entered,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_15, rt::into(uv_8)))
+        rt::into(self.v_normal_from_height(at_15, rt::into(uv_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
         at_15: Entered,
-        uv_8: rt::Vec2<f32>,
+        uv_9: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e16 = self.v_height_at((uv_8 + du), rt::Scalar(0u32));
-        let _e19 = self.v_height_at((uv_8 - du), rt::Scalar(0u32));
+        let _e16 = self.v_height_at((uv_9 + du), rt::Scalar(0u32));
+        let _e19 = self.v_height_at((uv_9 - du), rt::Scalar(0u32));
         let rise_u = (_e16 - _e19);
-        let _e23 = self.v_height_at((uv_8 + dv), rt::Scalar(0u32));
-        let _e26 = self.v_height_at((uv_8 - dv), rt::Scalar(0u32));
+        let _e23 = self.v_height_at((uv_9 + dv), rt::Scalar(0u32));
+        let _e26 = self.v_height_at((uv_9 - dv), rt::Scalar(0u32));
         let rise_v = (_e23 - _e26);
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
@@ -2348,23 +2446,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn finest_normal(
         &self,
         at_16: Entered,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_16, rt::into(uv_9)))
+        rt::into(self.v_finest_normal(at_16, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_finest_normal(
         &self,
         at_16: Entered,
-        uv_9: rt::Vec2<f32>,
+        uv_10: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_9, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e9 = self.v_normal_at(uv_10, rt::Scalar(0i32), rt::Scalar(0u32));
             let _e11 = self.v_from_tangent_space(at_16, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_16, uv_9);
+        let _e13 = self.v_normal_from_height(at_16, uv_10);
         return _e13;
     }
     pub(crate) fn least_at(
@@ -2426,20 +2524,20 @@ impl<'g> Resources<'g> {
         let _e36 = self.v_quadratic(c_3, span_2);
         return <Found>::new(FOUND_ABOVE, t_8, (t_8 + span_2), c_3.x(), _e36, cost_2);
     }
-    pub(crate) fn near_uv(&self, uv_10: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_10)))
+    pub(crate) fn near_uv(&self, uv_11: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_near_uv(&self, uv_10: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_11: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_10 - uv_10.floor());
+            return (uv_11 - uv_11.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_10 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_10).floor()));
+            return (uv_11 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_11).floor()));
         }
-        return uv_10;
+        return uv_11;
     }
     pub(crate) fn from_hit(&self, at_17: Entered, hit_6: Hit, light_1: Toward) -> Path {
         rt::into(self.v_from_hit(at_17, hit_6, light_1))
@@ -2556,8 +2654,8 @@ impl<'g> Resources<'g> {
         let mut cost_3: rt::Vec3<u32> = HEIGHTS_READ;
         let mut k: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_3 = (path_16.h.y().abs() * path_16.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_10.x() * params_10.y().mix_scalar(rt::Scalar(1f32), cosine_3)).ceil());
+        let cosine_4 = (path_16.h.y().abs() * path_16.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max((params_10.x() * params_10.y().mix_scalar(rt::Scalar(1f32), cosine_4)).ceil());
         let _e22 = self.v_path_gap(path_16, rt::Scalar(0f32));
         near_gap_1 = _e22;
         let _e26 = near_gap_1;
@@ -2832,7 +2930,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_5;
                     cost_5 = (_e20 + STEP);
                     let _e24 = cost_5.x();
-                    let first_2 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_3 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_9;
                     let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_20.level));
                     let _e31 = cost_5;
@@ -2880,7 +2978,7 @@ impl<'g> Resources<'g> {
                         let _e105 = self.v_gap_to(path_20, _e2, _e103, _e30, _e104);
                         let _e106 = t_10;
                         let _e107 = cost_5;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_5, first_2, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_5, first_3, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
@@ -2889,8 +2987,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_9;
                         let _e119 = t_10;
-                        let at_42 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_1 = at_42.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_42), forward_2);
+                        let at_45 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_1 = at_45.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_45), forward_2);
                         let _e131 = t_10;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_1;
@@ -2993,16 +3091,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_3 = (((slope_2 * slope_2) * aside_1.dot(path_21.duv)) - (gap_3 * rise_1));
-        let a_5 = (((slope_2 * slope_2) * path_21.duv.dot(path_21.duv)) - (rise_1 * rise_1));
-        let discriminant_1 = ((b_3 * b_3) - (a_5 * c_5));
+        let b_4 = (((slope_2 * slope_2) * aside_1.dot(path_21.duv)) - (gap_3 * rise_1));
+        let a_6 = (((slope_2 * slope_2) * path_21.duv.dot(path_21.duv)) - (rise_1 * rise_1));
+        let discriminant_1 = ((b_4 * b_4) - (a_6 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
-            if rt::Scalar::into_branch_condition(b_3.elementwise_ge(rt::Scalar(0f32))) {
-                leave_4 = ((rt::Scalar(0f32) - c_5) / (b_3 + root_1));
+            if rt::Scalar::into_branch_condition(b_4.elementwise_ge(rt::Scalar(0f32))) {
+                leave_4 = ((rt::Scalar(0f32) - c_5) / (b_4 + root_1));
             } else {
-                if rt::Scalar::into_branch_condition(a_5.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_4 = ((root_1 - b_3) / a_5);
+                if rt::Scalar::into_branch_condition(a_6.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_4 = ((root_1 - b_4) / a_6);
                 }
             }
         }
@@ -3051,7 +3149,7 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_6;
                     cost_6 = (_e20 + STEP);
                     let _e24 = cost_6.x();
-                    let first_3 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_4 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_10;
                     let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_22.level));
                     let _e31 = cost_6;
@@ -3063,8 +3161,8 @@ impl<'g> Resources<'g> {
                     let span_6 = (end_4 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_10;
                     let _e49 = t_12;
-                    let at_43 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_43);
+                    let at_46 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_46);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_12;
                     next_2 = _e54;
@@ -3091,7 +3189,7 @@ impl<'g> Resources<'g> {
                         let _e76 = self.v_gap_to(path_22, _e2, _e74, _e30, _e75);
                         let _e77 = t_12;
                         let _e78 = cost_6;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_6, first_3, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_6, first_4, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
@@ -3122,9 +3220,9 @@ impl<'g> Resources<'g> {
         cell_11: impl rt::Into<rt::Scalar<i32>>,
         image: impl rt::Into<rt::Vec2<i32>>,
         n_4: impl rt::Into<rt::Scalar<i32>>,
-        level_13: impl rt::Into<rt::Scalar<u32>>,
+        level_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_4), rt::into(level_13)))
+        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_4), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
@@ -3132,21 +3230,21 @@ impl<'g> Resources<'g> {
         cell_11: rt::Scalar<i32>,
         image: rt::Vec2<i32>,
         n_4: rt::Scalar<i32>,
-        level_13: rt::Scalar<u32>,
+        level_15: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_14: rt::Scalar<bool>;
 
-        let first_4 = ((image.x() >> level_13) << level_13);
-        let side_1 = (rt::Scalar(1i32) << level_13);
+        let first_5 = ((image.x() >> level_15) << level_15);
+        let side_1 = (rt::Scalar(1i32) << level_15);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low = (cell_11 - (image.x() - first_4));
-            return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_4 - first_4))));
+            let low = (cell_11 - (image.x() - first_5));
+            return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_4 - first_5))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high = ((cell_11 + (image.x() - first_4)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_4 - rt::Scalar(1i32)) - first_4))), high);
+            let high = ((cell_11 + (image.x() - first_5)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_4 - rt::Scalar(1i32)) - first_5))), high);
         }
-        if rt::Scalar::into_branch_condition(level_13.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_15.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
             local_14 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
@@ -3195,7 +3293,7 @@ impl<'g> Resources<'g> {
         params_14: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_14: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_16: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_12: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
@@ -3218,10 +3316,10 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_14;
+                    let _e28 = level_16;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long)) {
-                        let _e33 = level_14;
-                        level_14 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_16;
+                        level_16 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
@@ -3243,10 +3341,10 @@ impl<'g> Resources<'g> {
                     let _e59 = self.v_image_of(_e57, _e4.x());
                     let _e61 = cell_12.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_6 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_14;
+                    let place_7 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let _e67 = level_16;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_6.x() >> above_level), (place_6.y() >> above_level));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_7.x() >> above_level), (place_7.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
@@ -3263,7 +3361,7 @@ impl<'g> Resources<'g> {
                     }
                     let left_2 = local_15;
                     if rt::Scalar::into_branch_condition(left_2) {
-                        let _e98 = level_14;
+                        let _e98 = level_16;
                         let _e99 = top;
                         local_17 = _e98.elementwise_lt(_e99);
                     } else {
@@ -3271,13 +3369,13 @@ impl<'g> Resources<'g> {
                     }
                     let _e102 = local_17;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_14 = above_level;
+                        level_16 = above_level;
                     }
                     let _e104 = cell_12.x();
-                    let _e106 = level_14;
+                    let _e106 = level_16;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
                     let _e109 = cell_12.y();
-                    let _e111 = level_14;
+                    let _e111 = level_16;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
@@ -3286,7 +3384,7 @@ impl<'g> Resources<'g> {
                     let span_7 = (end_5 - _e126).max(rt::Scalar(0f32));
                     let low_1 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_2 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_14;
+                    let _e140 = level_16;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_7;
                         cost_7 = (_e143 + HEIGHTS_READ);
@@ -3306,10 +3404,10 @@ impl<'g> Resources<'g> {
                         let _e162 = cost_7;
                         let _e164 = self.v_map_read(path_23, rt::Scalar(1u32));
                         cost_7 = (_e162 + _e164);
-                        let _e167 = level_14;
-                        let _e170 = level_14;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_6.x() >> _e167), (place_6.y() >> _e170));
-                        let _e174 = level_14;
+                        let _e167 = level_16;
+                        let _e170 = level_16;
+                        let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e167), (place_7.y() >> _e170));
+                        let _e174 = level_16;
                         let _e180 = self.v_search_texel(path_23, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_23.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_13;
@@ -3337,8 +3435,8 @@ impl<'g> Resources<'g> {
                             let _e229 = t_13;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
                             cell_12 = _e232.cast_elem_as_i32().clamp(low_1, last_2);
-                            let _e235 = level_14;
-                            level_14 = (_e235 - rt::Scalar(1u32));
+                            let _e235 = level_16;
+                            level_16 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
@@ -3356,9 +3454,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_5)) {
                         cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e280 = level_14;
-                    let _e285 = level_14;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_6.x() >> (_e280 + rt::Scalar(1u32))), (place_6.y() >> (_e285 + rt::Scalar(1u32))));
+                    let _e280 = level_16;
+                    let _e285 = level_16;
+                    parent = <rt::Vec2<i32>>::from_scalars((place_7.x() >> (_e280 + rt::Scalar(1u32))), (place_7.y() >> (_e285 + rt::Scalar(1u32))));
                     let _e290 = t_13;
                     t_13 = _e290.max(end_5);
                 }
@@ -3372,22 +3470,22 @@ impl<'g> Resources<'g> {
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_5: impl rt::Into<rt::Scalar<i32>>,
-        level_15: impl rt::Into<rt::Scalar<u32>>,
+        level_17: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_15)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
-        level_15: rt::Scalar<u32>,
+        level_17: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
         let mut local_19: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
-        let first_5 = ((_e3 >> level_15) << level_15);
-        let last_3 = (first_5 + (rt::Scalar(1i32) << level_15)).min(n_5);
+        let first_6 = ((_e3 >> level_17) << level_17);
+        let last_3 = (first_6 + (rt::Scalar(1i32) << level_17)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
             local_19 = _e16.elementwise_eq(WRAP_REPEAT);
@@ -3396,16 +3494,16 @@ impl<'g> Resources<'g> {
         }
         let _e20 = local_19;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_3));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_6), ((texel_2 - _e3) + last_3));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_5);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_5)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_5), ((texel_2 - _e3) + last_3));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_6), ((texel_2 - _e3) + last_3));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_3) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_5) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_3) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_6) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
@@ -3422,7 +3520,7 @@ impl<'g> Resources<'g> {
         path_24: Path,
         params_15: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_16: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_18: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
         let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_8: rt::Vec3<u32> = NO_COST;
@@ -3437,21 +3535,21 @@ impl<'g> Resources<'g> {
         let step_1 = (path_24.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_16;
+                let _e14 = level_18;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_16;
-                    level_16 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_18;
+                    level_18 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_2);
         texel_3 = _e24.cast_elem_as_i32();
         let limit_4 = params_15.x().cast_elem_as_u32();
-        let _e35 = level_16;
+        let _e35 = level_18;
         finest_1 = params_15.y().cast_elem_as_u32().min(_e35);
         if rt::Scalar::into_branch_condition(rt::Scalar(path_24.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
@@ -3470,30 +3568,30 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_7 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_8 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_16;
+                    let _e59 = level_18;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_8;
                         cost_8 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_7, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_8, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_16;
-                        let _e73 = level_16;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e70), (place_7.y() >> _e73));
+                        let _e70 = level_18;
+                        let _e73 = level_18;
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_8.x() >> _e70), (place_8.y() >> _e73));
                         let _e76 = cost_8;
                         let _e78 = self.v_map_read(path_24, rt::Scalar(1u32));
                         cost_8 = (_e76 + _e78);
-                        let _e81 = level_16;
+                        let _e81 = level_18;
                         let _e85 = self.v_search_texel(path_24, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_16;
+                    let _e90 = level_18;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_16;
+                    let _e95 = level_18;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e96);
@@ -3519,15 +3617,15 @@ impl<'g> Resources<'g> {
                         let _e141 = t_14;
                         let _e142 = sinks;
                         t_14 = (_e141 + _e142);
-                        let _e144 = level_16;
+                        let _e144 = level_18;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
                             let _e148 = t_14;
                             let _e149 = cost_8;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_16;
-                        level_16 = (_e154 - rt::Scalar(1u32));
+                        let _e154 = level_18;
+                        level_18 = (_e154 - rt::Scalar(1u32));
                         let _e157 = t_14;
                         let _e160 = self.v_cell_of((origin_2 + (step_1 * _e157)));
                         texel_3 = _e160.cast_elem_as_i32().clamp(low_2, last_4);
@@ -4367,24 +4465,31 @@ impl<'g> Resources<'g> {
         let _e26 = local_29;
         return _e26;
     }
+    pub(crate) fn has_table(&self, levels: Levels) -> bool {
+        rt::into(self.v_has_table(levels))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
+        return rt::Scalar(levels.fine).elementwise_ge(SEEN_FIRST_LEVEL);
+    }
     pub(crate) fn height_and_slope(
         &self,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
-        level_17: impl rt::Into<rt::Scalar<u32>>,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
+        level_19: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_11), rt::into(level_17)))
+        rt::into(self.v_height_and_slope(rt::into(uv_12), rt::into(level_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_and_slope(
         &self,
-        uv_11: rt::Vec2<f32>,
-        level_17: rt::Scalar<u32>,
+        uv_12: rt::Vec2<f32>,
+        level_19: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_17);
-        let point_6 = ((uv_11 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e2 = self.v_height_size(level_19);
+        let point_6 = ((uv_12 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
         let _e8 = self.v_cell_of(point_6);
         let f_1 = (point_6 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_17);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_19);
         let top_6 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
         let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
@@ -4469,15 +4574,24 @@ impl<'g> Resources<'g> {
         let square_1 = ((slope_5 * slope_5) * upright);
         return <Normals>::new(<rt::Vec4<f32>>::new_31(n_6, slope_5.x()), <rt::Vec4<f32>>::from_scalars(square_1.x(), ((slope_5.x() * slope_5.y()) * upright), square_1.y(), slope_5.y()));
     }
+    pub(crate) fn no_table(&self) -> SeenTable {
+        rt::into(self.v_no_table())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_no_table(&self) -> SeenTable {
+        let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <SeenTable>::new(none, none, none);
+    }
     pub(crate) fn one_seen(&self, normal_9: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
         rt::into(self.v_one_seen(rt::into(normal_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_one_seen(&self, normal_9: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
-        let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        return <SeenNormals>::new(normal_9, rt::Scalar(1f32), rt::Scalar(0u32), none, none, none, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts);
+        let _e14 = self.v_no_table();
+        return <SeenNormals>::new(normal_9, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts, rt::Scalar(0f32), _e14);
     }
     pub(crate) fn to_tangent_space(
         &self,
@@ -4499,35 +4613,35 @@ impl<'g> Resources<'g> {
     pub(crate) fn normals_of_level(
         &self,
         at_23: Entered,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
-        level_18: impl rt::Into<rt::Scalar<u32>>,
+        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_23, rt::into(uv_12), rt::into(level_18)))
+        rt::into(self.v_normals_of_level(at_23, rt::into(uv_13), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
         at_23: Entered,
-        uv_12: rt::Vec2<f32>,
-        level_18: rt::Scalar<u32>,
+        uv_13: rt::Vec2<f32>,
+        level_20: rt::Scalar<u32>,
     ) -> Normals {
-        if rt::Scalar::into_branch_condition(level_18.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_23, uv_12);
+        if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
+            let _e5 = self.v_finest_normal(at_23, uv_13);
             let _e6 = self.v_to_tangent_space(at_23, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_12, rt::Scalar(0i32), level_18);
-            let _e16 = self.v_normal_at(uv_12, rt::Scalar(1i32), level_18);
+            let _e14 = self.v_normal_at(uv_13, rt::Scalar(0i32), level_20);
+            let _e16 = self.v_normal_at(uv_13, rt::Scalar(1i32), level_20);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
         let x_2 = ((tile.x() * at_23.tangent.normalize().dot(at_23.tangent)) / at_23.tangent.dot(at_23.tangent));
         let y_1 = ((tile.y() * at_23.bitangent.normalize().dot(at_23.bitangent)) / at_23.bitangent.dot(at_23.bitangent));
-        let _e44 = self.v_normal_at(uv_12, rt::Scalar(0i32), (level_18 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_12, rt::Scalar(1i32), (level_18 - rt::Scalar(1u32)));
+        let _e44 = self.v_normal_at(uv_13, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_13, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1)) * longer_1);
@@ -4555,55 +4669,239 @@ impl<'g> Resources<'g> {
         normals: Normals,
         view_6: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_6 = normals.first;
-        let second = normals.second;
-        let slope_6 = <rt::Vec2<f32>>::from_scalars(first_6.w(), second.w());
-        let upright_1 = first_6.z().max(rt::Scalar(0.05f32));
-        let x_3 = (first_6.x() / upright_1);
-        let y_2 = (first_6.y() / upright_1);
-        let a_6 = ((second.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_4 = (((second.y() / upright_1) - (x_3 * y_2)) / a_6);
-        let spread = ((second.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_1 = (spread - (b_4 * b_4)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second.x(), second.y(), first_6.x())) - (first_6.xyz() * slope_6.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second.y(), second.z(), first_6.y())) - (first_6.xyz() * slope_6.y()));
-        let most_3 = ((a_6 * a_6) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_4 = (with_x / rt::Vec3::splat_from_scalar(a_6.max((with_x.length() / most_3))));
-        let rest_5 = (with_y - (along_4 * b_4));
+        let first_7 = normals.first;
+        let second_1 = normals.second;
+        let slope_6 = <rt::Vec2<f32>>::from_scalars(first_7.w(), second_1.w());
+        let upright_1 = first_7.z().max(rt::Scalar(0.05f32));
+        let x_3 = (first_7.x() / upright_1);
+        let y_2 = (first_7.y() / upright_1);
+        let a_7 = ((second_1.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_5 = (((second_1.y() / upright_1) - (x_3 * y_2)) / a_7);
+        let spread = ((second_1.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
+        let d_1 = (spread - (b_5 * b_5)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_1.x(), second_1.y(), first_7.x())) - (first_7.xyz() * slope_6.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_1.y(), second_1.z(), first_7.y())) - (first_7.xyz() * slope_6.y()));
+        let most_3 = ((a_7 * a_7) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_4 = (with_x / rt::Vec3::splat_from_scalar(a_7.max((with_x.length() / most_3))));
+        let rest_5 = (with_y - (along_4 * b_5));
         let across_3 = (rest_5 / rt::Vec3::splat_from_scalar(d_1.max((rest_5.length() / most_3))));
         let _e77 = self.v_to_tangent_space(at_24, view_6);
         let middle_4 = (_e77.z() - _e77.xy().dot(slope_6));
-        let _e91 = self.v_facing_four(middle_4, (-((_e77.x() * a_6) + (_e77.y() * b_4))), (-(_e77.y() * d_1)));
+        let _e91 = self.v_facing_four(middle_4, (-((_e77.x() * a_7) + (_e77.y() * b_5))), (-(_e77.y() * d_1)));
         let one = middle_4.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
         let aside_5 = ((along_4 * ((_e91.x() - _e91.y()) / all)) + (across_3 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_24, (first_6.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_6.xyz(), along_4, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_6, b_4), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)));
+        let _e113 = self.v_from_tangent_space(at_24, (first_7.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
+        let _e133 = self.v_no_table();
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_7.xyz(), along_4, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_7, b_5), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+    }
+    pub(crate) fn table_part(&self, at_25: Entered) -> f32 {
+        rt::into(self.v_table_part(at_25))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_table_part(&self, at_25: Entered) -> rt::Scalar<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
+            return rt::Scalar(0f32);
+        }
+        return (rt::Scalar(at_25.fade) * ((rt::Scalar(at_25.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+    }
+    pub(crate) fn with_table(
+        &self,
+        at_26: Entered,
+        seen: SeenNormals,
+        table: SeenTable,
+        part_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> SeenNormals {
+        rt::into(self.v_with_table(at_26, seen, table, rt::into(part_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_with_table(
+        &self,
+        at_26: Entered,
+        seen: SeenNormals,
+        table: SeenTable,
+        part_2: rt::Scalar<f32>,
+    ) -> SeenNormals {
+        let mut told: SeenNormals;
+
+        told = seen;
+        let before_1 = (seen.normal * rt::Scalar(seen.length));
+        let _e9 = self.v_from_tangent_space(at_26, table.mean);
+        let mean_3 = (before_1 + ((_e9 - before_1) * part_2));
+        told.normal = mean_3.normalize();
+        rt::Scalar(told.length) = mean_3.length().min(rt::Scalar(1f32));
+        rt::Scalar(told.table_part) = part_2;
+        told.table = table;
+        let _e21 = told;
+        return _e21;
+    }
+    pub(crate) fn turn_of(&self, v_1: impl rt::Into<rt::Vec2<f32>>) -> f32 {
+        rt::into(self.v_turn_of(rt::into(v_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turn_of(&self, v_1: rt::Vec2<f32>) -> rt::Scalar<f32> {
+        let mut turn: rt::Scalar<f32>;
+
+        let x_4 = v_1.x().abs();
+        let y_3 = v_1.y().abs();
+        if rt::Scalar::into_branch_condition((!(x_4 + y_3).elementwise_gt(rt::Scalar(0f32)))) {
+            return rt::Scalar(0f32);
+        }
+        let _e13 = self.v_eighth_turn((x_4.min(y_3) / x_4.max(y_3)));
+        turn = _e13;
+        if rt::Scalar::into_branch_condition(y_3.elementwise_gt(x_4)) {
+            let _e16 = turn;
+            turn = (rt::Scalar(0.25f32) - _e16);
+        }
+        if rt::Scalar::into_branch_condition(v_1.x().elementwise_lt(rt::Scalar(0f32))) {
+            let _e22 = turn;
+            turn = (rt::Scalar(0.5f32) - _e22);
+        }
+        if rt::Scalar::into_branch_condition(v_1.y().elementwise_lt(rt::Scalar(0f32))) {
+            let _e28 = turn;
+            turn = (rt::Scalar(1f32) - _e28);
+        }
+        let _e31 = turn;
+        let _e32 = turn;
+        return _e31.select(rt::Scalar(0f32), _e32.elementwise_ge(rt::Scalar(1f32)));
+    }
+    pub(crate) fn seen_between(
+        &self,
+        a_1: SeenTexel,
+        b_1: SeenTexel,
+        part_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> SeenTexel {
+        rt::into(self.v_seen_between(a_1, b_1, rt::into(part_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_seen_between(
+        &self,
+        a_1: SeenTexel,
+        b_1: SeenTexel,
+        part_3: rt::Scalar<f32>,
+    ) -> SeenTexel {
+        return <SeenTexel>::new((a_1.first + ((b_1.first - a_1.first) * part_3)), (a_1.second + ((b_1.second - a_1.second) * part_3)));
+    }
+    pub(crate) fn seen_texel(
+        &self,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        azimuth: impl rt::Into<rt::Scalar<i32>>,
+        elevation: impl rt::Into<rt::Scalar<i32>>,
+        level_21: impl rt::Into<rt::Scalar<u32>>,
+    ) -> SeenTexel {
+        rt::into(self.v_seen_texel(rt::into(uv_14), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_seen_texel(
+        &self,
+        uv_14: rt::Vec2<f32>,
+        azimuth: rt::Scalar<i32>,
+        elevation: rt::Scalar<i32>,
+        level_21: rt::Scalar<u32>,
+    ) -> SeenTexel {
+        let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
+        let _e9 = self.v_detail_texel_between(uv_14, layer_8, level_21);
+        let _e12 = self.v_detail_texel_between(uv_14, (layer_8 + rt::Scalar(1i32)), level_21);
+        return <SeenTexel>::new(_e9, _e12);
+    }
+    pub(crate) fn seen_in_levels(
+        &self,
+        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        azimuth_1: impl rt::Into<rt::Scalar<i32>>,
+        elevation_1: impl rt::Into<rt::Scalar<i32>>,
+        levels_1: Levels,
+    ) -> SeenTexel {
+        rt::into(self.v_seen_in_levels(rt::into(uv_15), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_seen_in_levels(
+        &self,
+        uv_15: rt::Vec2<f32>,
+        azimuth_1: rt::Scalar<i32>,
+        elevation_1: rt::Scalar<i32>,
+        levels_1: Levels,
+    ) -> SeenTexel {
+        let _e5 = self.v_seen_texel(uv_15, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e12 = self.v_seen_texel(uv_15, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
+            return _e14;
+        }
+        return _e5;
+    }
+    pub(crate) fn table_of(
+        &self,
+        at_27: Entered,
+        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        view_7: impl rt::Into<rt::Vec3<f32>>,
+        levels_2: Levels,
+    ) -> SeenTable {
+        rt::into(self.v_table_of(at_27, rt::into(uv_16), rt::into(view_7), levels_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_table_of(
+        &self,
+        at_27: Entered,
+        uv_16: rt::Vec2<f32>,
+        view_7: rt::Vec3<f32>,
+        levels_2: Levels,
+    ) -> SeenTable {
+        let _e4 = self.v_climb(at_27, view_7);
+        let tile_1 = self.surface_settings.maps[0usize].tile_m;
+        let _e15 = rt::Scalar(self.surface_settings.scale_m);
+        let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up = (toward_5.z() / toward_5.length());
+        let elevation_3 = ((up * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
+        let _e29 = self.v_turn_of(toward_5.xy());
+        let azimuth_3 = (_e29 * rt::Scalar(8f32));
+        let a0_ = (azimuth_3.floor().cast_elem_as_i32() % rt::Scalar(8i32));
+        let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
+        let e0_ = elevation_3.floor().cast_elem_as_i32();
+        let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
+        let across_4 = (azimuth_3 - azimuth_3.floor());
+        let _e48 = self.v_seen_in_levels(uv_16, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_16, a1_, e0_, levels_2);
+        let _e50 = self.v_seen_between(_e48, _e49, across_4);
+        let _e51 = self.v_seen_in_levels(uv_16, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_16, a1_, e1_1, levels_2);
+        let _e53 = self.v_seen_between(_e51, _e52, across_4);
+        let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
+        let x_5 = ((tile_1.x() * at_27.tangent.normalize().dot(at_27.tangent)) / at_27.tangent.dot(at_27.tangent));
+        let y_4 = ((tile_1.y() * at_27.bitangent.normalize().dot(at_27.bitangent)) / at_27.bitangent.dot(at_27.bitangent));
+        let mean_4 = _e56.first.xyz();
+        let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_4.x() * x_5), (mean_4.y() * y_4), mean_4.z());
+        let squared_2 = (mean_4.dot(mean_4) / flatter_1.dot(flatter_1));
+        let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
+        return <SeenTable>::new((flatter_1 * squared_2.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_5) * x_5), ((_e56.second.y() * y_4) * y_4), upright_2) * squared_2), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_5) * y_4), (_e56.second.z() * x_5), (_e56.second.w() * y_4)) * squared_2));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_25: Entered,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
-        view_7: impl rt::Into<rt::Vec3<f32>>,
+        at_28: Entered,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        view_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_25, rt::into(uv_13), rt::into(view_7)))
+        rt::into(self.v_mesostructure_normals(at_28, rt::into(uv_17), rt::into(view_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_25: Entered,
-        uv_13: rt::Vec2<f32>,
-        view_7: rt::Vec3<f32>,
+        at_28: Entered,
+        uv_17: rt::Vec2<f32>,
+        view_8: rt::Vec3<f32>,
     ) -> SeenNormals {
         let mut local_33: rt::Scalar<bool>;
+        let mut first_1: rt::Vec4<f32>;
+        let mut second: rt::Vec4<f32>;
+        let mut local_34: rt::Scalar<bool>;
 
-        let upright_2 = at_25.normal.dot(view_7);
-        let shown = upright_2.max(rt::Scalar(0.5f32));
-        let width_2 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_25.fade)));
+        let upright_3 = at_28.normal.dot(view_8);
+        let shown = upright_3.max(rt::Scalar(0.5f32));
+        let width_2 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_28.fade)));
         let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_2 = ((rt::Scalar(at_25.footprint) * _e15) * width_2);
+        let texels_2 = ((rt::Scalar(at_28.footprint) * _e15) * width_2);
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_2, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
@@ -4613,54 +4911,75 @@ impl<'g> Resources<'g> {
         }
         let _e32 = local_33;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_25, uv_13);
+            let _e33 = self.v_finest_normal(at_28, uv_17);
             let _e34 = self.v_one_seen(_e33);
             return _e34;
         }
-        let _e36 = self.v_normals_of_level(at_25, uv_13, rt::Scalar(_e21.fine));
-        if rt::Scalar::into_branch_condition((!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)))) {
-            let _e41 = self.v_seen_normals(at_25, _e36, view_7);
-            return _e41;
+        let _e36 = self.v_normals_of_level(at_28, uv_17, rt::Scalar(_e21.fine));
+        first_1 = _e36.first;
+        second = _e36.second;
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e47 = self.v_normals_of_level(at_28, uv_17, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+            let _e48 = first_1;
+            let _e50 = first_1;
+            first_1 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
+            let _e55 = second;
+            let _e57 = second;
+            second = (_e55 + ((_e47.second - _e57) * rt::Scalar(_e21.part)));
         }
-        let _e45 = self.v_normals_of_level(at_25, uv_13, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
-        let first_7 = (_e36.first + ((_e45.first - _e36.first) * rt::Scalar(_e21.part)));
-        let second_1 = (_e36.second + ((_e45.second - _e36.second) * rt::Scalar(_e21.part)));
-        let _e61 = self.v_seen_normals(at_25, <Normals>::new(first_7, second_1), view_7);
-        return _e61;
+        let _e62 = first_1;
+        let _e63 = second;
+        let _e65 = self.v_seen_normals(at_28, <Normals>::new(_e62, _e63), view_8);
+        let _e66 = self.v_table_part(at_28);
+        let _e70 = rt::Scalar(self.surface_settings.height_levels);
+        let _e71 = self.v_levels_of(rt::Scalar(at_28.footprint), _e70);
+        if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
+            let _e76 = self.v_has_table(_e71);
+            local_34 = _e76;
+        } else {
+            local_34 = rt::Scalar(false);
+        }
+        let _e78 = local_34;
+        if rt::Scalar::into_branch_condition(_e78) {
+            let _e79 = self.v_table_of(at_28, uv_17, view_8, _e71);
+            let _e80 = self.v_with_table(at_28, _e65, _e79, _e66);
+            return _e80;
+        }
+        return _e65;
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_26: Entered,
+        at_29: Entered,
         hit_10: Hit,
         light_5: Toward,
         params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_26, hit_10, light_5, rt::into(params_21)))
+        rt::into(self.v_shadow_ray(at_29, hit_10, light_5, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_26: Entered,
+        at_29: Entered,
         hit_10: Hit,
         light_5: Toward,
         params_21: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_26, hit_10, light_5);
+        let _e4 = self.v_free_way(at_29, hit_10, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_27: Entered,
+        at_30: Entered,
         hit_11: Hit,
         light_6: Toward,
         params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_27, hit_11, light_6, rt::into(params_22)))
+        rt::into(self.v_shadow_none(at_30, hit_11, light_6, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_27: Entered,
+        at_30: Entered,
         hit_11: Hit,
         light_6: Toward,
         params_22: rt::Vec4<f32>,
@@ -4672,17 +4991,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_32: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_32.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_34 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_35 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_34 = rt::Scalar(true);
+            local_35 = rt::Scalar(true);
         }
-        let _e16 = local_34;
+        let _e16 = local_35;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -4797,8 +5116,8 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let m = path_36.metric;
         let area_3 = ((m.x() * m.z()) - (m.y() * m.y()));
-        let squared_2 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_3);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_2)).sqrt());
+        let squared_3 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_3);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_3)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
@@ -4928,7 +5247,7 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_17: rt::Vec3<u32>;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -4943,11 +5262,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_39, _e18);
-            local_35 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_36 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_35 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e23 = local_35;
+        let _e23 = local_36;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -5195,7 +5514,7 @@ impl<'g> Resources<'g> {
         let mut t_25: rt::Scalar<f32>;
         let mut cell_18: rt::Vec2<f32>;
         let mut cost_20: rt::Vec3<u32>;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -5252,11 +5571,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_36 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_37 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_36 = rt::Scalar(true);
+                            local_37 = rt::Scalar(true);
                         }
-                        let _e89 = local_36;
+                        let _e89 = local_37;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_20;
                             let _e93 = self.v_hit_on_path(path_42, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -5294,7 +5613,7 @@ impl<'g> Resources<'g> {
         found_11: Found,
         params_32: rt::Vec4<f32>,
     ) -> Hit {
-        let mut part_2: rt::Scalar<f32> = rt::Scalar(0.5f32);
+        let mut part_4: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
             let _e6 = self.v_refine_none(path_43, found_11, params_32);
@@ -5310,14 +5629,14 @@ impl<'g> Resources<'g> {
         let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
         let forward_8 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_43.exit));
         let _e28 = self.v_path_gap(path_43, backward);
-        let before_1 = _e28.abs();
+        let before_2 = _e28.abs();
         let _e30 = self.v_path_gap(path_43, forward_8);
         let behind_1 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
-            part_2 = (before_1 / (before_1 + behind_1));
+        if rt::Scalar::into_branch_condition((before_2 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
+            part_4 = (before_2 / (before_2 + behind_1));
         }
         let cost_21 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_2;
+        let _e45 = part_4;
         let _e49 = self.v_hit_on_path(path_43, (backward + ((forward_8 - backward) * _e45)), rt::Scalar(0u32), cost_21);
         return _e49;
     }
@@ -5451,22 +5770,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_28: Entered,
+        at_31: Entered,
         hit_13: Hit,
         light_7: Toward,
         params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_28, hit_13, light_7, rt::into(params_33)))
+        rt::into(self.v_shadow_entry(at_31, hit_13, light_7, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_28: Entered,
+        at_31: Entered,
         hit_13: Hit,
         light_7: Toward,
         params_33: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_28, hit_13, light_7);
+        let _e4 = self.v_from_hit(at_31, hit_13, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -5511,9 +5830,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seed_of(&self, hit_14: Hit) -> rt::Scalar<u32> {
-        let place_8 = ((hit_14.uv - hit_14.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_8.y());
-        let _e12 = self.v_mixed((place_8.x() ^ _e10));
+        let place_9 = ((hit_14.uv - hit_14.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_9.y());
+        let _e12 = self.v_mixed((place_9.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -5523,32 +5842,32 @@ impl<'g> Resources<'g> {
     fn v_unit_of(&self, bits: rt::Scalar<u32>) -> rt::Scalar<f32> {
         return ((bits >> rt::Scalar(8u32)).cast_elem_as_f32() / rt::Scalar(16777216f32));
     }
-    pub(crate) fn quarter_sine(&self, turn: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_quarter_sine(rt::into(turn)))
+    pub(crate) fn quarter_sine(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_quarter_sine(rt::into(turn_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_quarter_sine(&self, turn: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_4 = (turn * rt::Scalar(6.2831855f32));
-        let s_2 = (x_4 * x_4);
+    fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_6 = (turn_1 * rt::Scalar(6.2831855f32));
+        let s_2 = (x_6 * x_6);
         let last_5 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_4 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_5)))))));
+        return (x_6 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_5)))))));
     }
-    pub(crate) fn sine_of(&self, turn_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_sine_of(rt::into(turn_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_sine_of(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let part_4 = (turn_1 - turn_1.floor());
-        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_4 - rt::Scalar(0.5f32)).abs()).abs()));
-        return _e11.select((rt::Scalar(0f32) - _e11), part_4.elementwise_gt(rt::Scalar(0.5f32)));
-    }
-    pub(crate) fn turned(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_turned(rt::into(turn_2)))
+    pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_sine_of(rt::into(turn_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turned(&self, turn_2: rt::Scalar<f32>) -> rt::Vec2<f32> {
-        let _e3 = self.v_sine_of((turn_2 + rt::Scalar(0.25f32)));
-        let _e4 = self.v_sine_of(turn_2);
+    fn v_sine_of(&self, turn_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let part_6 = (turn_2 - turn_2.floor());
+        let _e11 = self.v_quarter_sine((rt::Scalar(0.25f32) - (rt::Scalar(0.25f32) - (part_6 - rt::Scalar(0.5f32)).abs()).abs()));
+        return _e11.select((rt::Scalar(0f32) - _e11), part_6.elementwise_gt(rt::Scalar(0.5f32)));
+    }
+    pub(crate) fn turned(&self, turn_3: impl rt::Into<rt::Scalar<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_turned(rt::into(turn_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_turned(&self, turn_3: rt::Scalar<f32>) -> rt::Vec2<f32> {
+        let _e3 = self.v_sine_of((turn_3 + rt::Scalar(0.25f32)));
+        let _e4 = self.v_sine_of(turn_3);
         return <rt::Vec2<f32>>::from_scalars(_e3, _e4);
     }
     pub(crate) fn point_of_disc(
@@ -5573,27 +5892,27 @@ impl<'g> Resources<'g> {
         let ring = ((k_6.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
         let _e18 = self.v_turned(((k_6.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_9 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let place_10 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
-        let up = light_8.direction.cross(right_2);
-        let toward_4 = ((light_8.direction + (right_2 * place_9.x())) + (up * place_9.y()));
-        let along_5 = toward_4.length();
-        return <Toward>::new((toward_4 / rt::Vec3::splat_from_scalar(along_5)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_5), rt::Scalar(0f32));
+        let up_1 = light_8.direction.cross(right_2);
+        let toward_6 = ((light_8.direction + (right_2 * place_10.x())) + (up_1 * place_10.y()));
+        let along_5 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_5)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_5), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_29: Entered,
+        at_32: Entered,
         hit_15: Hit,
         light_9: Toward,
         params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_29, hit_15, light_9, rt::into(params_34)))
+        rt::into(self.v_shadow_soft(at_32, hit_15, light_9, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_29: Entered,
+        at_32: Entered,
         hit_15: Hit,
         light_9: Toward,
         params_34: rt::Vec4<f32>,
@@ -5614,7 +5933,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_7;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_2);
-                    let _e16 = self.v_free_way(at_29, hit_15, _e15);
+                    let _e16 = self.v_free_way(at_32, hit_15, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_7;
                     k_7 = (_e18 + rt::Scalar(1u32));
@@ -5626,17 +5945,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_30: Entered,
+        at_33: Entered,
         hit_16: Hit,
         light_10: Toward,
         params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_30, hit_16, light_10, rt::into(params_35)))
+        rt::into(self.v_shadow_heuristic(at_33, hit_16, light_10, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_30: Entered,
+        at_33: Entered,
         hit_16: Hit,
         light_10: Toward,
         params_35: rt::Vec4<f32>,
@@ -5644,7 +5963,7 @@ impl<'g> Resources<'g> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_30, hit_16, light_10);
+        let _e4 = self.v_from_hit(at_33, hit_16, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -5658,10 +5977,10 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e19 = k_8;
-                    let part_5 = (_e19 / params_35.x());
+                    let part_7 = (_e19 / params_35.x());
                     let _e22 = most_1;
-                    let _e24 = self.v_path_gap(_e4, (part_5 * _e11));
-                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_5)));
+                    let _e24 = self.v_path_gap(_e4, (part_7 * _e11));
+                    most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_7)));
                     let _e31 = k_8;
                     k_8 = (_e31 + rt::Scalar(1f32));
                 }
@@ -5670,78 +5989,48 @@ impl<'g> Resources<'g> {
         let _e35 = most_1;
         return (rt::Scalar(1f32) - (params_35.y() * _e35).min(rt::Scalar(1f32)));
     }
-    pub(crate) fn turn_of(&self, v_1: impl rt::Into<rt::Vec2<f32>>) -> f32 {
-        rt::into(self.v_turn_of(rt::into(v_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_turn_of(&self, v_1: rt::Vec2<f32>) -> rt::Scalar<f32> {
-        let mut turn_3: rt::Scalar<f32>;
-
-        let x_5 = v_1.x().abs();
-        let y_3 = v_1.y().abs();
-        if rt::Scalar::into_branch_condition((!(x_5 + y_3).elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32);
-        }
-        let _e13 = self.v_eighth_turn((x_5.min(y_3) / x_5.max(y_3)));
-        turn_3 = _e13;
-        if rt::Scalar::into_branch_condition(y_3.elementwise_gt(x_5)) {
-            let _e16 = turn_3;
-            turn_3 = (rt::Scalar(0.25f32) - _e16);
-        }
-        if rt::Scalar::into_branch_condition(v_1.x().elementwise_lt(rt::Scalar(0f32))) {
-            let _e22 = turn_3;
-            turn_3 = (rt::Scalar(0.5f32) - _e22);
-        }
-        if rt::Scalar::into_branch_condition(v_1.y().elementwise_lt(rt::Scalar(0f32))) {
-            let _e28 = turn_3;
-            turn_3 = (rt::Scalar(1f32) - _e28);
-        }
-        let _e31 = turn_3;
-        let _e32 = turn_3;
-        return _e31.select(rt::Scalar(0f32), _e32.elementwise_ge(rt::Scalar(1f32)));
-    }
     pub(crate) fn shadow_texel(
         &self,
-        place_3: impl rt::Into<rt::Vec2<i32>>,
-        layer_4: impl rt::Into<rt::Scalar<i32>>,
-        level_19: impl rt::Into<rt::Scalar<i32>>,
+        place_4: impl rt::Into<rt::Vec2<i32>>,
+        layer_6: impl rt::Into<rt::Scalar<i32>>,
+        level_22: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_3), rt::into(layer_4), rt::into(level_19)))
+        rt::into(self.v_shadow_texel(rt::into(place_4), rt::into(layer_6), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel(
         &self,
-        place_3: rt::Vec2<i32>,
-        layer_4: rt::Scalar<i32>,
-        level_19: rt::Scalar<i32>,
+        place_4: rt::Vec2<i32>,
+        layer_6: rt::Scalar<i32>,
+        level_22: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_3, rt::Scalar::into_inner(layer_4), 0i32, rt::Scalar::into_inner(level_19));
-        let _e8 = self.surface_settings.maps[2usize];
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_4, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_22));
+        let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
-        layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_20: impl rt::Into<rt::Scalar<u32>>,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        layer_7: impl rt::Into<rt::Scalar<i32>>,
+        level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_14), rt::into(layer_5), rt::into(level_20)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_18), rt::into(layer_7), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel_between(
         &self,
-        uv_14: rt::Vec2<f32>,
-        layer_5: rt::Scalar<i32>,
-        level_20: rt::Scalar<u32>,
+        uv_18: rt::Vec2<f32>,
+        layer_7: rt::Scalar<i32>,
+        level_23: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
-        let _e3 = self.v_height_texels(level_20);
-        let _e4 = self.v_texels_around(uv_14, _e3);
-        let k_16 = level_20.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_5, k_16);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_5, k_16);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_5, k_16);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_5, k_16);
+        let _e3 = self.v_height_texels(level_23);
+        let _e4 = self.v_texels_around(uv_18, _e3);
+        let k_17 = level_23.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_17);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_17);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_17);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_17);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -5754,9 +6043,9 @@ impl<'g> Resources<'g> {
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_12 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        let level_23 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
+        let level_26 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
         let _e24 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
-        let _e26 = self.v_gap_to(level_23, _e1, _e3, _e24, rt::Scalar(0f32));
+        let _e26 = self.v_gap_to(level_26, _e1, _e3, _e24, rt::Scalar(0f32));
         return (rt::Scalar(0f32) - _e26.y().min((_e26.y() + (_e26.z() * end_12))));
     }
     pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
@@ -5764,195 +6053,195 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_part_above(&self, height_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_6 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
-        let s_3 = (x_6 * x_6);
-        return (rt::Scalar(0.5f32) + (x_6 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
+        let x_7 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+        let s_3 = (x_7 * x_7);
+        return (rt::Scalar(0.5f32) + (x_7 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_31: Entered,
+        at_34: Entered,
         hit_17: Hit,
         light_11: Toward,
         params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_31, hit_17, light_11, rt::into(params_36)))
+        rt::into(self.v_shadow_horizon(at_34, hit_17, light_11, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_31: Entered,
+        at_34: Entered,
         hit_17: Hit,
         light_11: Toward,
         params_36: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_31, light_11.direction);
-        let map_1 = self.surface_settings.maps[2usize];
+        let _e5 = self.v_climb(at_34, light_11.direction);
+        let map_1 = self.surface_settings.maps[3usize];
         let along_6 = (_e5.xy() * map_1.tile_m);
         let _e13 = self.v_turn_of(along_6);
-        let azimuth_1 = (_e13 * params_36.x());
-        let first_8 = azimuth_1.floor();
+        let azimuth_4 = (_e13 * params_36.x());
+        let first_8 = azimuth_4.floor();
         let count_3 = params_36.x().cast_elem_as_i32();
-        let before_2 = (first_8.cast_elem_as_i32() % count_3);
-        let part_6 = (azimuth_1 - first_8);
-        let _e25 = self.v_shadow_texel_between(hit_17.uv, before_2, rt::Scalar(at_31.path.level));
+        let before_3 = (first_8.cast_elem_as_i32() % count_3);
+        let part_8 = (azimuth_4 - first_8);
+        let _e25 = self.v_shadow_texel_between(hit_17.uv, before_3, rt::Scalar(at_34.path.level));
         let low_3 = _e25.x();
-        let _e33 = self.v_shadow_texel_between(hit_17.uv, ((before_2 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_31.path.level));
-        let sine = (low_3 + ((_e33.x() - low_3) * part_6));
-        let squared_3 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_3 * along_6.dot(along_6)).sqrt();
-        let _e50 = self.v_from_hit(at_31, hit_17, light_11);
+        let _e33 = self.v_shadow_texel_between(hit_17.uv, ((before_3 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_34.path.level));
+        let sine = (low_3 + ((_e33.x() - low_3) * part_8));
+        let squared_4 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
+        let far_9 = (squared_4 * along_6.dot(along_6)).sqrt();
+        let _e50 = self.v_from_hit(at_34, hit_17, light_11);
         let _e51 = self.v_own_slope(_e50);
         let _e54 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e51 * _e54);
         let horizon = far_9.max(near_8);
-        let up_1 = at_31.normal.dot(light_11.direction);
+        let up_2 = at_34.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
-        let flat = (rt::Scalar(1f32) - (up_1 * up_1)).max(rt::Scalar(0f32));
-        let beside = (flat + (up_1 * horizon));
+        let flat = (rt::Scalar(1f32) - (up_2 * up_2)).max(rt::Scalar(0f32));
+        let beside = (flat + (up_2 * horizon));
         if rt::Scalar::into_branch_condition((!beside.elementwise_gt(rt::Scalar(0f32)))) {
-            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_1.elementwise_gt(horizon));
+            return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
-        let _e88 = self.v_part_above(((flat.sqrt() * (up_1 - horizon)) / (beside * rt::Scalar(light_11.radius))));
+        let _e88 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside * rt::Scalar(light_11.radius))));
         return _e88;
     }
     pub(crate) fn open_part(
         &self,
-        at_32: Entered,
+        at_35: Entered,
         hit_18: Hit,
-        azimuth: impl rt::Into<rt::Scalar<i32>>,
-        elevation: impl rt::Into<rt::Scalar<i32>>,
+        azimuth_2: impl rt::Into<rt::Scalar<i32>>,
+        elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_32, hit_18, rt::into(azimuth), rt::into(elevation), rt::into(elevations)))
+        rt::into(self.v_open_part(at_35, hit_18, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_32: Entered,
+        at_35: Entered,
         hit_18: Hit,
-        azimuth: rt::Scalar<i32>,
-        elevation: rt::Scalar<i32>,
+        azimuth_2: rt::Scalar<i32>,
+        elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e10 = self.v_shadow_texel_between(hit_18.uv, ((azimuth * elevations) + elevation), rt::Scalar(at_32.path.level));
+        let _e10 = self.v_shadow_texel_between(hit_18.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_35.path.level));
         return (rt::Scalar(1f32) - _e10.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_33: Entered,
+        at_36: Entered,
         hit_19: Hit,
         light_12: Toward,
         params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_33, hit_19, light_12, rt::into(params_37)))
+        rt::into(self.v_shadow_visibility(at_36, hit_19, light_12, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_33: Entered,
+        at_36: Entered,
         hit_19: Hit,
         light_12: Toward,
         params_37: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_33, light_12.direction);
+        let _e5 = self.v_climb(at_36, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
-        let map_2 = self.surface_settings.maps[2usize];
+        let map_2 = self.surface_settings.maps[3usize];
         let along_7 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_4 = (_e5.z() * _e21);
-        let squared_4 = ((height_4 * height_4) / (along_7.dot(along_7) + (height_4 * height_4)));
+        let squared_5 = ((height_4 * height_4) / (along_7.dot(along_7) + (height_4 * height_4)));
         let azimuths = params_37.x().cast_elem_as_i32();
         let elevations_1 = params_37.y().cast_elem_as_i32();
         let _e32 = self.v_turn_of(along_7);
-        let azimuth_2 = (_e32 * params_37.x());
-        let elevation_1 = ((squared_4 * params_37.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_37.y() - rt::Scalar(1f32)));
+        let azimuth_5 = (_e32 * params_37.x());
+        let elevation_4 = ((squared_5 * params_37.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_37.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_37.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_7 = ((azimuth_2 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_33, hit_19, a_7, (elevation_1 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let a_8 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_36, hit_19, a_8, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
-        let a0_ = (azimuth_2.floor().cast_elem_as_i32() % azimuths);
-        let a1_ = ((a0_ + rt::Scalar(1i32)) % azimuths);
-        let e0_ = elevation_1.floor().cast_elem_as_i32();
-        let e1_1 = (e0_ + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
-        let along_azimuth = (azimuth_2 - azimuth_2.floor());
-        let along_elevation = (elevation_1 - elevation_1.floor());
-        let _e74 = self.v_open_part(at_33, hit_19, a1_, e0_, elevations_1);
-        let _e75 = self.v_open_part(at_33, hit_19, a0_, e1_1, elevations_1);
+        let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
+        let a1_1 = ((a0_1 + rt::Scalar(1i32)) % azimuths);
+        let e0_1 = elevation_4.floor().cast_elem_as_i32();
+        let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
+        let along_azimuth = (azimuth_5 - azimuth_5.floor());
+        let along_elevation = (elevation_4 - elevation_4.floor());
+        let _e74 = self.v_open_part(at_36, hit_19, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_36, hit_19, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_33, hit_19, a0_, e0_, elevations_1);
+            let _e79 = self.v_open_part(at_36, hit_19, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_33, hit_19, a1_, e1_1, elevations_1);
+        let _e86 = self.v_open_part(at_36, hit_19, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_34: Entered, hit_20: Hit, light_13: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_34, hit_20, light_13))
+    pub(crate) fn shadow_stage(&self, at_37: Entered, hit_20: Hit, light_13: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_37, hit_20, light_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_34: Entered, hit_20: Hit, light_13: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_37: Entered, hit_20: Hit, light_13: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_34, hit_20, light_13, _e12);
+                let _e13 = self.v_shadow_ray(at_37, hit_20, light_13, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_34, hit_20, light_13, _e18);
+                let _e19 = self.v_shadow_none(at_37, hit_20, light_13, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_34, hit_20, light_13, _e24);
+                let _e25 = self.v_shadow_entry(at_37, hit_20, light_13, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_34, hit_20, light_13, _e30);
+                let _e31 = self.v_shadow_soft(at_37, hit_20, light_13, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_34, hit_20, light_13, _e36);
+                let _e37 = self.v_shadow_heuristic(at_37, hit_20, light_13, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_34, hit_20, light_13, _e42);
+                let _e43 = self.v_shadow_horizon(at_37, hit_20, light_13, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_34, hit_20, light_13, _e48);
+                let _e49 = self.v_shadow_visibility(at_37, hit_20, light_13, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_12: PixelIn, at_35: Entered, hit_21: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_12, at_35, hit_21))
+    pub(crate) fn mirrored_light(&self, pixel_12: PixelIn, at_38: Entered, hit_21: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_12, at_38, hit_21))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_12: PixelIn, at_35: Entered, hit_21: Hit) -> rt::Scalar<f32> {
-        let mut local_37: rt::Scalar<bool>;
+    fn v_mirrored_light(&self, pixel_12: PixelIn, at_38: Entered, hit_21: Hit) -> rt::Scalar<f32> {
+        let mut local_38: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_35.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_37 = rt::Scalar(hit_21.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_38.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_38 = rt::Scalar(hit_21.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_37 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e13 = local_37;
+        let _e13 = local_38;
         if rt::Scalar::into_branch_condition(_e13) {
             return rt::Scalar(0f32);
         }
         let down_2 = pixel_12.direction.normalize();
-        let up_2 = (down_2 - (at_35.normal * (rt::Scalar(2f32) * down_2.dot(at_35.normal))));
-        let _e31 = self.v_shadow_stage(at_35, hit_21, <Toward>::new(up_2, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        let up_3 = (down_2 - (at_38.normal * (rt::Scalar(2f32) * down_2.dot(at_38.normal))));
+        let _e31 = self.v_shadow_stage(at_38, hit_21, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
         return _e31;
     }
     pub(crate) fn pixel_direction(&self, pixel_13: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
@@ -5977,26 +6266,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn pixel_of(
         &self,
-        a_1: Corner,
-        b_1: Corner,
+        a_2: Corner,
+        b_2: Corner,
         c_4: Corner,
         side: impl rt::Into<rt::Scalar<f32>>,
         point_1: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_1, b_1, c_4, rt::into(side), rt::into(point_1)))
+        rt::into(self.v_pixel_of(a_2, b_2, c_4, rt::into(side), rt::into(point_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_pixel_of(
         &self,
-        a_1: Corner,
-        b_1: Corner,
+        a_2: Corner,
+        b_2: Corner,
         c_4: Corner,
         side: rt::Scalar<f32>,
         point_1: rt::Vec2<f32>,
     ) -> PixelIn {
         let _e5 = self.v_pixel_eye(point_1);
         let _e6 = self.v_pixel_direction(point_1);
-        return <PixelIn>::new(_e5, _e6, side, a_1, b_1, c_4);
+        return <PixelIn>::new(_e5, _e6, side, a_2, b_2, c_4);
     }
     pub(crate) fn toward_light(
         &self,
@@ -6012,69 +6301,103 @@ impl<'g> Resources<'g> {
         position: rt::Vec3<f32>,
     ) -> Toward {
         if rt::Scalar::into_branch_condition(light_14.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_5 = (light_14.place.xyz() - position);
-            let squared_5 = toward_5.dot(toward_5);
-            let distance_1 = squared_5.sqrt();
-            let falloff = (rt::Scalar(1f32) / squared_5.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_5.normalize(), falloff, distance_1, (light_14.color.w() / distance_1));
+            let toward_7 = (light_14.place.xyz() - position);
+            let squared_6 = toward_7.dot(toward_7);
+            let distance_1 = squared_6.sqrt();
+            let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
+            return <Toward>::new(toward_7.normalize(), falloff, distance_1, (light_14.color.w() / distance_1));
         }
         return <Toward>::new(light_14.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_14.color.w());
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_36: Entered,
+        at_39: Entered,
         hit_22: Hit,
         number: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_36, hit_22, rt::into(number)))
+        rt::into(self.v_ray_to_light(at_39, hit_22, rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_36: Entered,
+        at_39: Entered,
         hit_22: Hit,
         number: rt::Scalar<u32>,
     ) -> LightRay {
         let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e7 = self.v_hit_position(at_36, hit_22);
+        let _e7 = self.v_hit_position(at_39, hit_22);
         let _e8 = self.v_toward_light(_e6, _e7);
-        let _e9 = self.v_light_ray(at_36, hit_22, _e8);
+        let _e9 = self.v_light_ray(at_39, hit_22, _e8);
         return _e9;
+    }
+    pub(crate) fn table_cosine(
+        &self,
+        table_1: SeenTable,
+        toward: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_table_cosine(table_1, rt::into(toward)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_table_cosine(
+        &self,
+        table_1: SeenTable,
+        toward: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        let mean_5 = table_1.mean.dot(toward);
+        let squares_1 = table_1.squares.dot((toward * toward)).min(rt::Scalar(16f32));
+        let pairs = <rt::Vec3<f32>>::from_scalars((toward.x() * toward.y()), (toward.x() * toward.z()), (toward.y() * toward.z()));
+        let products = (rt::Scalar(2f32) * table_1.products.dot(pairs)).min(rt::Scalar(16f32));
+        let deviation_1 = ((squares_1 + products) - (mean_5 * mean_5)).max(rt::Scalar(0f32)).sqrt();
+        let inner = (deviation_1 * rt::Scalar(0.7419638f32));
+        let outer = (deviation_1 * rt::Scalar(2.3344142f32));
+        let four_2 = <rt::Vec4<f32>>::from_scalars((mean_5 + inner), (mean_5 - inner), (mean_5 + outer), (mean_5 - outer));
+        return four_2.max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32))).dot(PARTS_OF_FOUR);
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_37: Entered,
-        seen: SeenNormals,
-        toward: impl rt::Into<rt::Vec3<f32>>,
+        at_40: Entered,
+        seen_1: SeenNormals,
+        toward_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_37, seen, rt::into(toward)))
+        rt::into(self.v_seen_cosine(at_40, seen_1, rt::into(toward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_37: Entered,
-        seen: SeenNormals,
-        toward: rt::Vec3<f32>,
+        at_40: Entered,
+        seen_1: SeenNormals,
+        toward_1: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(seen.differ).elementwise_eq(rt::Scalar(0u32))) {
-            return seen.normal.dot(toward).max(rt::Scalar(0f32));
+        let mut cosine: rt::Scalar<f32>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.differ).elementwise_eq(rt::Scalar(0u32))) {
+            return seen_1.normal.dot(toward_1).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_37, toward);
-        let middle_6 = seen.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_6, seen.along.dot(_e10), seen.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen.middle_seen) * middle_6.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
-        let others = seen.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_40, toward_1);
+        let middle_6 = seen_1.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_6, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_6.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let others = seen_1.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
-        let _e31 = rt::Scalar(self.surface_settings.has_shadows);
-        if rt::Scalar::into_branch_condition(_e31.elementwise_eq(rt::Scalar(1u32))) {
-            let falls = (_e10.z() - _e10.xy().dot(seen.slope));
-            let _e47 = self.v_facing_four(falls, (-_e10.xy().dot(seen.slope_along)), (-_e10.xy().dot(seen.slope_across)));
-            let _e50 = self.v_sum_of_four(_e47);
-            let _e51 = self.v_mean_of_five(falls.max(rt::Scalar(0f32)), _e50);
-            let lit = (falls.max(rt::Scalar(0f32)) / _e51.max(rt::Scalar(0.001f32)));
-            return (_e28 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen.upright))));
+        cosine = _e28;
+        if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.table_part).elementwise_gt(rt::Scalar(0f32))) {
+            let _e33 = cosine;
+            let _e35 = self.v_table_cosine(seen_1.table, _e10);
+            let _e36 = cosine;
+            cosine = (_e33 + ((_e35 - _e36) * rt::Scalar(seen_1.table_part)));
         }
-        return _e28;
+        let _e43 = rt::Scalar(self.surface_settings.has_shadows);
+        if rt::Scalar::into_branch_condition(_e43.elementwise_eq(rt::Scalar(1u32))) {
+            let falls = (_e10.z() - _e10.xy().dot(seen_1.slope));
+            let _e59 = self.v_facing_four(falls, (-_e10.xy().dot(seen_1.slope_along)), (-_e10.xy().dot(seen_1.slope_across)));
+            let _e62 = self.v_sum_of_four(_e59);
+            let _e63 = self.v_mean_of_five(falls.max(rt::Scalar(0f32)), _e62);
+            let lit = (falls.max(rt::Scalar(0f32)) / _e63.max(rt::Scalar(0.001f32)));
+            let _e69 = cosine;
+            return (_e69 * (rt::Scalar(1f32) - ((rt::Scalar(1f32) - lit) * rt::Scalar(seen_1.upright))));
+        }
+        let _e77 = cosine;
+        return _e77;
     }
     pub(crate) fn whole_power(
         &self,
@@ -6124,29 +6447,29 @@ impl<'g> Resources<'g> {
         &self,
         normal_10: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
-        cosine: impl rt::Into<rt::Scalar<f32>>,
-        view_8: impl rt::Into<rt::Vec3<f32>>,
-        toward_1: impl rt::Into<rt::Vec3<f32>>,
+        cosine_1: impl rt::Into<rt::Scalar<f32>>,
+        view_9: impl rt::Into<rt::Vec3<f32>>,
+        toward_2: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
         params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine), rt::into(view_8), rt::into(toward_1), rt::into(color_7), rt::into(params_38)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_2), rt::into(color_7), rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
         normal_10: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
-        cosine: rt::Scalar<f32>,
-        view_8: rt::Vec3<f32>,
-        toward_1: rt::Vec3<f32>,
+        cosine_1: rt::Scalar<f32>,
+        view_9: rt::Vec3<f32>,
+        toward_2: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
         params_38: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        if rt::Scalar::into_branch_condition(cosine.elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(cosine_1.elementwise_gt(rt::Scalar(0f32))) {
             let _e11 = rt::Scalar(self.surface_settings.shininess);
             exponent_1 = _e11;
             if rt::Scalar::into_branch_condition(mean.elementwise_lt(rt::Scalar(1f32))) {
@@ -6156,13 +6479,13 @@ impl<'g> Resources<'g> {
                 exponent_1 = wide_2.cast_elem_as_u32();
                 dimmed = ((wide_2 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_10.dot((toward_1 + view_8).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_10.dot((toward_2 + view_9).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_1;
             let _e46 = self.v_whole_power(lobe, _e45);
             let _e47 = dimmed;
             let specular = (_e43.xyz() * (_e46 * _e47));
-            return ((color_7 * cosine) + specular);
+            return ((color_7 * cosine_1) + specular);
         }
         return <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
@@ -6170,28 +6493,28 @@ impl<'g> Resources<'g> {
         &self,
         normal_11: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
-        cosine_1: impl rt::Into<rt::Scalar<f32>>,
-        view_9: impl rt::Into<rt::Vec3<f32>>,
-        toward_2: impl rt::Into<rt::Vec3<f32>>,
+        cosine_2: impl rt::Into<rt::Scalar<f32>>,
+        view_10: impl rt::Into<rt::Vec3<f32>>,
+        toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_11), rt::into(mean_1), rt::into(cosine_1), rt::into(view_9), rt::into(toward_2), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_11), rt::into(mean_1), rt::into(cosine_2), rt::into(view_10), rt::into(toward_3), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
         &self,
         normal_11: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
-        cosine_1: rt::Scalar<f32>,
-        view_9: rt::Vec3<f32>,
-        toward_2: rt::Vec3<f32>,
+        cosine_2: rt::Scalar<f32>,
+        view_10: rt::Vec3<f32>,
+        toward_3: rt::Vec3<f32>,
         color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[4usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_11, mean_1, cosine_1, view_9, toward_2, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_11, mean_1, cosine_2, view_10, toward_3, color_8, _e15);
                 return _e16;
             }
         }
@@ -6199,23 +6522,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn reflected_light(
         &self,
         position_1: impl rt::Into<rt::Vec3<f32>>,
-        at_38: Entered,
+        at_41: Entered,
         hit_23: Hit,
-        seen_1: SeenNormals,
-        view_10: impl rt::Into<rt::Vec3<f32>>,
+        seen_2: SeenNormals,
+        view_11: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), at_38, hit_23, seen_1, rt::into(view_10), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(rt::into(position_1), at_41, hit_23, seen_2, rt::into(view_11), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
         position_1: rt::Vec3<f32>,
-        at_38: Entered,
+        at_41: Entered,
         hit_23: Hit,
-        seen_1: SeenNormals,
-        view_10: rt::Vec3<f32>,
+        seen_2: SeenNormals,
+        view_11: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
@@ -6225,7 +6548,7 @@ impl<'g> Resources<'g> {
         let _e9 = self.surface_settings.diffuse;
         let _e14 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e9.xyz() * color_9) * (rt::Scalar(1f32) - _e14));
-        let _e21 = self.v_ambient_stage(at_38, hit_23, (seen_1.normal * rt::Scalar(seen_1.length)), view_10, diffuse);
+        let _e21 = self.v_ambient_stage(at_41, hit_23, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
         light_15 = _e21;
         'naga_break: loop {
             'naga_continue: {
@@ -6239,8 +6562,8 @@ impl<'g> Resources<'g> {
                     let _e32 = k_9;
                     let _e34 = self.frame.lights[rt::Scalar::into_array_index(_e32)];
                     let _e35 = self.v_toward_light(_e34, position_1);
-                    let _e37 = self.v_seen_cosine(at_38, seen_1, _e35.direction);
-                    let _e41 = self.v_shade_stage(seen_1.normal, rt::Scalar(seen_1.length), _e37, view_10, _e35.direction, diffuse);
+                    let _e37 = self.v_seen_cosine(at_41, seen_2, _e35.direction);
+                    let _e41 = self.v_shade_stage(seen_2.normal, rt::Scalar(seen_2.length), _e37, view_11, _e35.direction, diffuse);
                     let _e42 = light_15;
                     let _e45 = k_9;
                     let _e48 = self.frame.lights[rt::Scalar::into_array_index(_e45)].color;
@@ -6254,33 +6577,33 @@ impl<'g> Resources<'g> {
         let _e61 = light_15;
         return _e61;
     }
-    pub(crate) fn shade_hit(&self, pixel_15: PixelIn, at_39: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_15, at_39, hit_24, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_15: PixelIn, at_42: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_15, at_42, hit_24, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_15: PixelIn, at_39: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        let mut local_38: rt::Scalar<bool>;
+    fn v_shade_hit(&self, pixel_15: PixelIn, at_42: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        let mut local_39: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_39.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_38 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_42.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_39 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_38 = rt::Scalar(true);
+            local_39 = rt::Scalar(true);
         }
-        let _e14 = local_38;
+        let _e14 = local_39;
         if rt::Scalar::into_branch_condition(_e14) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e51 = self.v_height_at(hit_24.uv, rt::Scalar(at_39.path.level));
-        let _e52 = self.v_hit_position(at_39, hit_24);
-        let view_11 = (pixel_15.origin - _e52).normalize();
-        let _e57 = self.v_mesostructure_normals(at_39, hit_24.uv, view_11);
-        let _e60 = self.v_color_or_white(hit_24.uv, rt::Scalar(at_39.footprint));
-        let _e61 = self.v_reflected_light(_e52, at_39, hit_24, _e57, view_11, _e60, visible_1);
+        let _e51 = self.v_height_at(hit_24.uv, rt::Scalar(at_42.path.level));
+        let _e52 = self.v_hit_position(at_42, hit_24);
+        let view_12 = (pixel_15.origin - _e52).normalize();
+        let _e57 = self.v_mesostructure_normals(at_42, hit_24.uv, view_12);
+        let _e60 = self.v_color_or_white(hit_24.uv, rt::Scalar(at_42.footprint));
+        let _e61 = self.v_reflected_light(_e52, at_42, hit_24, _e57, view_12, _e60, visible_1);
         let _e66 = self.frame.forward;
         let depth = (_e52 - pixel_15.origin).dot(_e66.xyz());
         let _e71 = self.v_height_size(rt::Scalar(0u32));
         let _e77 = self.v_cell_of(((hit_24.uv * _e71) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e61, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), hit_24.uv, _e51, _e52, _e57.normal, depth, rt::Scalar(hit_24.t), _e77.cast_elem_as_i32(), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), visible_1[0usize].x(), rt::Scalar(at_39.path.level));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e61, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), hit_24.uv, _e51, _e52, _e57.normal, depth, rt::Scalar(hit_24.t), _e77.cast_elem_as_i32(), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), visible_1[0usize].x(), rt::Scalar(at_42.path.level));
     }
     pub(crate) fn trace(&self, path_46: Path) -> Hit {
         rt::into(self.v_trace(path_46))
@@ -6291,26 +6614,26 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_refine_stage(path_46, _e1);
         return _e2;
     }
-    pub(crate) fn visible_lights(&self, at_40: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_40, hit_25))
+    pub(crate) fn visible_lights(&self, at_43: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_43, hit_25))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_40: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_43: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
         let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_40.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_39 = rt::Scalar(hit_25.found).elementwise_eq(rt::Scalar(0u32));
+        if rt::Scalar::into_branch_condition((!rt::Scalar(at_43.valid).elementwise_eq(rt::Scalar(0u32)))) {
+            local_40 = rt::Scalar(hit_25.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_39 = rt::Scalar(true);
+            local_40 = rt::Scalar(true);
         }
-        let _e14 = local_39;
+        let _e14 = local_40;
         if rt::Scalar::into_branch_condition(_e14) {
             let _e15 = visible_2;
             return _e15;
         }
-        let _e16 = self.v_hit_position(at_40, hit_25);
+        let _e16 = self.v_hit_position(at_43, hit_25);
         'naga_break: loop {
             'naga_continue: {
                 let _e19 = k_10;
@@ -6323,7 +6646,7 @@ impl<'g> Resources<'g> {
                     let _e26 = k_10;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, _e16);
-                    let _e30 = self.v_shadow_stage(at_40, hit_25, _e29);
+                    let _e30 = self.v_shadow_stage(at_43, hit_25, _e29);
                     let _e31 = k_10;
                     visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e37 = k_10;
@@ -6362,6 +6685,7 @@ impl<'g> Resources<'g> {
         Self {
             ambient_map: bound.slot(crate::MapSlot::Ambient),
             color_map: bound.color_map,
+            detail_map: bound.slot(crate::MapSlot::Detail),
             environment_map: bound.slot(crate::MapSlot::Environment),
             frame: bound.frame,
             height_map: bound.height_map,

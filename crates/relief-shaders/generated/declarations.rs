@@ -80,6 +80,9 @@ pub const MODULES: &[Module] = &[
 // both, five normals stand for all of them: they have the same means, and weights as five slopes of a normal
 // distribution have (a cubature of third degree).
 "# },
+    Module { path: "shared/seen_table", head: r#"// What an eye sees of the normals in an area, looked up by the direction of view (Becker and Max 1993): the
+// means that the map kind `seen-normal` holds.
+"# },
     Module { path: "shared/settings", head: r#"// What is the same for all pixels: of a picture, of a surface in it, and of a pass over some of its rows.
 "# },
     Module { path: "shared/shadow_ray", head: r#"// Whether a ray to a light is free, by the search for shadows.
@@ -380,52 +383,59 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "bindings",
+        name: "detail_map",
+        sampling: None,
+        uses: &[],
+        text: r#"@group(0) @binding(5) var detail_map: texture_2d_array<f32>;"#,
+    },
+    Declaration {
+        module: "bindings",
         name: "search_map",
         sampling: None,
         uses: &[],
-        text: r#"@group(0) @binding(5) var search_map: texture_2d_array<f32>;"#,
+        text: r#"@group(0) @binding(6) var search_map: texture_2d_array<f32>;"#,
     },
     Declaration {
         module: "bindings",
         name: "shadow_search_map",
         sampling: None,
         uses: &[],
-        text: r#"@group(0) @binding(6) var shadow_search_map: texture_2d_array<f32>;"#,
+        text: r#"@group(0) @binding(7) var shadow_search_map: texture_2d_array<f32>;"#,
     },
     Declaration {
         module: "bindings",
         name: "shadow_texels",
         sampling: None,
         uses: &[],
-        text: r#"@group(0) @binding(7) var shadow_texels: texture_2d_array<f32>;"#,
+        text: r#"@group(0) @binding(8) var shadow_texels: texture_2d_array<f32>;"#,
     },
     Declaration {
         module: "bindings",
         name: "ambient_map",
         sampling: None,
         uses: &[],
-        text: r#"@group(0) @binding(8) var ambient_map: texture_2d_array<f32>;"#,
+        text: r#"@group(0) @binding(9) var ambient_map: texture_2d_array<f32>;"#,
     },
     Declaration {
         module: "bindings",
         name: "environment_map",
         sampling: None,
         uses: &[],
-        text: r#"@group(0) @binding(9) var environment_map: texture_2d_array<f32>;"#,
+        text: r#"@group(0) @binding(10) var environment_map: texture_2d_array<f32>;"#,
     },
     Declaration {
         module: "bindings",
         name: "frame",
         sampling: None,
         uses: &["Frame"],
-        text: r#"@group(0) @binding(10) var<uniform> frame: Frame;"#,
+        text: r#"@group(0) @binding(11) var<uniform> frame: Frame;"#,
     },
     Declaration {
         module: "bindings",
         name: "pass_settings",
         sampling: None,
         uses: &["PassSettings"],
-        text: r#"@group(0) @binding(11) var<uniform> pass_settings: PassSettings;"#,
+        text: r#"@group(0) @binding(12) var<uniform> pass_settings: PassSettings;"#,
     },
     Declaration {
         module: "bindings",
@@ -618,45 +628,52 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "SLOT_DETAIL",
+        sampling: None,
+        uses: &[],
+        text: r#"const SLOT_DETAIL = 0u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "SLOT_SEARCH",
         sampling: None,
         uses: &[],
-        text: r#"const SLOT_SEARCH = 0u;"#,
+        text: r#"const SLOT_SEARCH = 1u;"#,
     },
     Declaration {
         module: "constants",
         name: "SLOT_SHADOW_SEARCH",
         sampling: None,
         uses: &[],
-        text: r#"const SLOT_SHADOW_SEARCH = 1u;"#,
+        text: r#"const SLOT_SHADOW_SEARCH = 2u;"#,
     },
     Declaration {
         module: "constants",
         name: "SLOT_SHADOW",
         sampling: None,
         uses: &[],
-        text: r#"const SLOT_SHADOW = 2u;"#,
+        text: r#"const SLOT_SHADOW = 3u;"#,
     },
     Declaration {
         module: "constants",
         name: "SLOT_AMBIENT",
         sampling: None,
         uses: &[],
-        text: r#"const SLOT_AMBIENT = 3u;"#,
+        text: r#"const SLOT_AMBIENT = 4u;"#,
     },
     Declaration {
         module: "constants",
         name: "SLOT_ENVIRONMENT",
         sampling: None,
         uses: &[],
-        text: r#"const SLOT_ENVIRONMENT = 4u;"#,
+        text: r#"const SLOT_ENVIRONMENT = 5u;"#,
     },
     Declaration {
         module: "constants",
         name: "MAP_SLOTS",
         sampling: None,
         uses: &[],
-        text: r#"const MAP_SLOTS = 5u;"#,
+        text: r#"const MAP_SLOTS = 6u;"#,
     },
     Declaration {
         module: "constants",
@@ -685,6 +702,27 @@ pub const DECLARATIONS: &[Declaration] = &[
         sampling: None,
         uses: &[],
         text: r#"const PROBE_ROW = 65536u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SEEN_AZIMUTHS",
+        sampling: None,
+        uses: &[],
+        text: r#"const SEEN_AZIMUTHS = 8u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SEEN_ELEVATIONS",
+        sampling: None,
+        uses: &[],
+        text: r#"const SEEN_ELEVATIONS = 4u;"#,
+    },
+    Declaration {
+        module: "constants",
+        name: "SEEN_FIRST_LEVEL",
+        sampling: None,
+        uses: &[],
+        text: r#"const SEEN_FIRST_LEVEL = 2u;"#,
     },
     Declaration {
         module: "constants",
@@ -2021,6 +2059,34 @@ fn environment_texel(place: vec2i, face: i32, level: i32) -> vec4f {
 }"#,
     },
     Declaration {
+        module: "shared/maps",
+        name: "detail_texel",
+        sampling: None,
+        uses: &["SLOT_DETAIL", "decoded", "detail_map", "surface_settings"],
+        text: r#"// A texel of the map of the normals that are seen. One read.
+fn detail_texel(place: vec2i, layer: i32, level: i32) -> vec4f {
+    return decoded(textureLoad(detail_map, place, layer, level), surface_settings.maps[SLOT_DETAIL]);
+}"#,
+    },
+    Declaration {
+        module: "shared/maps",
+        name: "detail_texel_between",
+        sampling: None,
+        uses: &["SEEN_FIRST_LEVEL", "bilinear", "detail_texel", "height_texels", "texels_around"],
+        text: r#"// That map between the four texels around a place, for a level of detail from its first one on. One read.
+fn detail_texel_between(uv: vec2f, layer: i32, level: u32) -> vec4f {
+    let at = texels_around(uv, height_texels(level));
+    let k = i32(level - SEEN_FIRST_LEVEL);
+    return bilinear(
+        detail_texel(vec2i(at.columns.x, at.rows.x), layer, k),
+        detail_texel(vec2i(at.columns.y, at.rows.x), layer, k),
+        detail_texel(vec2i(at.columns.x, at.rows.y), layer, k),
+        detail_texel(vec2i(at.columns.y, at.rows.y), layer, k),
+        at.part,
+    );
+}"#,
+    },
+    Declaration {
         module: "shared/normal",
         name: "normal_from_height",
         sampling: None,
@@ -2576,6 +2642,14 @@ const MOST = 1000000.0;"#,
     },
     Declaration {
         module: "shared/seen_normals",
+        name: "TABLE_TEXELS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Over the texels that a table's texel is wide.
+const TABLE_TEXELS = 0.25;"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
         name: "LEAST_WIDTH",
         sampling: None,
         uses: &[],
@@ -2622,7 +2696,7 @@ struct Normals {
         module: "shared/seen_normals",
         name: "SeenNormals",
         sampling: None,
-        uses: &[],
+        uses: &["SeenTable", "table_part"],
         text: r#"// The normals within a footprint as an eye sees them.
 struct SeenNormals {
     // The direction of their mean, in the world.
@@ -2644,19 +2718,32 @@ struct SeenNormals {
     // What is seen of a slope for each of them, beside what is seen of all.
     middle_seen: f32,
     others_seen: vec4f,
+    // The part in which the table of directions is told in place of them, and what it holds.
+    table_part: f32,
+    table: SeenTable,
 }"#,
     },
     Declaration {
         module: "shared/seen_normals",
         name: "one_seen",
         sampling: None,
-        uses: &["SeenNormals"],
+        uses: &["SeenNormals", "no_table"],
         text: r#"// A single normal, as every eye sees it.
 fn one_seen(normal: vec3f) -> SeenNormals {
     let nothing = vec2f(0.0, 0.0);
     let none = vec3f(0.0, 0.0, 0.0);
     let parts = vec4f(0.0, 0.0, 0.0, 0.0);
-    return SeenNormals(normal, 1.0, 0u, none, none, none, nothing, nothing, nothing, 1.0, 0.0, parts);
+    return SeenNormals(normal, 1.0, 0u, none, none, none, nothing, nothing, nothing, 1.0, 0.0, parts, 0.0, no_table());
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "no_table",
+        sampling: None,
+        uses: &["SeenTable"],
+        text: r#"fn no_table() -> SeenTable {
+    let none = vec3f(0.0, 0.0, 0.0);
+    return SeenTable(none, none, none);
 }"#,
     },
     Declaration {
@@ -2737,7 +2824,7 @@ fn mean_of_five(middle: f32, four: f32) -> f32 {
         module: "shared/seen_normals",
         name: "seen_normals",
         sampling: None,
-        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "sum_of_four", "to_tangent_space"],
+        uses: &["APART", "Entered", "LEAST_DEVIATION", "LEAST_SEEN", "LEAST_UPRIGHT", "Normals", "OUTER", "SeenNormals", "facing_four", "from_tangent_space", "mean_of_five", "no_table", "sum_of_four", "to_tangent_space"],
         text: r#"// The normals of an area as an eye in direction `view` sees them. A part of the area with slope s covers as
 // much of its view as v - s, that is vz - (vx sx + vy sy), and nothing where that is below 0.
 fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
@@ -2783,14 +2870,47 @@ fn seen_normals(at: Entered, normals: Normals, view: vec3f) -> SeenNormals {
         max(v.z, 0.0) * max(v.z, 0.0),
         one / all,
         four / all,
+        0.0,
+        no_table(),
     );
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "table_part",
+        sampling: None,
+        uses: &["Entered", "TABLE_TEXELS", "surface_settings"],
+        text: r#"// The part in which the table of directions is told: as far as the relief is traced flat, and where a
+// footprint is wider than the table's texels.
+fn table_part(at: Entered) -> f32 {
+    if (surface_settings.has_normal == 1u) {
+        return 0.0;
+    }
+    return at.fade * clamp(at.footprint * TABLE_TEXELS - 1.0, 0.0, 1.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_normals",
+        name: "with_table",
+        sampling: None,
+        uses: &["Entered", "SeenNormals", "SeenTable", "from_tangent_space"],
+        text: r#"// The same normals, as the table of directions tells them in that part.
+fn with_table(at: Entered, seen: SeenNormals, table: SeenTable, part: f32) -> SeenNormals {
+    var told = seen;
+    let before = seen.normal * seen.length;
+    let mean = before + (from_tangent_space(at, table.mean) - before) * part;
+    told.normal = normalize(mean);
+    told.length = min(length(mean), 1.0);
+    told.table_part = part;
+    told.table = table;
+    return told;
 }"#,
     },
     Declaration {
         module: "shared/seen_normals",
         name: "seen_cosine",
         sampling: None,
-        uses: &["Entered", "LEAST_SEEN", "MOST", "SeenNormals", "facing_four", "mean_of_five", "sum_of_four", "surface_settings", "to_tangent_space"],
+        uses: &["Entered", "LEAST_SEEN", "MOST", "SeenNormals", "facing_four", "mean_of_five", "sum_of_four", "surface_settings", "table_cosine", "to_tangent_space"],
         text: r#"// The mean cosine between the normals that are seen and a light's direction, 0 for those that face away.
 // Where the relief casts shadows, less of it is lit: as much light falls on all parts as on the base. What
 // is seen from the side lies high, and less of it is in shadow.
@@ -2804,7 +2924,10 @@ fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
     // Bounds that nothing reaches: compilers would add these products in another order.
     let one = min(seen.middle_seen * max(middle, 0.0), MOST);
     let others = min(dot(seen.others_seen, four), MOST);
-    let cosine = mean_of_five(one, others);
+    var cosine = mean_of_five(one, others);
+    if (seen.table_part > 0.0) {
+        cosine = cosine + (table_cosine(seen.table, l) - cosine) * seen.table_part;
+    }
     if (surface_settings.has_shadows == 1u) {
         let falls = l.z - dot(l.xy, seen.slope);
         let facing = facing_four(falls, -dot(l.xy, seen.slope_along), -dot(l.xy, seen.slope_across));
@@ -2819,7 +2942,7 @@ fn seen_cosine(at: Entered, seen: SeenNormals, toward: vec3f) -> f32 {
         module: "shared/seen_normals",
         name: "mesostructure_normals",
         sampling: None,
-        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "levels_of", "normals_of_level", "one_seen", "seen_normals", "surface_settings"],
+        uses: &["Entered", "LEAST_WIDTH", "Normals", "SeenNormals", "finest_normal", "has_table", "levels_of", "normals_of_level", "one_seen", "seen_normals", "surface_settings", "table_of", "table_part", "with_table"],
         text: r#"// The normals within the footprint of a point that an eye in direction `view` sees.
 fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
     // At the side the traced level shows by itself which of its parts face the eye: only what is finer than
@@ -2833,13 +2956,177 @@ fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
         return one_seen(finest_normal(at, uv));
     }
     let fine = normals_of_level(at, uv, levels.fine);
-    if (!(levels.part > 0.0)) {
-        return seen_normals(at, fine, view);
+    var first = fine.first;
+    var second = fine.second;
+    if (levels.part > 0.0) {
+        let coarse = normals_of_level(at, uv, levels.fine + 1u);
+        first = first + (coarse.first - first) * levels.part;
+        second = second + (coarse.second - second) * levels.part;
     }
-    let coarse = normals_of_level(at, uv, levels.fine + 1u);
-    let first = fine.first + (coarse.first - fine.first) * levels.part;
-    let second = fine.second + (coarse.second - fine.second) * levels.part;
-    return seen_normals(at, Normals(first, second), view);
+    let seen = seen_normals(at, Normals(first, second), view);
+    let part = table_part(at);
+    let of_table = levels_of(at.footprint, surface_settings.height_levels);
+    if (part > 0.0 && has_table(of_table)) {
+        return with_table(at, seen, table_of(at, uv, view, of_table), part);
+    }
+    return seen;
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "MOST_SEEN",
+        sampling: None,
+        uses: &[],
+        text: r#"// More than any mean is.
+const MOST_SEEN = 16.0;"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "INNER_DEVIATIONS",
+        sampling: None,
+        uses: &[],
+        text: r#"// A cosine that is spread by a deviation stands for four: so many deviations beside it, two and two, each with
+// its part of the whole (Gauss and Hermite).
+const INNER_DEVIATIONS = 0.7419638;"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "OUTER_DEVIATIONS",
+        sampling: None,
+        uses: &[],
+        text: r#"const OUTER_DEVIATIONS = 2.3344142;"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "PARTS_OF_FOUR",
+        sampling: None,
+        uses: &[],
+        text: r#"const PARTS_OF_FOUR = vec4f(0.45412415, 0.45412415, 0.04587585, 0.04587585);"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "SeenTable",
+        sampling: None,
+        uses: &[],
+        text: r#"// Means of the normals that are seen, in tangent space, and of the products of their parts.
+struct SeenTable {
+    mean: vec3f,
+    // x², y², z²
+    squares: vec3f,
+    // xy, xz, yz
+    products: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "SeenTexel",
+        sampling: None,
+        uses: &[],
+        text: r#"// One direction's values in a texel.
+struct SeenTexel {
+    // x, y, z, x²
+    first: vec4f,
+    // xy, y², xz, yz
+    second: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "seen_between",
+        sampling: None,
+        uses: &["SeenTexel"],
+        text: r#"fn seen_between(a: SeenTexel, b: SeenTexel, part: f32) -> SeenTexel {
+    return SeenTexel(a.first + (b.first - a.first) * part, a.second + (b.second - a.second) * part);
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "seen_texel",
+        sampling: None,
+        uses: &["SEEN_ELEVATIONS", "SeenTexel", "detail_texel_between"],
+        text: r#"// Around a place in a level of detail.
+fn seen_texel(uv: vec2f, azimuth: i32, elevation: i32, level: u32) -> SeenTexel {
+    let layer = 2 * (azimuth * i32(SEEN_ELEVATIONS) + elevation);
+    return SeenTexel(detail_texel_between(uv, layer, level), detail_texel_between(uv, layer + 1, level));
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "seen_in_levels",
+        sampling: None,
+        uses: &["Levels", "SeenTexel", "seen_between", "seen_texel"],
+        text: r#"// Around a place, between two levels.
+fn seen_in_levels(uv: vec2f, azimuth: i32, elevation: i32, levels: Levels) -> SeenTexel {
+    let fine = seen_texel(uv, azimuth, elevation, levels.fine);
+    if (levels.part > 0.0) {
+        return seen_between(fine, seen_texel(uv, azimuth, elevation, levels.fine + 1u), levels.part);
+    }
+    return fine;
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "has_table",
+        sampling: None,
+        uses: &["Levels", "SEEN_FIRST_LEVEL"],
+        text: r#"// Whether levels of detail have a table.
+fn has_table(levels: Levels) -> bool {
+    return levels.fine >= SEEN_FIRST_LEVEL;
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "table_of",
+        sampling: None,
+        uses: &["Entered", "Levels", "SEEN_AZIMUTHS", "SEEN_ELEVATIONS", "SLOT_DETAIL", "SeenTable", "climb", "seen_between", "seen_in_levels", "surface_settings", "turn_of"],
+        text: r#"// What an eye in direction `view` sees around a place, between the four directions of the table around it.
+fn table_of(at: Entered, uv: vec2f, view: vec3f, levels: Levels) -> SeenTable {
+    // As the map was baked, in its own metres.
+    let change = climb(at, view);
+    let tile = surface_settings.maps[SLOT_DETAIL].tile_m;
+    let toward = vec3f(change.xy * tile, change.z * surface_settings.scale_m);
+    let up = toward.z / length(toward);
+    let elevation = clamp(up * f32(SEEN_ELEVATIONS) - 1.0, 0.0, f32(SEEN_ELEVATIONS) - 1.0);
+    let azimuth = turn_of(toward.xy) * f32(SEEN_AZIMUTHS);
+    let a0 = i32(floor(azimuth)) % i32(SEEN_AZIMUTHS);
+    let a1 = (a0 + 1) % i32(SEEN_AZIMUTHS);
+    let e0 = i32(floor(elevation));
+    let e1 = min(e0 + 1, i32(SEEN_ELEVATIONS) - 1);
+    let across = azimuth - floor(azimuth);
+    let low = seen_between(seen_in_levels(uv, a0, e0, levels), seen_in_levels(uv, a1, e0, levels), across);
+    let high = seen_between(seen_in_levels(uv, a0, e1, levels), seen_in_levels(uv, a1, e1, levels), across);
+    let seen = seen_between(low, high, elevation - floor(elevation));
+    // Where a tile is longer than it was baked for, slopes are as much flatter; normals stay as long.
+    let x = tile.x * dot(normalize(at.tangent), at.tangent) / dot(at.tangent, at.tangent);
+    let y = tile.y * dot(normalize(at.bitangent), at.bitangent) / dot(at.bitangent, at.bitangent);
+    let mean = seen.first.xyz;
+    let flatter = vec3f(mean.x * x, mean.y * y, mean.z);
+    let squared = dot(mean, mean) / dot(flatter, flatter);
+    let upright = max(1.0 - seen.first.w - seen.second.y, 0.0);
+    return SeenTable(
+        flatter * sqrt(squared),
+        vec3f(seen.first.w * x * x, seen.second.y * y * y, upright) * squared,
+        vec3f(seen.second.x * x * y, seen.second.z * x, seen.second.w * y) * squared,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/seen_table",
+        name: "table_cosine",
+        sampling: None,
+        uses: &["INNER_DEVIATIONS", "MOST_SEEN", "OUTER_DEVIATIONS", "PARTS_OF_FOUR", "SeenTable"],
+        text: r#"// The mean cosine between those normals and a direction in tangent space, 0 for those that face away.
+fn table_cosine(table: SeenTable, toward: vec3f) -> f32 {
+    let mean = dot(table.mean, toward);
+    // Bounds that nothing reaches: compilers would add these products in another order.
+    let squares = min(dot(table.squares, toward * toward), MOST_SEEN);
+    let pairs = vec3f(toward.x * toward.y, toward.x * toward.z, toward.y * toward.z);
+    let products = min(2.0 * dot(table.products, pairs), MOST_SEEN);
+    let deviation = sqrt(max(squares + products - mean * mean, 0.0));
+    let inner = deviation * INNER_DEVIATIONS;
+    let outer = deviation * OUTER_DEVIATIONS;
+    let four = vec4f(mean + inner, mean - inner, mean + outer, mean - outer);
+    return dot(max(four, vec4f(0.0, 0.0, 0.0, 0.0)), PARTS_OF_FOUR);
 }"#,
     },
     Declaration {

@@ -144,63 +144,63 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 720;
+    const SIZE: usize = 784;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
         self.maps.write(&mut bytes[256..]);
-        self.diffuse.write(&mut bytes[576..]);
-        self.specular.write(&mut bytes[592..]);
-        self.height_size.write(&mut bytes[608..]);
-        self.color_size.write(&mut bytes[616..]);
-        self.normal_size.write(&mut bytes[624..]);
-        self.height_levels.write(&mut bytes[632..]);
-        self.color_levels.write(&mut bytes[636..]);
-        self.normal_levels.write(&mut bytes[640..]);
-        self.color_texels.write(&mut bytes[644..]);
-        self.normal_texels.write(&mut bytes[648..]);
-        self.normal_tile_m.write(&mut bytes[656..]);
-        self.wrap.write(&mut bytes[664..]);
-        self.shininess.write(&mut bytes[668..]);
-        self.has_color.write(&mut bytes[672..]);
-        self.has_normal.write(&mut bytes[676..]);
-        self.has_shadows.write(&mut bytes[680..]);
-        self.scale_m.write(&mut bytes[684..]);
-        self.bias_m.write(&mut bytes[688..]);
-        self.mean_height.write(&mut bytes[692..]);
-        self.transmission.write(&mut bytes[696..]);
-        self.ior.write(&mut bytes[700..]);
-        self.environment_side.write(&mut bytes[704..]);
-        self.environment_levels.write(&mut bytes[708..]);
+        self.diffuse.write(&mut bytes[640..]);
+        self.specular.write(&mut bytes[656..]);
+        self.height_size.write(&mut bytes[672..]);
+        self.color_size.write(&mut bytes[680..]);
+        self.normal_size.write(&mut bytes[688..]);
+        self.height_levels.write(&mut bytes[696..]);
+        self.color_levels.write(&mut bytes[700..]);
+        self.normal_levels.write(&mut bytes[704..]);
+        self.color_texels.write(&mut bytes[708..]);
+        self.normal_texels.write(&mut bytes[712..]);
+        self.normal_tile_m.write(&mut bytes[720..]);
+        self.wrap.write(&mut bytes[728..]);
+        self.shininess.write(&mut bytes[732..]);
+        self.has_color.write(&mut bytes[736..]);
+        self.has_normal.write(&mut bytes[740..]);
+        self.has_shadows.write(&mut bytes[744..]);
+        self.scale_m.write(&mut bytes[748..]);
+        self.bias_m.write(&mut bytes[752..]);
+        self.mean_height.write(&mut bytes[756..]);
+        self.transmission.write(&mut bytes[760..]);
+        self.ior.write(&mut bytes[764..]);
+        self.environment_side.write(&mut bytes[768..]);
+        self.environment_levels.write(&mut bytes[772..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             choices: Shared::read(&bytes[0..]),
             maps: Shared::read(&bytes[256..]),
-            diffuse: Shared::read(&bytes[576..]),
-            specular: Shared::read(&bytes[592..]),
-            height_size: Shared::read(&bytes[608..]),
-            color_size: Shared::read(&bytes[616..]),
-            normal_size: Shared::read(&bytes[624..]),
-            height_levels: Shared::read(&bytes[632..]),
-            color_levels: Shared::read(&bytes[636..]),
-            normal_levels: Shared::read(&bytes[640..]),
-            color_texels: Shared::read(&bytes[644..]),
-            normal_texels: Shared::read(&bytes[648..]),
-            normal_tile_m: Shared::read(&bytes[656..]),
-            wrap: Shared::read(&bytes[664..]),
-            shininess: Shared::read(&bytes[668..]),
-            has_color: Shared::read(&bytes[672..]),
-            has_normal: Shared::read(&bytes[676..]),
-            has_shadows: Shared::read(&bytes[680..]),
-            scale_m: Shared::read(&bytes[684..]),
-            bias_m: Shared::read(&bytes[688..]),
-            mean_height: Shared::read(&bytes[692..]),
-            transmission: Shared::read(&bytes[696..]),
-            ior: Shared::read(&bytes[700..]),
-            environment_side: Shared::read(&bytes[704..]),
-            environment_levels: Shared::read(&bytes[708..]),
+            diffuse: Shared::read(&bytes[640..]),
+            specular: Shared::read(&bytes[656..]),
+            height_size: Shared::read(&bytes[672..]),
+            color_size: Shared::read(&bytes[680..]),
+            normal_size: Shared::read(&bytes[688..]),
+            height_levels: Shared::read(&bytes[696..]),
+            color_levels: Shared::read(&bytes[700..]),
+            normal_levels: Shared::read(&bytes[704..]),
+            color_texels: Shared::read(&bytes[708..]),
+            normal_texels: Shared::read(&bytes[712..]),
+            normal_tile_m: Shared::read(&bytes[720..]),
+            wrap: Shared::read(&bytes[728..]),
+            shininess: Shared::read(&bytes[732..]),
+            has_color: Shared::read(&bytes[736..]),
+            has_normal: Shared::read(&bytes[740..]),
+            has_shadows: Shared::read(&bytes[744..]),
+            scale_m: Shared::read(&bytes[748..]),
+            bias_m: Shared::read(&bytes[752..]),
+            mean_height: Shared::read(&bytes[756..]),
+            transmission: Shared::read(&bytes[760..]),
+            ior: Shared::read(&bytes[764..]),
+            environment_side: Shared::read(&bytes[768..]),
+            environment_levels: Shared::read(&bytes[772..]),
         }
     }
 }

@@ -96,7 +96,7 @@ impl MapNeed {
     /// The level of the kind's texture that is the map's finest.
     pub fn first_level(&self) -> u32 {
         match self.input.levels {
-            MapLevels::One | MapLevels::EachDetail => 0,
+            MapLevels::One | MapLevels::EachDetail | MapLevels::Means => 0,
             MapLevels::ChainFrom(first) => first,
         }
     }
@@ -136,6 +136,7 @@ impl MapNeed {
             MapLevels::One => levels == 1 && about.first_level == 0,
             MapLevels::EachDetail => levels == heights.levels() && about.first_level == 0,
             MapLevels::ChainFrom(first) => about.first_level == first,
+            MapLevels::Means => about.first_level == 0,
         };
         let wanted = self.input.levels;
         (!right).then_some(MapProblem::Levels { given: about.first_level, levels, wanted })

@@ -3,6 +3,8 @@
 /// A slot: a texture of layers and levels that one stage reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapSlot {
+    /// What is seen of normals that are far away.
+    Detail,
     /// What the search of view rays reads.
     Search,
     /// What the search of shadow rays reads.
@@ -17,12 +19,19 @@ pub enum MapSlot {
 
 impl MapSlot {
     /// Every slot, in the order of the settings' array.
-    pub const ALL: [MapSlot; 5] =
-        [MapSlot::Search, MapSlot::ShadowSearch, MapSlot::Shadow, MapSlot::Ambient, MapSlot::Environment];
+    pub const ALL: [MapSlot; 6] = [
+        MapSlot::Detail,
+        MapSlot::Search,
+        MapSlot::ShadowSearch,
+        MapSlot::Shadow,
+        MapSlot::Ambient,
+        MapSlot::Environment,
+    ];
 
     /// Its key in names.
     pub const fn key(self) -> &'static str {
         match self {
+            MapSlot::Detail => "detail",
             MapSlot::Search => "search",
             MapSlot::ShadowSearch => "shadow_search",
             MapSlot::Shadow => "shadow",
@@ -34,6 +43,7 @@ impl MapSlot {
     /// The texture's name in the shaders.
     pub const fn name(self) -> &'static str {
         match self {
+            MapSlot::Detail => "detail_map",
             MapSlot::Search => "search_map",
             MapSlot::ShadowSearch => "shadow_search_map",
             MapSlot::Shadow => "shadow_texels",
@@ -45,6 +55,7 @@ impl MapSlot {
     /// What it holds, for people.
     pub const fn holds(self) -> &'static str {
         match self {
+            MapSlot::Detail => "the baked map of the normals that are seen from fixed directions",
             MapSlot::Search => "the baked map that the search of view rays reads",
             MapSlot::ShadowSearch => "the baked map that the search of shadow rays reads",
             MapSlot::Shadow => "the baked map that shadows are looked up in",

@@ -55,7 +55,7 @@ pub const STAGES: [Stage; 8] = [
         entries: detail::ENTRIES,
         inputs: &[("pixel", "PixelIn"), ("at", "Entered")],
         returns: "Detail",
-        slot: None,
+        slot: Some(MapSlot::Detail),
         rays: &[],
     },
     Stage {

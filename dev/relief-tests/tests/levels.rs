@@ -133,9 +133,12 @@ fn what_is_hardly_deeper_than_a_pixel_is_as_well_seen_flat() {
             let [levels, faded] = seen.shown(["footprint", "fade"]);
             let case = format!("{} {tilt_deg} {texels}: {levels:.4?}\n{faded:.4?}", named.name);
             println!("{case}");
-            assert!(faded.error < 1.1 * levels.error, "{case}");
-            assert!(faded.reads < 0.9 * levels.reads, "{case}");
-            assert!((faded.brightness - 1.0).abs() < 0.08, "{case}");
+            // Of smooth ground there is little to redistribute.
+            let is_rough = named.name == "cobbles";
+            assert!(faded.error < if is_rough { 0.75 } else { 1.5 } * levels.error, "{case}");
+            assert!(faded.flicker < if is_rough { 0.5 } else { 1.1 } * levels.flicker, "{case}");
+            assert!(faded.reads < 0.75 * levels.reads, "{case}");
+            assert!((faded.brightness - 1.0).abs() < 0.04, "{case}");
         }
     }
 }

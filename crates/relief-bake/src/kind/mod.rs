@@ -12,6 +12,7 @@ pub mod normal;
 pub mod occlusion;
 pub mod pyramid;
 pub mod relaxed_cone;
+pub mod seen_normal;
 pub mod visibility;
 
 use relief_core::registry::{Param, Publication, UnknownName};
@@ -75,6 +76,7 @@ pub const KINDS: &[Kind] = &[
     bent_normal::KIND,
     visibility::KIND,
     bounce::KIND,
+    seen_normal::KIND,
 ];
 
 /// The kind of that name.

@@ -3,6 +3,7 @@
 pub mod code;
 pub mod cone;
 pub mod half;
+pub mod seen_normal;
 
 /// Which side a stored value may be rounded to without breaking the map's guarantee.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,8 +1,12 @@
 //! Registry entry of the detail `fade`.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication};
+use relief_core::encoding::seen_normal;
+use relief_core::registry::{
+    Entry, Guarantee, Guarantees, MapInput, MapLevels, MapSetting, Param, Publication,
+};
 
 use super::{ANISOTROPY, TEXELS};
+use crate::scene_maps::scene_map;
 
 /// Flatter with distance, down to bump mapping.
 pub const ENTRY: Entry = Entry {
@@ -13,7 +17,16 @@ pub const ENTRY: Entry = Entry {
             Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU",
         section: "4.1.1",
     },
-    maps: &[],
+    maps: &[MapInput {
+        levels: MapLevels::Means,
+        ..scene_map(
+            "seen-normal",
+            &[
+                ("azimuths", MapSetting::Fixed(seen_normal::AZIMUTHS as f32)),
+                ("elevations", MapSetting::Fixed(seen_normal::ELEVATIONS as f32)),
+            ],
+        )
+    }],
     params: &[
         ANISOTROPY,
         TEXELS,
@@ -42,6 +55,7 @@ pub const ENTRY: Entry = Entry {
     argument: "Heights are drawn toward the map's mean, so a ray meets another surface than that of the level, \
         with a search's and a refinement's promises for that one. A point of it moves by at most the part that \
         is flattened of the relief's depth: with the defaults by two thirds of a pixel, seen from the side. \
-        Normals, and the rays of shadows, are those of the relief as it is. What an eye at the side sees of \
-        the normals is made from their moments, for every direction: no tables of directions are baked.",
+        Normals, and the rays of shadows, are those of the relief as it is. Where a footprint is wider than \
+        four texels, what an eye sees of the normals is looked up by its direction, as baked from 32 \
+        directions; elsewhere, and of a given normal map, it is made from the moments of the normals.",
 };

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use relief_core::encoding::cone::HALF_RATIO;
+use relief_core::encoding::seen_normal;
 use relief_core::{FoundState, RayUse, Wrap};
 use relief_shaders::{LightRayState, MAX_LIGHTS, MapSlot, STAGES, wgsl};
 
@@ -32,6 +33,9 @@ pub fn module() -> String {
     constant("SHADE_GROUP", wgsl::SHADE_GROUP);
     constant("PROBE_GROUP", wgsl::PROBE_GROUP);
     constant("PROBE_ROW", wgsl::PROBE_ROW);
+    constant("SEEN_AZIMUTHS", seen_normal::AZIMUTHS);
+    constant("SEEN_ELEVATIONS", seen_normal::ELEVATIONS);
+    constant("SEEN_FIRST_LEVEL", seen_normal::FIRST_LEVEL);
     constant("STAGES", STAGES.len() as u32);
     let _ = writeln!(text, "const CONE_HALF_RATIO = {HALF_RATIO:?};");
     text

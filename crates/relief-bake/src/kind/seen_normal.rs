@@ -1,0 +1,188 @@
+//! Seen normals: what an eye in each of some fixed directions sees of the relief's normals.
+//!
+//! Becker and Max 1993, *Smooth transitions between bump rendering algorithms*, redistribute the normals of a
+//! bump map so that an eye sees as much of each as it would of the displaced surface; Szirmay-Kalos and
+//! Umenhoffer 2008, section 4.1.1. They tabulate the distribution of the normals by the direction of view.
+//! Here every texel has a table of its own: it holds the means over its area.
+//!
+//! # What is stored
+//!
+//! The texture has a quarter of the map's sides, rounded down, and all its levels, each a mean over areas. For
+//! azimuth `a` and elevation `e` the rays come from the eye at the angle `2π a / azimuths` in metres from `+u`
+//! towards `+v`, under the elevation whose sine is `(e + 1) / elevations`: the last looks straight down. The
+//! ray through a point of a texel's area is the one that crosses the plane at the map's mean height there, and
+//! `n` is the unit normal where it first meets the relief, in tangent space with `y` along falling `v`: of
+//! the heights' central differences over two texels. Slice `2 (a * elevations + e)` holds the means of `x`,
+//! `y`, `z` and `x²`, the next one those of `xy`, `y²`, `xz` and `yz`. (`z²` is what is missing to 1.)
+//!
+//! # Guarantee
+//!
+//! One ray for each texel of the map, whose hit is the exact first hit to `f32` rounding of the fast exact
+//! tracer. A mean over many texels is that of its rays; the area between the rays is not looked at.
+
+use relief_core::area_mean::{coarser, coarser_of, coarser_size, level_count};
+use relief_core::encoding::seen_normal::{self, FIRST_LEVEL};
+use relief_core::exact::FastTracer;
+use relief_core::registry::{Param, Publication};
+use relief_core::{HeightMap, Metric, Path, PathMetric, Rounding};
+
+use super::visibility::ELEVATIONS;
+use super::{BITS_TO_NEAREST, Kind, Reach, to_nearest};
+use crate::azimuths::{self, unit_vector};
+use crate::{BakeError, BakeInput, Channel, Progress, Settings, Shape, Sink, Texture};
+
+/// Numbers of a direction: the means of a normal's parts and of their products.
+const MEANS: usize = 8;
+
+/// The kind.
+pub const KIND: Kind = Kind {
+    name: "seen-normal",
+    summary: "means of the normals that are seen from each of some fixed directions, for what is far away",
+    revision: 1,
+    publication: Publication {
+        paper: "Becker and Max 1993; Szirmay-Kalos and Umenhoffer 2008",
+        section: "4.1.1",
+    },
+    params: &[
+        Param {
+            summary: "directions along the base plane from which is looked",
+            default: seen_normal::AZIMUTHS as f32,
+            max: 64.0,
+            ..azimuths::AZIMUTHS
+        },
+        Param {
+            summary: "elevations in each azimuth, equally spaced in the sine",
+            default: seen_normal::ELEVATIONS as f32,
+            ..ELEVATIONS
+        },
+        BITS_TO_NEAREST,
+    ],
+    guarantee: "the mean over one ray a texel, each to its exact first hit, to rounding of f32",
+    is_picture: false,
+    shapes: |size, settings| vec![shape(size, settings.count(0) * settings.count(1))],
+    reach: |_| Reach::Everything,
+    bake,
+};
+
+/// Two slices a direction, and all levels.
+fn shape(map: [u32; 2], directions: u32) -> Shape {
+    let first = FIRST_LEVEL.min(level_count(map) - 1);
+    let mut size = (0..first).fold(map, |size, _| coarser_size(size));
+    let mut shape = Shape::slices("", size, 2 * directions, 4);
+    while size != [1, 1] {
+        size = coarser_size(size);
+        shape.mips.push([size[0], size[1], 2 * directions]);
+    }
+    shape
+}
+
+/// What the rays toward an eye see.
+struct Eye<'a> {
+    map: &'a HeightMap,
+    tracer: &'a FastTracer,
+    metric: Metric,
+    /// How far a ray moves, in texture coordinates, on its way down by a height of 1.
+    down: [f64; 2],
+    /// The height at which a texel's ray crosses over it.
+    middle: f64,
+}
+
+impl Eye<'_> {
+    /// The normal that is seen over a point, and the products of its parts.
+    fn seen(&self, uv: [f64; 2]) -> [f32; MEANS] {
+        let start = [0, 1].map(|axis| uv[axis] - self.down[axis] * (1.0 - self.middle));
+        let path = Path {
+            uv: start,
+            duv: self.down,
+            h: [1.0, -1.0, 0.0],
+            exit: 1.0,
+            base: 0.0,
+            metric: PathMetric::unit(1.0),
+        };
+        let hit = self.tracer.trace(&path).hit;
+        // A ray along the lowest level may leave it by a rounding.
+        let [x, y, z] = self.normal(if hit.found { hit.uv } else { uv });
+        [x, y, z, x * x, x * y, y * y, x * z, y * z].map(|mean| mean as f32)
+    }
+
+    /// The unit normal at a point.
+    fn normal(&self, [u, v]: [f64; 2]) -> [f64; 3] {
+        let [du, dv] = [1.0 / f64::from(self.map.width()), 1.0 / f64::from(self.map.height())];
+        let rise_u = self.map.height_at(u + du, v) - self.map.height_at(u - du, v);
+        let rise_v = self.map.height_at(u, v + dv) - self.map.height_at(u, v - dv);
+        let Metric { tile_m, scale_m } = self.metric;
+        let (x, y) = (-rise_u * scale_m / (2.0 * du * tile_m[0]), rise_v * scale_m / (2.0 * dv * tile_m[1]));
+        let length = (x * x + y * y + 1.0).sqrt();
+        [x / length, y / length, 1.0 / length]
+    }
+}
+
+/// The working set is the finest level of the texture, which is 16 maps with the default directions, and 6 maps.
+fn bake(
+    source: &BakeInput,
+    settings: &Settings,
+    progress: &Progress,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    let (azimuths, elevations, bits) = (settings.count(0), settings.count(1), settings.count(2));
+    let (map, metric) = (source.map, source.metric);
+    let channels = ["x or xy", "y or yy", "z or xz", "xx or yz"].map(|name| Channel {
+        name,
+        unit: "1",
+        range: [-1.0, 1.0],
+        rounding: Rounding::Nearest,
+    });
+    let full = azimuths::texture(source, azimuths, 2 * azimuths * elevations, channels.to_vec());
+    let Shape { size, mips, .. } = shape([map.width(), map.height()], azimuths * elevations);
+    let mut texture = Texture { size, mips, ..full };
+    texture.notes.push(("elevations", format!("{elevations}: sin = (e + 1) / {elevations}")));
+    sink.begin(&texture)?;
+
+    let tracer = FastTracer::new(map);
+    let middle = f64::from(map.mean());
+    let directions = azimuths * elevations;
+    let mut level = Vec::new();
+    for direction in 0..directions {
+        progress.at(direction as f32 / directions as f32)?;
+        let (azimuth, elevation) = (direction / elevations, direction % elevations);
+        let up = f64::from(elevation + 1) / f64::from(elevations);
+        let flat = (1.0 - up * up).max(0.0).sqrt() / up;
+        let [cos, sin] = unit_vector(azimuth, azimuths);
+        let along = [cos * flat / metric.tile_m[0], sin * flat / metric.tile_m[1]];
+        let down = along.map(|x| -x * metric.scale_m);
+        level.push(finest(&Eye { map, tracer: &tracer, metric, down, middle }));
+    }
+    let mut size = [texture.size[0], texture.size[1]];
+    loop {
+        for means in &level {
+            for half in 0..2 {
+                let plane = |part: usize| means.iter().map(|mean| mean[4 * half + part]).collect();
+                let mut planes: [Vec<f32>; 4] = std::array::from_fn(plane);
+                to_nearest(sink, &channels, bits, &mut planes.each_mut().map(Vec::as_mut_slice))?;
+            }
+        }
+        if size == [1, 1] {
+            return Ok(());
+        }
+        for means in &mut level {
+            *means = coarser(means, size);
+        }
+        size = coarser_size(size);
+    }
+}
+
+/// The finest level of a direction.
+fn finest(eye: &Eye) -> Vec<[f32; MEANS]> {
+    let size = [eye.map.width(), eye.map.height()];
+    let levels = level_count(size);
+    let width = size[0] as usize;
+    let place = |at: usize| {
+        let [i, j] = [at % width, at / width].map(|index| index as f64 + 0.5);
+        [i / f64::from(size[0]), j / f64::from(size[1])]
+    };
+    if levels == 1 {
+        return vec![eye.seen(place(0))];
+    }
+    let means = coarser_of(|at| eye.seen(place(at)), size);
+    if levels > FIRST_LEVEL { coarser(&means, coarser_size(size)) } else { means }
+}
