@@ -181,8 +181,9 @@ struct Ready<'a> {
     sides: Sides,
     /// The exact tracers of all levels of detail.
     tracers: Option<Arc<[FastTracer]>>,
-    /// Whether they serve shadows, too.
+    /// Whether they serve shadows, too, and to how many points of a light these send rays.
     traces_shadows: bool,
+    points_of_lights: u32,
     lights: u32,
 }
 
@@ -201,6 +202,7 @@ impl<'a> Ready<'a> {
             sides,
             tracers,
             traces_shadows: surface.selection.has_exact_shadows(),
+            points_of_lights: surface.selection.points_of_lights(),
             lights: frame.light_count,
         }
     }
@@ -248,14 +250,18 @@ impl<'a> Ready<'a> {
         if hit.found == 0 {
             return visible;
         }
+        let count = self.points_of_lights;
         for (visible, light) in visible.iter_mut().zip(0..self.lights) {
-            let ray = self.program.ray_to_light(at, hit, light);
-            let is_lit = if ray.state == LightRayState::Open as u32 {
-                !tracer.trace(&(&ray.path).into()).hit.found
-            } else {
-                ray.state == LightRayState::Lit as u32
+            let is_lit = |point: &u32| {
+                let ray = self.program.ray_to_light(at, hit, light, [*point, count]);
+                if ray.state == LightRayState::Open as u32 {
+                    !tracer.trace(&(&ray.path).into()).hit.found
+                } else {
+                    ray.state == LightRayState::Lit as u32
+                }
             };
-            visible.x = f32::from(u8::from(is_lit));
+            let rays = count.max(1);
+            visible.x = (0..rays).filter(is_lit).count() as f32 / rays as f32;
         }
         visible
     }

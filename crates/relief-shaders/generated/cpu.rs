@@ -909,11 +909,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_11 = level_3.cast_elem_as_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_11);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_11);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_11);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_11);
+        let k_12 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_12);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_12);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_12);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_12);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -1120,11 +1120,11 @@ impl<'g> Resources<'g> {
         let most_2 = (last_1 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
         let corner_1 = point_3.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_4 = corner_1.cast_elem_as_i32();
-        let k_12 = level_6.cast_elem_as_i32();
-        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_12);
-        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_12);
-        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_12);
-        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_12);
+        let k_13 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_13);
+        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_13);
+        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_13);
+        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_13);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_3 - corner_1));
         return _e55.xyz();
     }
@@ -1339,15 +1339,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_13 = level_8.cast_elem_as_i32();
+        let k_14 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_13));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_13));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_13));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_13));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_14));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_14));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_14));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_14));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -1602,11 +1602,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_14 = level_10.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_14));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_14));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_14));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_14));
+        let k_15 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_15));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_15));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_15));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_15));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -1935,11 +1935,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_15 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_15);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_15);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_15);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_15);
+        let k_16 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_16);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_16);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_16);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_16);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -2059,8 +2059,8 @@ impl<'g> Resources<'g> {
         let e2_ = (pixel_9.c.position - a_5);
         let n_8 = e1_.cross(e2_);
         let nn = n_8.dot(n_8);
-        let toward_4 = n_8.dot(pixel_9.direction);
-        let distance = (n_8.dot((a_5 - pixel_9.origin)) / toward_4);
+        let toward_5 = n_8.dot(pixel_9.direction);
+        let distance = (n_8.dot((a_5 - pixel_9.origin)) / toward_5);
         let point_5 = (pixel_9.origin + (pixel_9.direction * distance));
         let from_a = (point_5 - a_5);
         let wb = (from_a.cross(e2_).dot(n_8) / nn);
@@ -2404,11 +2404,11 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_14);
         let _e7 = self.v_texels_around(uv_8, _e6);
-        let k_16 = level_14.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_16));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_16));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_16));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_16));
+        let k_17 = level_14.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_17));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_17));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_17));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_17));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
@@ -4852,10 +4852,10 @@ impl<'g> Resources<'g> {
         let _e4 = self.v_climb(at_27, view_7);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up = (toward_5.z() / toward_5.length());
+        let toward_6 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up = (toward_6.z() / toward_6.length());
         let elevation_3 = ((up * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
-        let _e29 = self.v_turn_of(toward_5.xy());
+        let _e29 = self.v_turn_of(toward_6.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
         let a0_ = (azimuth_3.floor().cast_elem_as_i32() % rt::Scalar(8i32));
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
@@ -5896,9 +5896,9 @@ impl<'g> Resources<'g> {
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
-        let toward_6 = ((light_8.direction + (right_2 * place_10.x())) + (up_1 * place_10.y()));
-        let along_5 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_5)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_5), rt::Scalar(0f32));
+        let toward_7 = ((light_8.direction + (right_2 * place_10.x())) + (up_1 * place_10.y()));
+        let along_5 = toward_7.length();
+        return <Toward>::new((toward_7 / rt::Vec3::splat_from_scalar(along_5)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_5), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
@@ -5920,19 +5920,19 @@ impl<'g> Resources<'g> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_2 = params_34.x().cast_elem_as_u32();
+        let count_3 = params_34.x().cast_elem_as_u32();
         let _e6 = self.v_seed_of(hit_15);
         'naga_break: loop {
             'naga_continue: {
                 let _e11 = k_7;
-                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_2)) {
+                if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_3)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
                     let _e14 = k_7;
-                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_2);
+                    let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_3);
                     let _e16 = self.v_free_way(at_32, hit_15, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_7;
@@ -5941,7 +5941,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e21 = free;
-        return (_e21 / count_2.cast_elem_as_f32());
+        return (_e21 / count_3.cast_elem_as_f32());
     }
     pub(crate) fn shadow_heuristic(
         &self,
@@ -6026,11 +6026,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
         let _e4 = self.v_texels_around(uv_18, _e3);
-        let k_17 = level_23.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_17);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_17);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_17);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_17);
+        let k_18 = level_23.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_18);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_18);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_18);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_18);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -6080,12 +6080,12 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_turn_of(along_6);
         let azimuth_4 = (_e13 * params_36.x());
         let first_8 = azimuth_4.floor();
-        let count_3 = params_36.x().cast_elem_as_i32();
-        let before_3 = (first_8.cast_elem_as_i32() % count_3);
+        let count_4 = params_36.x().cast_elem_as_i32();
+        let before_3 = (first_8.cast_elem_as_i32() % count_4);
         let part_8 = (azimuth_4 - first_8);
         let _e25 = self.v_shadow_texel_between(hit_17.uv, before_3, rt::Scalar(at_34.path.level));
         let low_3 = _e25.x();
-        let _e33 = self.v_shadow_texel_between(hit_17.uv, ((before_3 + rt::Scalar(1i32)) % count_3), rt::Scalar(at_34.path.level));
+        let _e33 = self.v_shadow_texel_between(hit_17.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_34.path.level));
         let sine = (low_3 + ((_e33.x() - low_3) * part_8));
         let squared_4 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
         let far_9 = (squared_4 * along_6.dot(along_6)).sqrt();
@@ -6301,11 +6301,11 @@ impl<'g> Resources<'g> {
         position: rt::Vec3<f32>,
     ) -> Toward {
         if rt::Scalar::into_branch_condition(light_14.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_7 = (light_14.place.xyz() - position);
-            let squared_6 = toward_7.dot(toward_7);
+            let toward_8 = (light_14.place.xyz() - position);
+            let squared_6 = toward_8.dot(toward_8);
             let distance_1 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_7.normalize(), falloff, distance_1, (light_14.color.w() / distance_1));
+            return <Toward>::new(toward_8.normalize(), falloff, distance_1, (light_14.color.w() / distance_1));
         }
         return <Toward>::new(light_14.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_14.color.w());
     }
@@ -6314,8 +6314,10 @@ impl<'g> Resources<'g> {
         at_39: Entered,
         hit_22: Hit,
         number: impl rt::Into<rt::Scalar<u32>>,
+        k_9: impl rt::Into<rt::Scalar<u32>>,
+        count_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_39, hit_22, rt::into(number)))
+        rt::into(self.v_ray_to_light(at_39, hit_22, rt::into(number), rt::into(k_9), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
@@ -6323,29 +6325,41 @@ impl<'g> Resources<'g> {
         at_39: Entered,
         hit_22: Hit,
         number: rt::Scalar<u32>,
+        k_9: rt::Scalar<u32>,
+        count_2: rt::Scalar<u32>,
     ) -> LightRay {
-        let _e6 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e7 = self.v_hit_position(at_39, hit_22);
-        let _e8 = self.v_toward_light(_e6, _e7);
-        let _e9 = self.v_light_ray(at_39, hit_22, _e8);
-        return _e9;
+        let mut toward: Toward;
+
+        let _e8 = self.frame.lights[rt::Scalar::into_array_index(number)];
+        let _e9 = self.v_hit_position(at_39, hit_22);
+        let _e10 = self.v_toward_light(_e8, _e9);
+        toward = _e10;
+        if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
+            let _e14 = toward;
+            let _e15 = self.v_seed_of(hit_22);
+            let _e16 = self.v_point_of_disc(_e14, _e15, k_9, count_2);
+            toward = _e16;
+        }
+        let _e17 = toward;
+        let _e18 = self.v_light_ray(at_39, hit_22, _e17);
+        return _e18;
     }
     pub(crate) fn table_cosine(
         &self,
         table_1: SeenTable,
-        toward: impl rt::Into<rt::Vec3<f32>>,
+        toward_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_table_cosine(table_1, rt::into(toward)))
+        rt::into(self.v_table_cosine(table_1, rt::into(toward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_cosine(
         &self,
         table_1: SeenTable,
-        toward: rt::Vec3<f32>,
+        toward_1: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let mean_5 = table_1.mean.dot(toward);
-        let squares_1 = table_1.squares.dot((toward * toward)).min(rt::Scalar(16f32));
-        let pairs = <rt::Vec3<f32>>::from_scalars((toward.x() * toward.y()), (toward.x() * toward.z()), (toward.y() * toward.z()));
+        let mean_5 = table_1.mean.dot(toward_1);
+        let squares_1 = table_1.squares.dot((toward_1 * toward_1)).min(rt::Scalar(16f32));
+        let pairs = <rt::Vec3<f32>>::from_scalars((toward_1.x() * toward_1.y()), (toward_1.x() * toward_1.z()), (toward_1.y() * toward_1.z()));
         let products = (rt::Scalar(2f32) * table_1.products.dot(pairs)).min(rt::Scalar(16f32));
         let deviation_1 = ((squares_1 + products) - (mean_5 * mean_5)).max(rt::Scalar(0f32)).sqrt();
         let inner = (deviation_1 * rt::Scalar(0.7419638f32));
@@ -6357,23 +6371,23 @@ impl<'g> Resources<'g> {
         &self,
         at_40: Entered,
         seen_1: SeenNormals,
-        toward_1: impl rt::Into<rt::Vec3<f32>>,
+        toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_40, seen_1, rt::into(toward_1)))
+        rt::into(self.v_seen_cosine(at_40, seen_1, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
         at_40: Entered,
         seen_1: SeenNormals,
-        toward_1: rt::Vec3<f32>,
+        toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
         let mut cosine: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.differ).elementwise_eq(rt::Scalar(0u32))) {
-            return seen_1.normal.dot(toward_1).max(rt::Scalar(0f32));
+            return seen_1.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_40, toward_1);
+        let _e10 = self.v_to_tangent_space(at_40, toward_2);
         let middle_6 = seen_1.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_6, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_6.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -6449,11 +6463,11 @@ impl<'g> Resources<'g> {
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
         view_9: impl rt::Into<rt::Vec3<f32>>,
-        toward_2: impl rt::Into<rt::Vec3<f32>>,
+        toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
         params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_2), rt::into(color_7), rt::into(params_38)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_3), rt::into(color_7), rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -6462,7 +6476,7 @@ impl<'g> Resources<'g> {
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
         view_9: rt::Vec3<f32>,
-        toward_2: rt::Vec3<f32>,
+        toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
         params_38: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
@@ -6479,7 +6493,7 @@ impl<'g> Resources<'g> {
                 exponent_1 = wide_2.cast_elem_as_u32();
                 dimmed = ((wide_2 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_10.dot((toward_2 + view_9).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_10.dot((toward_3 + view_9).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_1;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -6495,10 +6509,10 @@ impl<'g> Resources<'g> {
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
         view_10: impl rt::Into<rt::Vec3<f32>>,
-        toward_3: impl rt::Into<rt::Vec3<f32>>,
+        toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_11), rt::into(mean_1), rt::into(cosine_2), rt::into(view_10), rt::into(toward_3), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_11), rt::into(mean_1), rt::into(cosine_2), rt::into(view_10), rt::into(toward_4), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
@@ -6507,14 +6521,14 @@ impl<'g> Resources<'g> {
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
         view_10: rt::Vec3<f32>,
-        toward_3: rt::Vec3<f32>,
+        toward_4: rt::Vec3<f32>,
         color_8: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
         let _e10 = rt::Scalar(self.surface_settings.choices[4usize].number);
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[4usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_11, mean_1, cosine_2, view_10, toward_3, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_11, mean_1, cosine_2, view_10, toward_4, color_8, _e15);
                 return _e16;
             }
         }
@@ -6543,7 +6557,7 @@ impl<'g> Resources<'g> {
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_15: rt::Vec3<f32>;
-        let mut k_9: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e9 = self.surface_settings.diffuse;
         let _e14 = rt::Scalar(self.surface_settings.transmission);
@@ -6552,25 +6566,25 @@ impl<'g> Resources<'g> {
         light_15 = _e21;
         'naga_break: loop {
             'naga_continue: {
-                let _e25 = k_9;
+                let _e25 = k_10;
                 let _e28 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e25.elementwise_lt(_e28)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e32 = k_9;
+                    let _e32 = k_10;
                     let _e34 = self.frame.lights[rt::Scalar::into_array_index(_e32)];
                     let _e35 = self.v_toward_light(_e34, position_1);
                     let _e37 = self.v_seen_cosine(at_41, seen_2, _e35.direction);
                     let _e41 = self.v_shade_stage(seen_2.normal, rt::Scalar(seen_2.length), _e37, view_11, _e35.direction, diffuse);
                     let _e42 = light_15;
-                    let _e45 = k_9;
+                    let _e45 = k_10;
                     let _e48 = self.frame.lights[rt::Scalar::into_array_index(_e45)].color;
-                    let _e52 = k_9;
+                    let _e52 = k_10;
                     light_15 = (_e42 + ((_e41 * _e48.xyz()) * (rt::Scalar(_e35.falloff) * visible[rt::Scalar::into_array_index(_e52)].x())));
-                    let _e58 = k_9;
-                    k_9 = (_e58 + rt::Scalar(1u32));
+                    let _e58 = k_10;
+                    k_10 = (_e58 + rt::Scalar(1u32));
                 }
             }
         }
@@ -6621,7 +6635,7 @@ impl<'g> Resources<'g> {
     fn v_visible_lights(&self, at_43: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut local_40: rt::Scalar<bool>;
-        let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_11: rt::Scalar<u32> = rt::Scalar(0u32);
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(at_43.valid).elementwise_eq(rt::Scalar(0u32)))) {
             local_40 = rt::Scalar(hit_25.found).elementwise_eq(rt::Scalar(0u32));
@@ -6636,21 +6650,21 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_hit_position(at_43, hit_25);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_10;
+                let _e19 = k_11;
                 let _e22 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = k_10;
+                    let _e26 = k_11;
                     let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
                     let _e29 = self.v_toward_light(_e28, _e16);
                     let _e30 = self.v_shadow_stage(at_43, hit_25, _e29);
-                    let _e31 = k_10;
+                    let _e31 = k_11;
                     visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e37 = k_10;
-                    k_10 = (_e37 + rt::Scalar(1u32));
+                    let _e37 = k_11;
+                    k_11 = (_e37 + rt::Scalar(1u32));
                 }
             }
         }

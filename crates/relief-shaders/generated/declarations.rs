@@ -2425,10 +2425,15 @@ fn hit_position(at: Entered, hit: Hit) -> vec3f {
         module: "shared/pixel",
         name: "ray_to_light",
         sampling: None,
-        uses: &["Entered", "Hit", "LightRay", "frame", "hit_position", "light_ray", "toward_light"],
-        text: r#"// The ray from a hit to the light of that number.
-fn ray_to_light(at: Entered, hit: Hit, number: u32) -> LightRay {
-    return light_ray(at, hit, toward_light(frame.lights[number], hit_position(at, hit)));
+        uses: &["Entered", "Hit", "LightRay", "frame", "hit_position", "light_ray", "point_of_disc", "seed_of", "toward_light"],
+        text: r#"// The ray from a hit to the light of that number: to point `k` of `count` on its disc, or to its centre where
+// `count` is 0.
+fn ray_to_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> LightRay {
+    var toward = toward_light(frame.lights[number], hit_position(at, hit));
+    if (count > 0u) {
+        toward = point_of_disc(toward, seed_of(hit), k, count);
+    }
+    return light_ray(at, hit, toward);
 }"#,
     },
     Declaration {

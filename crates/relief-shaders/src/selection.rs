@@ -356,7 +356,14 @@ impl Selection {
     /// Whether shadows are those of rays through the exact search without a baked map.
     pub fn has_exact_shadows(&self) -> bool {
         let [shadow, search] = [SHADOW, SHADOW_SEARCH].map(|stage| self.choices[stage].number as usize);
-        shadow == RAY && search == CELLS
+        (shadow == RAY || shadow == SOFT) && search == CELLS
+    }
+
+    /// To how many points of a light's disc shadows send rays: 0 where they send one to its centre, or none.
+    pub fn points_of_lights(&self) -> u32 {
+        let shadow = &self.choices[SHADOW];
+        let samples = shadow.entry.param("samples").filter(|_| shadow.number as usize == SOFT);
+        samples.map_or(0, |(place, _)| shadow.params[place] as u32)
     }
 
     /// Whether this is the pair that has the exact answer without a baked map, whatever its parameters.
@@ -374,6 +381,9 @@ const NO_SHADOW: usize = entry_place(STAGES[SHADOW].entries, "none");
 
 /// The number of the ambient light of the surroundings.
 const ENVIRONMENT: usize = entry_place(STAGES[AMBIENT].entries, "environment");
+
+/// The number of the shadow `soft`.
+const SOFT: usize = entry_place(STAGES[SHADOW].entries, "soft");
 
 /// The number of the shadow `ray`.
 const RAY: usize = entry_place(STAGES[SHADOW].entries, "ray");

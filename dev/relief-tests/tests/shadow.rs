@@ -165,3 +165,27 @@ fn rays_answer_as_the_exact_tracer_does() {
         }
     }
 }
+
+#[test]
+fn soft_shadows_of_the_exact_tracer_are_those_of_an_exact_search() {
+    for named in &maps::ALL[..4] {
+        let map = named.build(Wrap::Repeat).with_displacement(SCALE_M, -SCALE_M).expect("lengths");
+        let of = |search: &str, samples: f64| {
+            let mut selection = selection("exact", "soft");
+            selection.choose("shadow-search", search).expect("a search");
+            selection.set("shadow.samples", samples).expect("a number of rays");
+            let surface = Surface::new(square(1).expect("a mesh"), map.clone()).with_selection(selection);
+            let light = Light::directional(DVec3::new(-0.6, 0.4, 0.3), Vec3::ONE);
+            let light = light.and_then(|light| light.with_diameter(20.0)).expect("a light");
+            let scene = shadows::under_one_light(surface, light, View::Corner, [120, 90], BackendChoice::Cpu);
+            shadows::pixels(&scene)
+        };
+        let (exact, searched, other) = (of("cells", 8.0), of("cone", 8.0), of("cells", 7.0));
+        // A ray that grazes the surface may be judged either way.
+        let differ = |pixels: &[PixelOut]| {
+            exact.iter().zip(pixels).filter(|(a, b)| (a.lit - b.lit).abs() > 1e-6).count()
+        };
+        assert!(differ(&searched) * 200 < exact.len(), "{}: {}", named.name, differ(&searched));
+        assert!(differ(&other) * 50 > exact.len(), "{}: {}", named.name, differ(&other));
+    }
+}

@@ -77,10 +77,11 @@ impl<'a> Program<'a> {
         self.0.visible_lights(entered, hit)
     }
 
-    /// The ray from a hit to the light of that number.
+    /// The ray from a hit to the light of that number: to a point of its disc, by its number and how many there
+    /// are, as the shadow `soft` has them, or to its centre where there are none.
     #[inline]
-    pub fn ray_to_light(&self, entered: Entered, hit: Hit, light: u32) -> LightRay {
-        self.0.ray_to_light(entered, hit, light)
+    pub fn ray_to_light(&self, entered: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> LightRay {
+        self.0.ray_to_light(entered, hit, light, k, count)
     }
 
     /// The part of a light that arrives at a hit, for a light of some degrees whose direction is that of the
