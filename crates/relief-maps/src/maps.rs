@@ -219,6 +219,19 @@ impl Maps {
         })
     }
 
+    /// What making them takes at most besides them and the height map, one after the other.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::bytes`].
+    pub fn working_bytes(&self, selection: &Selection, size: [u32; 2]) -> Result<u64, MapsError> {
+        let texels = f64::from(size[0]) * f64::from(size[1]);
+        selection.map_needs().iter().try_fold(0, |bytes, need| {
+            let WantedMap { kind, settings, .. } = self.wanted(need, Metric::UNIT)?;
+            Ok(bytes.max((4.0 * texels * f64::from((kind.working_maps)(&settings))) as u64))
+        })
+    }
+
     /// Whether that map is in memory. Heights are hashed only where one of its kind is.
     fn has(&self, need: &MapNeed, heights: &HeightMap, surface: Metric) -> Result<bool, MapsError> {
         if self.kept.iter().all(|map| map.identity().kind != need.input.kind) {

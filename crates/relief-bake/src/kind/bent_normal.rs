@@ -42,6 +42,7 @@ pub const KIND: Kind = Kind {
     is_picture: true,
     shapes: |size, _| vec![Shape::slices("", size, 1, 3)],
     reach: |_| Reach::Everything,
+    working_maps: |_| super::WORKING_MAPS,
     bake,
 };
 

@@ -44,6 +44,7 @@ pub const KIND: Kind = Kind {
     is_picture: false,
     shapes: |size, _| vec![Shape::slices("", size, 1, 2)],
     reach: |settings| Reach::Texels(settings.count(RADIUS).saturating_add(1)),
+    working_maps: |_| super::WORKING_MAPS,
     bake,
 };
 

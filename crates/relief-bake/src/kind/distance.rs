@@ -75,6 +75,7 @@ pub const KIND: Kind = Kind {
     is_picture: false,
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0), 1)],
     reach: |_| Reach::Everything,
+    working_maps: |_| 3.5,
     bake,
 };
 

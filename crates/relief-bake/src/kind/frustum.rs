@@ -103,6 +103,7 @@ pub const KIND: Kind = Kind {
     is_picture: false,
     shapes: |size, _| vec![Shape::slices("top", size, 1, 1), Shape::slices("slopes", size, 1, 4)],
     reach: |_| Reach::Everything,
+    working_maps: |_| super::WORKING_MAPS,
     bake,
 };
 

@@ -51,6 +51,9 @@ pub struct Kind {
     pub shapes: fn([u32; 2], &Settings) -> Vec<Shape>,
     /// How far a texel's value looks.
     pub reach: fn(&Settings) -> Reach,
+    /// What a bake takes at most besides the height map and what it hands out, in maps of 32-bit floats of the
+    /// height map's size.
+    pub working_maps: fn(&Settings) -> f32,
     /// Bakes it.
     pub bake: fn(&BakeInput, &Settings, &Progress, &mut dyn Sink) -> Result<(), BakeError>,
 }
@@ -90,6 +93,9 @@ pub fn kind(name: &str) -> Result<&'static Kind, UnknownName> {
         .find(|kind| kind.name == name)
         .ok_or_else(|| UnknownName::new("map kind", name, KINDS.iter().map(|kind| kind.name)))
 }
+
+/// What most kinds take while they are baked: see [`Kind::working_maps`].
+const WORKING_MAPS: f32 = 6.5;
 
 /// The parameter that quantises.
 pub const BITS: Param = Param {

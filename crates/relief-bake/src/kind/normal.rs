@@ -64,6 +64,7 @@ pub const KIND: Kind = Kind {
     is_picture: true,
     shapes: |size, settings| vec![shape(size, settings.count(MIPS_PLACE) != 0)],
     reach: |settings| if settings.count(MIPS_PLACE) == 0 { Reach::Texels(1) } else { Reach::Everything },
+    working_maps: |_| super::WORKING_MAPS,
     bake,
 };
 

@@ -39,6 +39,7 @@ pub const KIND: Kind = Kind {
     is_picture: true,
     shapes: |size, _| vec![Shape::slices("", size, 1, 1)],
     reach: |_| Reach::Everything,
+    working_maps: |_| super::WORKING_MAPS,
     bake,
 };
 

@@ -50,6 +50,7 @@ pub const KIND: Kind = Kind {
     is_picture: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
+    working_maps: |_| super::WORKING_MAPS,
     bake,
 };
 

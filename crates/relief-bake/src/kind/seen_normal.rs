@@ -61,6 +61,7 @@ pub const KIND: Kind = Kind {
     is_picture: false,
     shapes: |size, settings| vec![shape(size, settings.count(0) * settings.count(1))],
     reach: |_| Reach::Everything,
+    working_maps: |settings| (settings.count(0) * settings.count(1)) as f32 / 8.0 + 6.5,
     bake,
 };
 
@@ -117,7 +118,7 @@ impl Eye<'_> {
     }
 }
 
-/// The working set is the finest level of the texture, which is 16 maps with the default directions, and 6 maps.
+/// The working set is the second level of the texture, which is 4 maps with the default directions, and six and a half more.
 fn bake(
     source: &BakeInput,
     settings: &Settings,
@@ -141,6 +142,7 @@ fn bake(
     let tracer = FastTracer::new(map);
     let middle = f64::from(map.mean());
     let directions = azimuths * elevations;
+    let mut size = [texture.size[0], texture.size[1]];
     let mut level = Vec::new();
     for direction in 0..directions {
         progress.at(direction as f32 / directions as f32)?;
@@ -150,25 +152,33 @@ fn bake(
         let [cos, sin] = unit_vector(azimuth, azimuths);
         let along = [cos * flat / metric.tile_m[0], sin * flat / metric.tile_m[1]];
         let down = along.map(|x| -x * metric.scale_m);
-        level.push(finest(&Eye { map, tracer: &tracer, metric, down, middle }));
+        let means = finest(&Eye { map, tracer: &tracer, metric, down, middle });
+        hand_out(&means, &channels, bits, sink)?;
+        level.push(coarser(&means, size));
     }
-    let mut size = [texture.size[0], texture.size[1]];
-    loop {
-        for means in &level {
-            for half in 0..2 {
-                let plane = |part: usize| means.iter().map(|mean| mean[4 * half + part]).collect();
-                let mut planes: [Vec<f32>; 4] = std::array::from_fn(plane);
-                to_nearest(sink, &channels, bits, &mut planes.each_mut().map(Vec::as_mut_slice))?;
-            }
-        }
-        if size == [1, 1] {
-            return Ok(());
-        }
+    while size != [1, 1] {
+        size = coarser_size(size);
         for means in &mut level {
+            hand_out(means, &channels, bits, sink)?;
             *means = coarser(means, size);
         }
-        size = coarser_size(size);
     }
+    Ok(())
+}
+
+/// Both slices of a direction.
+fn hand_out(
+    means: &[[f32; MEANS]],
+    channels: &[Channel],
+    bits: u32,
+    sink: &mut dyn Sink,
+) -> Result<(), BakeError> {
+    for half in 0..2 {
+        let plane = |part: usize| means.iter().map(|mean| mean[4 * half + part]).collect();
+        let mut planes: [Vec<f32>; 4] = std::array::from_fn(plane);
+        to_nearest(sink, channels, bits, &mut planes.each_mut().map(Vec::as_mut_slice))?;
+    }
+    Ok(())
 }
 
 /// The finest level of a direction.

@@ -75,6 +75,7 @@ pub const KIND: Kind = Kind {
     is_picture: false,
     shapes: |size, settings| vec![Shape::slices("", size, settings.count(0) * settings.count(1), 3)],
     reach: |_| Reach::Everything,
+    working_maps: |settings| settings.count(1) as f32 + 5.5,
     bake,
 };
 

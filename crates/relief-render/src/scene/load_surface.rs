@@ -26,9 +26,6 @@ const BYTES_PER_HEIGHT: u64 = 4 + 7;
 /// of what is built on it, and the normals that are derived, with what is at hand then.
 const BYTES_OF_LEVELS: u64 = 16;
 
-/// Memory that a texel of a height map takes more while a map is baked, besides that map.
-const BYTES_AT_HAND: u64 = 5 * 4 + 6;
-
 /// Memory that a texel of a normal map takes: as read, and as the shaders take it with its coarser levels, of
 /// which reading sees the first part.
 const NORMAL_BYTES: [u64; 2] = [12, 16 + 11 + 8];
@@ -125,11 +122,12 @@ impl Maps {
     /// Leaves less for colours and normals: room for a height map and what is built on it.
     fn take(&mut self, path: &Path, map: &HeightMap, selection: &Selection) -> Result<(), SceneError> {
         let (width, height) = (map.width(), map.height());
-        let baked = relief_maps::Maps::in_memory().bytes(selection, [width, height])?;
-        let at_hand = if baked > 0 { BYTES_AT_HAND } else { 0 };
+        let maps = relief_maps::Maps::in_memory();
+        let baked = maps.bytes(selection, [width, height])?;
+        let at_hand = maps.working_bytes(selection, [width, height])?;
         let of_levels = if selection.has_levels() { BYTES_OF_LEVELS } else { 0 };
         let texels = u64::from(width) * u64::from(height);
-        let needed = ((BYTES_PER_HEIGHT + at_hand + of_levels) * texels).saturating_add(baked);
+        let needed = ((BYTES_PER_HEIGHT + of_levels) * texels).saturating_add(baked).saturating_add(at_hand);
         let (left, limit) = (self.left, self.limit);
         self.left = left.checked_sub(needed).ok_or_else(|| {
             let path = path.to_owned();

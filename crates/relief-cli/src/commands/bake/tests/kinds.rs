@@ -21,6 +21,7 @@ const fn kind(
         is_picture: false,
         shapes,
         reach: |_| Reach::Texels(0),
+        working_maps: |_| 0.0,
         bake,
     }
 }
