@@ -8,6 +8,7 @@ pub mod claims;
 pub mod detail;
 pub mod judge;
 pub mod maps;
+pub mod one_source;
 pub mod pairs;
 pub mod probes;
 pub mod rays;

@@ -3,7 +3,7 @@
 use relief_core::Path;
 use relief_shaders::cpu::{PixelIn, Probe, Program, Shared};
 
-use crate::cases::{Case, probe};
+use super::cases::{Case, probe};
 
 /// Of so many rays fewer than one may have other bits.
 const RAYS_PER_DIFFERENCE: usize = 10_000;
@@ -23,6 +23,7 @@ const RELATIVE: f64 = 1e-5;
 /// How many rays were compared and what came of it.
 #[derive(Clone, Debug, Default)]
 pub struct Comparison {
+    /// Rays that were compared.
     pub rays: usize,
     /// Rays with other bits.
     pub different: usize,

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
+use crate::baked::{in_slots, maps_in, slots};
+use crate::maps::NamedMap;
+use crate::rng::Rng;
 use relief_core::registry::Entry;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
 use relief_shaders::cpu::{Frame, PixelIn, Probe, Program, Shared, SurfaceSettings};
 use relief_shaders::{DETAIL, SHADOW, SHADOW_SEARCH, STAGES, Selection};
-use relief_tests::baked::{in_slots, maps_in, slots};
-use relief_tests::maps::NamedMap;
-use relief_tests::rng::Rng;
 
 /// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves
 /// a shader's loops after 65,535 turns, all loops counted together; search and refinement must stay below
@@ -24,7 +24,9 @@ const MOST_RAYS_OF_SHADOW: f32 = 3.0;
 
 /// A map and the settings of a search and a refinement.
 pub struct Case {
+    /// What is chosen, for messages.
     pub name: String,
+    /// The map, with its displacement.
     pub map: Arc<HeightMap>,
     surface: JobSurface,
 }

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use crate::baked::{in_slots, maps_for};
+use crate::maps;
 use glam::{DVec3, Vec3};
 use relief_core::{Metric, Wrap};
 use relief_render::camera::Camera;
@@ -10,8 +12,6 @@ use relief_render::job::{Job, JobSurface, Rendering, uncovered};
 use relief_render::mipmaps::Mipmaps;
 use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, SurfaceSettings, Triangle};
 use relief_shaders::{MapSlot, Selection};
-use relief_tests::baked::{in_slots, maps_for};
-use relief_tests::maps;
 
 /// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds
 /// corners to a 256th of a pixel, which on the small triangles here is less than this. Larger would excuse
@@ -25,9 +25,13 @@ pub struct Picture {
 
 /// What may vary.
 pub struct Variation<'a> {
+    /// The stages.
     pub selection: &'a Selection,
+    /// The wrap of the height map.
     pub wrap: Wrap,
+    /// Whether there is a normal map.
     pub normal_map: bool,
+    /// Whether back faces are seen.
     pub two_sided: bool,
 }
 
@@ -35,6 +39,11 @@ const NORMALS: [u32; 2] = [5, 3];
 const COLORS: [u32; 2] = [3, 2];
 
 impl Picture {
+    /// The scene, seen in so many columns and rows.
+    ///
+    /// # Panics
+    ///
+    /// When the stages read maps that cannot be baked.
     pub fn new(width: u32, height: u32, variation: &Variation) -> Self {
         let named = maps::ALL.iter().find(|map| map.name == "natural 101x67").expect("it is listed");
         let map = named.build(variation.wrap).with_displacement(0.08, -0.02).expect("proper numbers");
@@ -116,6 +125,7 @@ impl Picture {
         Self { job: Job { width, height, samples: 1, frame, surfaces: vec![surface] } }
     }
 
+    /// What a backend is given.
     pub fn job(&self) -> &Job {
         &self.job
     }
