@@ -1,6 +1,6 @@
 use super::*;
-use proptest::prelude::*;
 use crate::TangentFrame;
+use proptest::prelude::*;
 use std::collections::HashMap;
 
 /// The built-in of that kind with about `n` divisions.

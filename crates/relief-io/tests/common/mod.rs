@@ -6,6 +6,7 @@
 pub mod broken;
 pub mod exr_file;
 pub mod files;
+pub mod mesh_file;
 pub mod tiff_file;
 
 use std::path::{Path, PathBuf};

@@ -4,13 +4,13 @@ use super::builder::{DEFAULT_METHOD, SEEN, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::metres::{MAX_METRES, check_metres};
 use super::surface_spec::ENVIRONMENT;
-use super::{Surface, SurfaceSpec};
+use super::{MeshChoice, Surface, SurfaceSpec};
 use crate::environment::Environment;
 use crate::material::{Material, MaterialError};
-use crate::mesh::{Builtin, Mesh, Placement};
+use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
-use relief_io::{Convention, Fill, HeightOptions, Picture};
+use relief_io::{Convention, Fill, HeightOptions, MeshOptions, Picture, ReadError, ReadProblem};
 use relief_shaders::{AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -38,6 +38,13 @@ const READ_BYTES: u64 = 16;
 
 /// Memory that a texel of a colour map takes, with its coarser levels.
 const COLOR_BYTES: u64 = READ_BYTES + 6;
+
+/// Memory that a triangle of a mesh takes while it is rendered: itself, its vertices, and the hierarchies and
+/// triangles that the backends make of it.
+const BYTES_PER_TRIANGLE: u64 = 640;
+
+/// What a projection needs.
+const MESH_OF_FILE: &str = "mesh FILE";
 
 /// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything,
 /// in metres.
@@ -80,12 +87,13 @@ pub struct Maps {
     left: u64,
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
     colors: Vec<(PathBuf, Arc<Picture>)>,
+    meshes: Vec<(PathBuf, Option<UvProjection>, Mesh)>,
 }
 
 impl Maps {
     /// Of a limit to all memory so much is left for maps.
     pub fn new(limit: ByteSize, left: u64) -> Self {
-        Self { limit, left, heights: Vec::new(), colors: Vec::new() }
+        Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new() }
     }
 
     fn height(&mut self, path: &Path, options: HeightOptions) -> Result<HeightMap, SceneError> {
@@ -108,6 +116,27 @@ impl Maps {
         self.left = self.left.saturating_sub(COLOR_BYTES * u64::from(color.width) * u64::from(color.height));
         self.colors.push((path.to_owned(), Arc::clone(&color)));
         Ok(color)
+    }
+
+    /// The mesh of a file, where the file has it.
+    fn mesh(&mut self, path: &Path, projection: Option<UvProjection>) -> Result<Mesh, SceneError> {
+        let is_same = |(known, with, _): &&(PathBuf, _, _)| known == path && *with == projection;
+        let mesh = match self.meshes.iter().find(is_same) {
+            Some((_, _, mesh)) => mesh.clone(),
+            None => {
+                let options = MeshOptions { projection, max_bytes: self.left };
+                let mesh = relief_io::read_mesh(path, &options).map_err(SceneError::Mesh)?.mesh;
+                self.meshes.push((path.to_owned(), projection, mesh.clone()));
+                mesh
+            }
+        };
+        // Each surface has it in its own place.
+        let needed = BYTES_PER_TRIANGLE * mesh.triangles().len() as u64;
+        self.left = self.left.checked_sub(needed).ok_or_else(|| {
+            let problem = ReadProblem::MeshMemory { limit: self.limit.0 };
+            SceneError::Mesh(ReadError { path: path.to_owned(), problem })
+        })?;
+        Ok(mesh)
     }
 
     /// The surroundings of a file.
@@ -155,8 +184,11 @@ impl SurfaceSpec {
                 if low.is_finite() { (high, "finite and above the first") } else { (low, "finite") };
             return Err(ValueProblem::Number { value, must }.of("range"));
         }
+        if self.project.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
+            return Err(ValueProblem::Needs(MESH_OF_FILE).of("project"));
+        }
         Ok(Parts {
-            mesh: self.placed_mesh([1.0, 1.0])?,
+            mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
             material: self.material()?,
             selection: self.selection(samples, surrounded)?,
             scale_m: self.scale,
@@ -176,8 +208,8 @@ impl SurfaceSpec {
         };
         let map = map.map_err(|error| ValueProblem::from(error).of("tile-size"))?;
         // All other meshes are as they are, whatever lies on them.
-        let mesh = match self.mesh.unwrap_or_default() {
-            Builtin::Plane => self.placed_mesh(map.proportions())?,
+        let mesh = match self.mesh.clone().unwrap_or_default() {
+            MeshChoice::Builtin(Builtin::Plane) => self.placed(self.mesh_without_file(map.proportions())?)?,
             _ => parts.mesh,
         };
         let scale_m = parts.scale_m.or_else(|| {
@@ -205,6 +237,13 @@ impl SurfaceSpec {
         maps: &mut Maps,
     ) -> Result<Surface, SceneError> {
         let path = self.height.as_ref().ok_or(SceneError::NoHeightMap(number))?;
+        let parts = match &self.mesh {
+            Some(MeshChoice::File(file)) => {
+                let mesh = self.placed(maps.mesh(file, self.project)?);
+                Parts { mesh: mesh.map_err(|error| error.of_surface(number))?, ..parts }
+            }
+            _ => parts,
+        };
         let options = HeightOptions {
             channel: self.channel.clone(),
             convention: if self.depth == Some(true) { Convention::Depth } else { Convention::Height },
@@ -237,18 +276,33 @@ impl SurfaceSpec {
         Ok(surface)
     }
 
-    /// The mesh in its place, for a height map whose tile has those proportions.
-    fn placed_mesh(&self, [u, v]: [f64; 2]) -> Result<Mesh, ValueError> {
-        let tile = self.tile.unwrap_or([1.0, 1.0]);
+    /// How many tiles lie along `u` and `v`.
+    fn tiles(&self) -> Result<[f32; 2], ValueError> {
+        let tiles = self.tile.unwrap_or([1.0, 1.0]);
         let possible = 1.0 / MAX_TILES..=MAX_TILES;
-        if let Some(&value) = tile.iter().find(|tiles| !possible.contains(tiles)) {
-            let must = "from 1e-6 to 1e6";
-            return Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"));
+        match tiles.iter().find(|tiles| !possible.contains(tiles)) {
+            Some(&value) => {
+                let must = "from 1e-6 to 1e6";
+                Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"))
+            }
+            None => Ok(tiles),
         }
-        let [across, down] = tile.map(f64::from);
-        let mesh = self.mesh.unwrap_or_default().build([u * across, v * down]);
-        let mesh = mesh.map_err(|error| ValueProblem::from(error).of("mesh"))?;
-        let mesh = mesh.tiled(Vec2::from(tile)).map_err(|error| ValueProblem::from(error).of("tile"))?;
+    }
+
+    /// The built-in mesh for a height map whose tile has those proportions; a square stands in for a file's.
+    fn mesh_without_file(&self, [u, v]: [f64; 2]) -> Result<Mesh, ValueError> {
+        let [across, down] = self.tiles()?.map(f64::from);
+        let mesh = match self.mesh.clone().unwrap_or_default() {
+            MeshChoice::Builtin(builtin) => builtin.build([u * across, v * down]),
+            MeshChoice::File(_) => square(1),
+        };
+        mesh.map_err(|error| ValueProblem::from(error).of("mesh"))
+    }
+
+    /// A mesh in its place, with its tiles.
+    fn placed(&self, mesh: Mesh) -> Result<Mesh, ValueError> {
+        let mesh =
+            mesh.tiled(Vec2::from(self.tiles()?)).map_err(|error| ValueProblem::from(error).of("tile"))?;
         let placement = Placement {
             position_m: self.position.unwrap_or_default().into(),
             rotation_degrees: self.rotation.unwrap_or_default().into(),
