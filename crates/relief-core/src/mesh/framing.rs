@@ -38,8 +38,9 @@ impl RawMesh {
     ///   at its point, weighted by their angles there, so that relief has no gaps along edges. Where these
     ///   cancel each other out, as on sheets with two fronts, it is that of the triangle.
     /// * **Tangents and bitangents** are the derivatives of the position by `u` and `v`, as long as one tile:
-    ///   the mean over the triangles that share the corner's normal and go on across shared edges in the same
-    ///   texture, turned into the plane at right angles to the normal and weighted by their angles. A texture
+    ///   the means of the triangles' own that share the corner's normal and go on across shared edges in the same
+    ///   texture, weighted by their angles: of their directions, turned into the plane at right angles to the
+    ///   normal, and of how many tiles they have to the metre. A texture
     ///   goes on across an edge where both sides have the same orientation and the same way to go from end to
     ///   end. So mirrored halves have frames of their own, of either handedness; where a tiled texture is cut, as
     ///   at the back of a cylinder, the frames of both sides are one; and where the sides are turned to each
@@ -286,35 +287,43 @@ fn orientation(face: &Face) -> bool {
     face.frame.handedness() > 0.0
 }
 
-/// The mean of directions at right angles to a normal, as long as they are on the mean.
+/// The mean of tangents: their mean direction at right angles to a normal, with as many tiles to the metre as on
+/// the mean. (The mean of their lengths would be that of the longest, where a texture is next to nothing wide.)
 struct Mean {
     normal: DVec3,
-    sum: DVec3,
-    lengths: f64,
+    directions: DVec3,
+    tiles_per_metre: f64,
     weights: f64,
     first: DVec3,
 }
 
 impl Mean {
     fn around(normal: Vec3) -> Self {
-        let normal = normal.as_dvec3();
-        Self { normal, sum: DVec3::ZERO, lengths: 0.0, weights: 0.0, first: DVec3::ZERO }
+        let nothing = DVec3::ZERO;
+        Self {
+            normal: normal.as_dvec3(),
+            directions: nothing,
+            tiles_per_metre: 0.0,
+            weights: 0.0,
+            first: nothing,
+        }
     }
 
-    fn add(&mut self, along: DVec3, weight: f64) {
-        let turned = turned(along, self.normal);
+    fn add(&mut self, tangent: DVec3, weight: f64) {
+        let direction = turned(tangent, self.normal).normalize_or_zero();
         if self.weights == 0.0 {
-            self.first = turned;
+            self.first = direction;
         }
-        self.sum += turned * weight;
-        self.lengths += turned.length() * weight;
+        self.directions += direction * weight;
+        self.tiles_per_metre += weight / tangent.length();
         self.weights += weight;
     }
 
     /// The mean, or where directions cancel each other out the first of them.
     fn vector(&self) -> Vec3 {
-        let sum = if self.sum.length() > CANCELLED * self.lengths { self.sum } else { self.first };
-        (sum.normalize_or_zero() * (self.lengths / self.weights)).as_vec3()
+        let is_clear = self.directions.length() > CANCELLED * self.weights;
+        let direction = if is_clear { self.directions.normalize() } else { self.first };
+        (direction * (self.weights / self.tiles_per_metre)).as_vec3()
     }
 }
 
