@@ -160,3 +160,55 @@ fn meshes_are_inspected() {
     }
     assert_refused(&folder, &folder.relief("inspect hills.png --project box"), 2, &["--project"]);
 }
+
+/// A red square of 1 m that looks up, as a glTF with its buffer beside it.
+fn write_red_square(folder: &Folder) {
+    let numbers: [f32; 20] =
+        [-1., 0., -1., -1., 0., 1., 1., 0., 1., 1., 0., -1., 0., 0., 0., 1., 1., 1., 1., 0.];
+    let mut buffer: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+    buffer.extend([0, 1, 2, 0, 2, 3]);
+    folder.write("red.bin", buffer);
+    let file = json!({
+        "asset": { "version": "2.0" }, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2, "material": 0 }] }],
+        "materials": [{ "pbrMetallicRoughness": { "baseColorFactor": [1, 0, 0, 1] } }],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, 0, -1], "max": [1, 0, 1] },
+            { "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2" },
+            { "bufferView": 2, "componentType": 5121, "count": 6, "type": "SCALAR" },
+        ],
+        "bufferViews": [
+            { "buffer": 0, "byteOffset": 0, "byteLength": 48 }, { "buffer": 0, "byteOffset": 48, "byteLength": 32 },
+            { "buffer": 0, "byteOffset": 80, "byteLength": 6 },
+        ],
+        "buffers": [{ "uri": "red.bin", "byteLength": 86 }],
+    });
+    folder.write("red.gltf", file.to_string());
+}
+
+#[test]
+fn a_gltf_has_its_own_colour_unless_another_is_given() {
+    let folder = folder();
+    write_red_square(&folder);
+    folder.write(
+        "green.png",
+        common::maps::encoded(
+            &image::DynamicImage::ImageRgb8(image::RgbImage::from_pixel(1, 1, image::Rgb([0, 255, 0]))),
+            image::ImageFormat::Png,
+        ),
+    );
+    let middle = |flags: &str| {
+        let line = format!(
+            "render --height hills.png --mesh red.gltf --scale 0.001 --view top --size 32x32 --samples 1 \
+             --material specular=0,0,0 --backend cpu {flags} -o a.png"
+        );
+        folder.relief(&line).fine();
+        image::open(folder.path("a.png")).expect("a picture").to_rgb8().get_pixel(16, 16).0
+    };
+    let [red, green, blue] = middle("");
+    assert!(red > 100 && green == 0 && blue == 0, "{red} {green} {blue}");
+    for flags in ["--color green.png", "--material diffuse=0,1,0"] {
+        let [red, green, blue] = middle(flags);
+        assert!(green > 100 && red == 0 && blue == 0, "{flags}: {red} {green} {blue}");
+    }
+}

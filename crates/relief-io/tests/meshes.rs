@@ -269,6 +269,49 @@ fn buffers_lie_beside_their_gltf() {
     assert_eq!(file.mesh, read("torus.glb", &glb(&gltf(&mesh, None, ""), &gltf_buffer(&mesh))).mesh);
 }
 
+/// The torus as a glTF of one material, whose picture is there.
+fn painted(image: &str, more: &str) -> Vec<u8> {
+    let mesh = written_torus();
+    let buffer = gltf_buffer(&mesh);
+    let material = format!(
+        r#""materials": [{{"pbrMetallicRoughness": {{"baseColorFactor": [0.5, 1, 7, 1],
+        "baseColorTexture": {{"index": 0{more}}}}}}}], "textures": [{{"source": 0}}], "images": [{image}],
+        "buffers""#
+    );
+    let json = gltf(&mesh, Some(&data_uri(&buffer)), "");
+    let json = json.replace(r#""indices": 3"#, r#""indices": 3, "material": 0"#);
+    json.replacen(r#""buffers""#, &material, 1).into_bytes()
+}
+
+#[test]
+fn colours_are_those_of_the_only_material() {
+    let red = common::files::png(1, 1, png::ColorType::Rgb, png::BitDepth::Eight, &[255, 0, 0]);
+    let image = format!(r#"{{"uri": "{}"}}"#, data_uri(&red));
+    let options = MeshOptions { colors: true, ..MeshOptions::default() };
+    let read = |bytes: &[u8], options: &MeshOptions| read_mesh(Source::bytes("a.gltf", bytes), options);
+    let colors = |bytes: &[u8], options: &MeshOptions| {
+        read(bytes, options).unwrap_or_else(|error| panic!("{error}")).colors
+    };
+    let found = colors(&painted(&image, ""), &options).expect("a material");
+    // Factors are parts of the light.
+    assert_eq!(found.factor, [0.5, 1.0, 1.0]);
+    assert_eq!(found.picture.expect("a picture").texels, [[1.0, 0.0, 0.0, 1.0]]);
+    assert_eq!(colors(&painted(&image, ""), &MeshOptions::default()), None);
+    assert_eq!(colors(&torus_files()[4].1, &options), None);
+    // Its picture belongs to the first texture coordinates of the file.
+    let projected = MeshOptions { projection: Some(UvProjection::Box), ..options };
+    for bare in
+        [colors(&painted(&image, ", \"texCoord\": 1"), &options), colors(&painted(&image, ""), &projected)]
+    {
+        assert!(bare.is_some_and(|colors| colors.picture.is_none()));
+    }
+    for broken in [r#"{"uri": "data:;base64,AAAA"}"#, r#"{"uri": "../a.png"}"#, r#"{"bufferView": 0}"#, "{}"]
+    {
+        assert!(read(&painted(broken, ""), &options).is_err(), "{broken}");
+        assert!(read(&painted(broken, ""), &MeshOptions::default()).is_ok(), "{broken}");
+    }
+}
+
 #[test]
 fn what_measures_say_is_so() {
     let cube = cube(2).expect("a mesh");

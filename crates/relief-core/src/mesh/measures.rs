@@ -103,7 +103,7 @@ impl Mesh {
             charts: (0..self.triangles.len() as u32)
                 .filter(|&triangle| charts.least(triangle) == triangle)
                 .count(),
-            mirrored: corners().filter(|corners| is_mirrored(corners)).count(),
+            mirrored: corners().filter(is_mirrored).count(),
             edges,
             open_edges,
             branching_edges,

@@ -34,6 +34,11 @@ impl Builder {
         self.left = self.left.saturating_add(bytes).min(self.limit);
     }
 
+    /// Bytes that may still be taken.
+    pub fn left(&self) -> u64 {
+        self.left
+    }
+
     /// Adds a position and gives its place.
     pub fn position(&mut self, position: Vec3) -> Result<u32, ReadProblem> {
         self.take(RawMesh::BYTES_PER_POSITION)?;

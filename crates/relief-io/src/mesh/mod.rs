@@ -14,7 +14,7 @@ use std::path::Path;
 use relief_core::mesh::{Framed, Mesh, UvProjection};
 
 use self::builder::Builder;
-use crate::{DEFAULT_MAX_BYTES, ReadError, ReadProblem, Source};
+use crate::{DEFAULT_MAX_BYTES, Picture, ReadError, ReadProblem, Source};
 
 /// A format of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -67,14 +67,25 @@ impl fmt::Display for MeshFormat {
 pub struct MeshOptions {
     /// How texture coordinates are made, in place of the file's. None: those of the file.
     pub projection: Option<UvProjection>,
+    /// Whether the colours of the file's material are read, too.
+    pub colors: bool,
     /// The most memory that reading may take, in bytes.
     pub max_bytes: u64,
 }
 
 impl Default for MeshOptions {
     fn default() -> Self {
-        Self { projection: None, max_bytes: DEFAULT_MAX_BYTES }
+        Self { projection: None, colors: false, max_bytes: DEFAULT_MAX_BYTES }
     }
+}
+
+/// The colours of a mesh: those of the only material of its triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshColors {
+    /// Linear red, green and blue, each from 0 to 1, by which the picture is multiplied.
+    pub factor: [f32; 3],
+    /// The picture, laid out by the mesh's texture coordinates; white where there is none.
+    pub picture: Option<Picture>,
 }
 
 /// A mesh of a file.
@@ -84,6 +95,9 @@ pub struct MeshFile {
     pub mesh: Mesh,
     /// The file's format.
     pub format: MeshFormat,
+    /// The colours, if they were asked for and the file has them: a glTF whose triangles all have one material. Its
+    /// picture is left out where texture coordinates are projected, or are not the first ones.
+    pub colors: Option<MeshColors>,
     /// Triangles without an area, which were left out.
     pub degenerate: usize,
     /// Triangles that lay on an earlier one with the same corners and front, which were left out.
@@ -137,8 +151,9 @@ fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProbl
     let format = MeshFormat::by_name(source.name()).ok_or(ReadProblem::NoMesh)?;
     let mut builder = Builder::new(options.max_bytes);
     let bytes = source.whole(|len| builder.take(len))?;
+    let mut colors = None;
     match format {
-        MeshFormat::Gltf => gltf::read(source, &bytes, &mut builder)?,
+        MeshFormat::Gltf => colors = gltf::read(source, &bytes, options, &mut builder)?,
         MeshFormat::Obj => obj::read(&bytes, &mut builder)?,
         MeshFormat::Ply => ply::read(&bytes, &mut builder)?,
         MeshFormat::Stl => stl::read(&bytes, &mut builder)?,
@@ -149,5 +164,5 @@ fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProbl
         raw = raw.projected(projection)?;
     }
     let Framed { mesh, degenerate, double } = raw.framed()?;
-    Ok(MeshFile { mesh, format, degenerate, double })
+    Ok(MeshFile { mesh, format, colors, degenerate, double })
 }

@@ -92,7 +92,7 @@ fn read_vertices(
 ) -> Result<Vertices, ReadProblem> {
     let place = |property: &Property| {
         let is_name = |names: &&[&str]| names.iter().any(|name| name.as_bytes() == property.name);
-        OF_VERTEX.iter().position(|names| is_name(names)).filter(|_| property.list.is_none())
+        OF_VERTEX.iter().position(is_name).filter(|_| property.list.is_none())
     };
     let places: Vec<Option<usize>> = element.properties.iter().map(place).collect();
     let has = |range: std::ops::Range<usize>| range.into_iter().all(|at| places.contains(&Some(at)));

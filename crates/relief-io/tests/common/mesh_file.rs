@@ -66,10 +66,10 @@ pub fn ply(mesh: &Mesh, stored: Ply) -> Vec<u8> {
         match stored {
             Ply::Text => bytes.extend(format!("3 {a} {b} {c}\n").bytes()),
             Ply::Little => {
-                bytes.extend([3].into_iter().chain([a, b, c].into_iter().flat_map(|i| i.to_le_bytes())))
+                bytes.extend([3].into_iter().chain([a, b, c].into_iter().flat_map(|i| i.to_le_bytes())));
             }
             Ply::Big => {
-                bytes.extend([3].into_iter().chain([a, b, c].into_iter().flat_map(|i| i.to_be_bytes())))
+                bytes.extend([3].into_iter().chain([a, b, c].into_iter().flat_map(|i| i.to_be_bytes())));
             }
         }
     }

@@ -4,6 +4,7 @@
 #![allow(dead_code)]
 
 pub mod broken;
+pub mod broken_mesh;
 pub mod exr_file;
 pub mod files;
 pub mod mesh_file;

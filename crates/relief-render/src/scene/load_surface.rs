@@ -81,13 +81,16 @@ pub struct Parts {
     two_sided: bool,
 }
 
+/// Colours of a mesh's file: a factor and a picture.
+type FileColors = ([f32; 3], Option<Arc<Picture>>);
+
 /// Reads maps, each file once, within what memory is left.
 pub struct Maps {
     limit: ByteSize,
     left: u64,
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
     colors: Vec<(PathBuf, Arc<Picture>)>,
-    meshes: Vec<(PathBuf, Option<UvProjection>, Mesh)>,
+    meshes: Vec<(PathBuf, MeshOptions, Mesh, Option<FileColors>)>,
 }
 
 impl Maps {
@@ -113,21 +116,32 @@ impl Maps {
             return Ok(Arc::clone(color));
         }
         let color = Arc::new(relief_io::read_picture(path, self.left).map_err(SceneError::Picture)?);
-        self.left = self.left.saturating_sub(COLOR_BYTES * u64::from(color.width) * u64::from(color.height));
+        self.take_picture(&color);
         self.colors.push((path.to_owned(), Arc::clone(&color)));
         Ok(color)
     }
 
-    /// The mesh of a file, where the file has it.
-    fn mesh(&mut self, path: &Path, projection: Option<UvProjection>) -> Result<Mesh, SceneError> {
-        let is_same = |(known, with, _): &&(PathBuf, _, _)| known == path && *with == projection;
-        let mesh = match self.meshes.iter().find(is_same) {
-            Some((_, _, mesh)) => mesh.clone(),
+    /// The mesh of a file, where the file has it, and its colours if they are asked for.
+    fn mesh(
+        &mut self,
+        path: &Path,
+        projection: Option<UvProjection>,
+        colors: bool,
+    ) -> Result<(Mesh, Option<FileColors>), SceneError> {
+        let options = MeshOptions { projection, colors, max_bytes: self.left };
+        let is_same = |(known, with, _, _): &&(PathBuf, MeshOptions, _, _)| {
+            known == path && MeshOptions { max_bytes: options.max_bytes, ..*with } == options
+        };
+        let (mesh, colors) = match self.meshes.iter().find(is_same) {
+            Some((_, _, mesh, colors)) => (mesh.clone(), colors.clone()),
             None => {
-                let options = MeshOptions { projection, max_bytes: self.left };
-                let mesh = relief_io::read_mesh(path, &options).map_err(SceneError::Mesh)?.mesh;
-                self.meshes.push((path.to_owned(), projection, mesh.clone()));
-                mesh
+                let file = relief_io::read_mesh(path, &options).map_err(SceneError::Mesh)?;
+                let colors = file.colors.map(|colors| (colors.factor, colors.picture.map(Arc::new)));
+                if let Some((_, Some(picture))) = &colors {
+                    self.take_picture(picture);
+                }
+                self.meshes.push((path.to_owned(), options, file.mesh.clone(), colors.clone()));
+                (file.mesh, colors)
             }
         };
         // Each surface has it in its own place.
@@ -136,7 +150,13 @@ impl Maps {
             let problem = ReadProblem::MeshMemory { limit: self.limit.0 };
             SceneError::Mesh(ReadError { path: path.to_owned(), problem })
         })?;
-        Ok(mesh)
+        Ok((mesh, colors))
+    }
+
+    /// Leaves less for what a picture of colours takes.
+    fn take_picture(&mut self, picture: &Picture) {
+        let texels = u64::from(picture.width) * u64::from(picture.height);
+        self.left = self.left.saturating_sub(COLOR_BYTES * texels);
     }
 
     /// The surroundings of a file.
@@ -189,7 +209,7 @@ impl SurfaceSpec {
         }
         Ok(Parts {
             mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
-            material: self.material()?,
+            material: self.material_of(None)?,
             selection: self.selection(samples, surrounded)?,
             scale_m: self.scale,
             bias_m: self.bias,
@@ -237,12 +257,20 @@ impl SurfaceSpec {
         maps: &mut Maps,
     ) -> Result<Surface, SceneError> {
         let path = self.height.as_ref().ok_or(SceneError::NoHeightMap(number))?;
-        let parts = match &self.mesh {
+        let (parts, color) = match &self.mesh {
             Some(MeshChoice::File(file)) => {
-                let mesh = self.placed(maps.mesh(file, self.project)?);
-                Parts { mesh: mesh.map_err(|error| error.of_surface(number))?, ..parts }
+                let own =
+                    self.color.is_some() || self.material.as_ref().is_some_and(|own| own.diffuse.is_some());
+                let (mesh, colors) = maps.mesh(file, self.project, !own)?;
+                let of_number = |error: ValueError| error.of_surface(number);
+                let mesh = self.placed(mesh).map_err(of_number)?;
+                let material = match &colors {
+                    Some((factor, _)) => self.material_of(Some(Vec3::from(*factor))).map_err(of_number)?,
+                    None => parts.material,
+                };
+                (Parts { mesh, material, ..parts }, colors.and_then(|(_, picture)| picture))
             }
-            _ => parts,
+            _ => (parts, None),
         };
         let options = HeightOptions {
             channel: self.channel.clone(),
@@ -261,6 +289,9 @@ impl SurfaceSpec {
         maps.take(path, &map, &parts.selection)?;
         let surface = self.with_heights(parts, map);
         let mut surface = surface.map_err(|error| error.of_surface(number))?;
+        if let Some(color) = color {
+            surface = surface.with_color(color);
+        }
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
         }
@@ -319,11 +350,12 @@ impl SurfaceSpec {
         mesh.placed(&placement).map_err(|error| ValueProblem::from(error).of("position"))
     }
 
-    fn material(&self) -> Result<Material, ValueError> {
+    /// The material, of that diffuse colour unless another is given.
+    fn material_of(&self, diffuse: Option<Vec3>) -> Result<Material, ValueError> {
         let default = if self.color.is_some() { Material::under_colours() } else { Material::default() };
         let spec = self.material.clone().unwrap_or_default();
         let material = Material::new(
-            spec.diffuse.map_or(default.diffuse(), Vec3::from),
+            spec.diffuse.map(Vec3::from).or(diffuse).unwrap_or(default.diffuse()),
             spec.specular.map_or(default.specular(), Vec3::from),
             spec.shininess.unwrap_or(default.shininess()),
         );

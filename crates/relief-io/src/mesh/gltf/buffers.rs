@@ -41,10 +41,7 @@ impl<'a> Buffers<'a> {
             buffer::Source::Bin => {
                 Cow::Borrowed(self.binary.ok_or_else(|| damaged(format!("buffer {number} has no bytes")))?)
             }
-            buffer::Source::Uri(uri) => match uri.strip_prefix("data:") {
-                Some(data) => inside(number, data, builder)?,
-                None => self.beside(uri, builder)?,
-            },
+            buffer::Source::Uri(uri) => self.named(&format!("buffer {number}"), uri, builder)?,
         };
         if bytes.len() < length {
             let what = format!("buffer {number} has {} bytes, of {length} that are promised", bytes.len());
@@ -59,12 +56,20 @@ impl<'a> Buffers<'a> {
         })
     }
 
+    /// The bytes that a URI holds or names, for what goes by that name.
+    pub fn named(&self, name: &str, uri: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
+        match uri.strip_prefix("data:") {
+            Some(data) => inside(name, data, builder),
+            None => self.beside(uri, builder),
+        }
+    }
+
     /// A file in the folder of the glTF, or below.
     fn beside(&self, uri: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
         let outside = || ReadProblem::OutsideFolder { file: uri.chars().take(200).collect() };
         let path = relative(uri).ok_or_else(outside)?;
         let Some(folder) = self.source.folder() else {
-            let what = "a buffer in another file, which bytes in memory have not beside them".to_owned();
+            let what = "another file, and bytes in memory have none beside them".to_owned();
             return Err(ReadProblem::Unsupported { what, advice: "give its path, or a GLB" });
         };
         let file = folder.join(path);
@@ -81,12 +86,12 @@ impl<'a> Buffers<'a> {
 }
 
 /// The bytes inside of the JSON.
-fn inside<'a>(number: usize, data: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
+fn inside<'a>(name: &str, data: &str, builder: &mut Builder) -> Result<Cow<'a, [u8]>, ReadProblem> {
     let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
-    let encoded = encoded.ok_or_else(|| damaged(format!("buffer {number} holds no base64")))?;
+    let encoded = encoded.ok_or_else(|| damaged(format!("{name} holds no base64")))?;
     builder.take(encoded.len() as u64)?;
     let bytes = STANDARD.decode(encoded);
-    bytes.map(Cow::Owned).map_err(|error| damaged(format!("the base64 of buffer {number}: {error}")))
+    bytes.map(Cow::Owned).map_err(|error| damaged(format!("the base64 of {name}: {error}")))
 }
 
 /// A path that stays in its folder, of a URI that is one.

@@ -5,6 +5,7 @@
 
 mod accessor;
 mod buffers;
+mod colors;
 mod container;
 mod nodes;
 
@@ -15,7 +16,7 @@ use relief_core::mesh::RawCorner;
 
 use self::buffers::Buffers;
 use super::builder::Builder;
-use crate::{ReadProblem, Source};
+use crate::{MeshColors, MeshOptions, ReadProblem, Source};
 
 const FORMAT: &str = "glTF";
 
@@ -38,7 +39,12 @@ fn damaged(what: impl ToString) -> ReadProblem {
     ReadProblem::damaged(FORMAT, what)
 }
 
-pub(super) fn read(source: Source<'_>, bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProblem> {
+pub(super) fn read(
+    source: Source<'_>,
+    bytes: &[u8],
+    options: &MeshOptions,
+    builder: &mut Builder,
+) -> Result<Option<MeshColors>, ReadProblem> {
     let (text, binary) = container::split(bytes)?;
     let count = |wanted: u8| text.iter().filter(|&&byte| byte == wanted).count() as u64;
     let parts = BYTES_OF_JSON.map(|(byte, bytes)| bytes * count(byte));
@@ -46,24 +52,30 @@ pub(super) fn read(source: Source<'_>, bytes: &[u8], builder: &mut Builder) -> R
     builder.take(for_json)?;
     let document = document(text)?;
     let mut buffers = Buffers::new(source, binary, document.buffers().len());
-    let (mut triangles, mut others) = (0, false);
+    let (mut triangles, mut others, mut materials) = (0, false, Vec::new());
     for (node, transform) in nodes::placed(&document)? {
         for primitive in node.mesh().into_iter().flat_map(|mesh| mesh.primitives()) {
             match primitive.mode() {
                 Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => {
                     triangles += add(&primitive, transform, &mut buffers, builder)?;
+                    materials.push(primitive.material().index());
+                    materials.dedup();
                 }
                 _ => others = true,
             }
         }
     }
-    match (triangles, others) {
-        (0, true) => Err(damaged("it has no triangles, only points and lines")),
-        (0, false) => Err(damaged("its scene shows no mesh")),
-        _ => {
-            builder.give_back(for_json);
-            Ok(())
+    if triangles == 0 {
+        let but =
+            if others { "it has no triangles, only points and lines" } else { "its scene shows no mesh" };
+        return Err(damaged(but));
+    }
+    builder.give_back(for_json);
+    match materials.as_slice() {
+        [Some(material)] if options.colors => {
+            colors::read(&document, *material, options.projection.is_some(), &mut buffers, builder)
         }
+        _ => Ok(None),
     }
 }
 
