@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzz_target;
 use relief_core::ByteSize;
-use relief_render::scene::{SceneError, parse_scene};
+use relief_render::scene::{MeshChoice, SceneError, parse_scene};
 
 /// A height map of two by two texels.
 static MAP: LazyLock<tempfile::NamedTempFile> = LazyLock::new(|| {
@@ -30,6 +30,9 @@ fuzz_target!(|text: &str| {
     for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
         surface.height = Some(MAP.path().to_owned());
         (surface.color, surface.normal, surface.channel, surface.raw) = (None, None, None, None);
+        if matches!(surface.mesh, Some(MeshChoice::File(_))) {
+            (surface.mesh, surface.project) = (None, None);
+        }
     }
     spec.max_memory = Some(ByteSize(256 << 20));
     if let Ok(scene) = spec.load() {

@@ -2,6 +2,7 @@
 
 use std::io::ErrorKind;
 
+use relief_core::mesh::FramingError;
 use relief_io::ReadProblem;
 use relief_render::scene::SceneError;
 use relief_render::{Reason, RenderError};
@@ -35,6 +36,18 @@ pub fn of_picture(problem: &ReadProblem) -> Option<&'static str> {
     }
 }
 
+/// What lets a mesh be read.
+pub fn of_mesh(problem: &ReadProblem) -> Option<&'static str> {
+    match problem {
+        ReadProblem::MeshMemory { .. } => Some("--max-memory raises it"),
+        ReadProblem::Mesh(FramingError::NoTextureCoordinates { .. } | FramingError::NoTextureArea { .. }) => {
+            Some("--project box, cylinder or sphere makes texture coordinates")
+        }
+        ReadProblem::Part { problem, .. } => of_mesh(problem),
+        _ => None,
+    }
+}
+
 /// What mends a scene.
 pub fn of_scene(error: &SceneError) -> Option<&'static str> {
     match error {
@@ -44,6 +57,7 @@ pub fn of_scene(error: &SceneError) -> Option<&'static str> {
         }
         SceneError::Read(error) => of_read(&error.problem),
         SceneError::Picture(error) => of_picture(&error.problem),
+        SceneError::Mesh(error) => of_mesh(&error.problem),
         SceneError::Io { source, .. }
             if matches!(source.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) =>
         {

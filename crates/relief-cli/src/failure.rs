@@ -39,6 +39,11 @@ impl Failure {
         Failure::Work(advice::with(&error, advice::of_picture(&error.problem)))
     }
 
+    /// A mesh that cannot be read.
+    pub fn of_mesh(error: ReadError) -> Self {
+        Failure::Work(advice::with(&error, advice::of_mesh(&error.problem)))
+    }
+
     /// A command line that clap refused: what is wrong, without the advice on how the command is used.
     pub fn unparsed(error: &clap::Error) -> Self {
         let text = error.render().to_string();

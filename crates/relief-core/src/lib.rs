@@ -1,5 +1,5 @@
-//! The core of Relief: a [`HeightMap`], the [`TangentFrame`] that lays it on a surface, the [`Path`] that a
-//! ray takes through it, the [`Hit`] where the path ends, and the exact answer that every faster method is
+//! The core of Relief: a [`HeightMap`], the [`Mesh`](mesh::Mesh) that it lies on and the [`TangentFrame`] that lays it there,
+//! the [`Path`] that a ray takes through it, the [`Hit`] where the path ends, and the exact answer that every faster method is
 //! judged by.
 //!
 //! No file access, no GPU and no shader compiler lives here. The conventions that the whole project follows
@@ -15,6 +15,7 @@ mod found;
 mod height_map;
 mod heights_hash;
 mod hit;
+pub mod mesh;
 mod metric;
 pub mod metrics;
 mod path;

@@ -4,6 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use relief_core::HeightMapError;
+use relief_core::mesh::FramingError;
 use relief_core::registry::UnknownName;
 
 use crate::RawLayout;
@@ -188,6 +189,35 @@ pub enum ReadProblem {
         range: [f64; 2],
         /// Least and greatest value in the file.
         actual: [f64; 2],
+    },
+    /// The name is no mesh's.
+    #[error("is no mesh by its name: glTF (.gltf, .glb), OBJ, PLY and STL are read")]
+    NoMesh,
+    /// A mesh takes more memory than allowed.
+    #[error(
+        "is a mesh that takes more than the {} MiB of memory that are allowed: make it coarser or raise the limit",
+        limit >> 20
+    )]
+    MeshMemory {
+        /// Bytes that may be used.
+        limit: u64,
+    },
+    /// What the file holds makes no mesh.
+    #[error("cannot be used: {0}")]
+    Mesh(#[from] FramingError),
+    /// A file that this one names cannot be read.
+    #[error("names {}, which {problem}", file.display())]
+    Part {
+        /// The file that is named.
+        file: PathBuf,
+        /// What is wrong with it.
+        problem: Box<ReadProblem>,
+    },
+    /// A file that this one names lies elsewhere.
+    #[error("names '{file}', which is not in its folder: put it there, and name it by a relative path")]
+    OutsideFolder {
+        /// The name.
+        file: String,
     },
     /// The range given is no range.
     #[error("the range {} to {} is not usable: both ends must be finite, the first below the second (for maps of depth use the depth convention)", range[0], range[1])]

@@ -1,5 +1,6 @@
 //! Where a file's bytes come from, and how they are read.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
@@ -54,6 +55,29 @@ impl<'a> Source<'a> {
         name.push(".");
         name.push(extension);
         Some(self.name.with_file_name(name)).filter(|path| path.is_file())
+    }
+
+    /// The folder that it lies in, empty for the current one. Bytes in memory have none.
+    pub(crate) fn folder(&self) -> Option<&'a Path> {
+        if self.bytes.is_some() { None } else { Some(self.name.parent().unwrap_or(Path::new(""))) }
+    }
+
+    /// All of its bytes, which are not none. `take` is told the length before memory is taken; bytes that are in
+    /// memory already take none.
+    pub(crate) fn whole(
+        self,
+        take: impl FnOnce(u64) -> Result<(), ReadProblem>,
+    ) -> Result<Cow<'a, [u8]>, ReadProblem> {
+        let (reader, len) = self.open()?;
+        if let Some(bytes) = self.bytes {
+            return Ok(Cow::Borrowed(bytes));
+        }
+        take(len)?;
+        let mut bytes = Vec::new();
+        let capacity = usize::try_from(len).unwrap_or(usize::MAX);
+        bytes.try_reserve_exact(capacity).map_err(|_| ReadProblem::OutOfMemory { needed: len })?;
+        reader.take(len).read_to_end(&mut bytes)?;
+        Ok(Cow::Owned(bytes))
     }
 
     /// The error of this problem with it.

@@ -9,10 +9,12 @@ use std::process::Command;
 
 use ::exr::prelude::{Compression, SampleType as ExrSample};
 use common::files::{Scan, hdr, jpeg, png};
+use common::mesh_file::{Ply, glb, gltf, gltf_buffer, obj, ply};
 use common::tiff_file::{Tiff, Value};
 use common::{Folder, exr_file, landscape};
 use png::{BitDepth, ColorType};
-use relief_io::{Fill, HeightOptions, Source, read_height};
+use relief_core::mesh::{Mesh, RawMesh, torus};
+use relief_io::{Fill, HeightOptions, MeshFormat, MeshOptions, Source, read_height, read_mesh};
 
 const SIDE: u32 = 2600;
 const TEXELS: u64 = SIDE as u64 * SIDE as u64;
@@ -45,8 +47,12 @@ fn child() {
     let bytes = std::env::var_os(BYTES).map(|_| std::fs::read(&file).expect("the file is there"));
     let source = bytes.as_ref().map_or(Source::from(&file), |bytes| Source::bytes(&file, bytes));
     let idle = peak();
-    let read = read_height(source, &options);
-    println!("peak {} read {}", peak() - idle, read.is_ok());
+    let read = if MeshFormat::by_name(Path::new(&file)).is_some() {
+        read_mesh(source, &MeshOptions::default()).is_ok()
+    } else {
+        read_height(source, &options).is_ok()
+    };
+    println!("peak {} read {read}", peak() - idle);
 }
 
 /// The peak above the idle process while reading, and whether a map came back.
@@ -164,6 +170,42 @@ fn bytes_in_memory_are_read_where_they_are() {
         assert!(read && from_bytes >= 4 * TEXELS, "{name}: {from_bytes} bytes");
         let length = bytes.len() as u64;
         assert!(from_bytes < from_file + length / 2, "{name}: {from_bytes} bytes, of the file {from_file}");
+    }
+}
+
+#[test]
+fn a_mesh_takes_no_more_than_is_counted() {
+    let folder = Folder::new();
+    let whole = torus(300, 200).expect("a built-in mesh");
+    // Of every triangle for itself, with a texture of its own, there is nothing to share.
+    let corners = (0..whole.triangles().len() as u32).flat_map(|triangle| {
+        let shift = glam::Vec2::splat((triangle % 64) as f32 * 0.25);
+        whole.corners(triangle).map(|corner| relief_core::mesh::Vertex { uv: corner.uv + shift, ..*corner })
+    });
+    let vertices: Vec<_> = corners.collect();
+    let triangles = (0..vertices.len() as u32 / 3).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+    let soup = Mesh::new(vertices, triangles).expect("a mesh");
+    for (kind, mesh) in [("whole", &whole), ("soup", &soup)] {
+        let files = [
+            ("obj", obj(mesh, true).into_bytes()),
+            ("ply", ply(mesh, Ply::Big)),
+            ("glb", glb(&gltf(mesh, None, ""), &gltf_buffer(mesh))),
+        ];
+        for (ending, bytes) in files {
+            let (peak, read) = measure(&folder.file(&format!("{kind}.{ending}"), &bytes), "");
+            let (triangles, positions) = (mesh.triangles().len() as u64, mesh.vertices().len() as u64);
+            // A normal and texture coordinates of each position are counted besides.
+            let counted = RawMesh::BYTES_PER_TRIANGLE * triangles
+                + (RawMesh::BYTES_PER_POSITION + 60) * positions
+                + bytes.len() as u64;
+            println!(
+                "{kind}.{ending}: {:.1} MiB of {:.1}",
+                peak as f64 / MIB as f64,
+                counted as f64 / MIB as f64
+            );
+            assert!(read && peak > 68 * triangles, "{kind}.{ending}: {peak} bytes are less than the mesh");
+            assert!(peak < counted + 4 * MIB, "{kind}.{ending}: {peak} of {counted} bytes");
+        }
     }
 }
 

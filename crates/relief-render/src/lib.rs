@@ -12,7 +12,6 @@ pub mod job;
 mod kept;
 pub mod light;
 pub mod material;
-pub mod mesh;
 pub mod mipmaps;
 pub mod picture;
 mod pictures;
@@ -24,6 +23,8 @@ pub mod scene;
 pub mod tone;
 
 pub use glam;
+/// Base meshes, of which scenes are made; they are the core's.
+pub use relief_core::mesh;
 pub use renderer::{Bands, Made, Progress, Reason, RenderError, Rendered, Renderer, Task, render};
 #[cfg(feature = "gpu")]
 pub use wgpu;

@@ -1,7 +1,7 @@
 //! Displacement mapping: a height map and a mesh go in; a picture, baked maps or a shader that any engine can
 //! use comes out.
 //!
-//! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], and in [`exact`] the answer that every faster
+//! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], in [`mesh`] what it lies on, and in [`exact`] the answer that every faster
 //! method is judged by. Every other crate of the project is a module, most of them behind a feature of that
 //! name; all are on by default.
 //!
@@ -9,7 +9,7 @@
 //! | --- | --- | --- |
 //! | [`shaders`] | | methods, their shaders as WGSL, and rays through them on the CPU |
 //! | [`bake`] | `bake` | the auxiliary maps that methods read |
-//! | [`io`] | `io` | height maps, pictures and normal maps from and to files and bytes |
+//! | [`io`] | `io` | height maps, pictures and normal maps from and to files and bytes, meshes from them |
 //! | [`maps`] | `maps` (and `bake`) | baked maps looked up, baked and kept |
 //! | [`render`] | `render` (and `maps`, `io`) | scenes, and pictures of them on the CPU |
 //! | [`render::gpu`] | `gpu` (and `render`) | the same pictures on a GPU |
@@ -63,7 +63,7 @@ pub use relief_core::*;
 /// Baking: from a height map to every map that displacement methods read.
 #[cfg(feature = "bake")]
 pub use relief_bake as bake;
-/// Height maps, pictures and normal maps from files, and pictures and float channels to files.
+/// Height maps, pictures, normal maps and meshes from files, and pictures and float channels to files.
 #[cfg(feature = "io")]
 pub use relief_io as io;
 /// The baked maps that methods read, provided: looked up, baked, kept.

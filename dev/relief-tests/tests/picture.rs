@@ -180,7 +180,7 @@ fn a_fitted_camera_sees_all_as_large_as_it_can() {
                 for projection in ["perspective", "orthographic"] {
                     let surface = SurfaceSpec {
                         height: Some(height.clone()),
-                        mesh: Some(mesh),
+                        mesh: Some(mesh.into()),
                         position: Some([3.0, -2.0, 7.0]),
                         rotation: Some([10.0, 20.0, 30.0]),
                         size: Some(2.5),

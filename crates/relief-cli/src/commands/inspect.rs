@@ -1,13 +1,17 @@
-//! `relief inspect`: what is in a height map.
+//! `relief inspect`: what is in a height map, or in a mesh.
+
+mod mesh;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use relief_core::ByteSize;
+use relief_core::mesh::UvProjection;
 use relief_io::{
     Convention, DEFAULT_MAX_BYTES, Detection, Elevation, Georeference, GreenSign, HISTOGRAM_BINS, HeightNote,
-    HeightOptions, SourceInfo, Tiling, Values, detect, guess_by_name, inspect, read_height, read_normal_map,
+    HeightOptions, MeshFormat, SourceInfo, Tiling, Values, detect, guess_by_name, inspect, read_height,
+    read_normal_map,
 };
 use serde_json::{Value, json};
 
@@ -20,11 +24,14 @@ use crate::values;
 /// What `relief inspect` is given.
 #[derive(Args)]
 pub struct Arguments {
-    /// Height map; - for the standard input
+    /// Height map, or mesh (by its name: .gltf, .glb, .obj, .ply, .stl); - for the standard input
     file: PathBuf,
     /// Its normal map: tells height from depth and +y from -y by how the two fit
     #[arg(long, value_name = "FILE")]
     normal: Option<PathBuf>,
+    /// Of a mesh, make texture coordinates in place of its own: box, cylinder or sphere
+    #[arg(long, value_name = "NAME")]
+    project: Option<UvProjection>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -44,6 +51,12 @@ impl Arguments {
 
 /// Reads and prints.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if MeshFormat::by_name(&arguments.file).is_some() {
+        return mesh::run(arguments);
+    }
+    if arguments.project.is_some() {
+        return Err(Failure::usage("--project is for meshes: leave it out"));
+    }
     let options = HeightOptions {
         channel: arguments.reading.channel.clone(),
         raw: arguments.reading.raw,

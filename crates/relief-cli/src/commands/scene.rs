@@ -45,9 +45,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(path) = arguments.output.as_ref().filter(|path| path.as_os_str() != "-") else {
         return answer(|out| Ok(out.write_all(spec.to_toml().as_bytes())?));
     };
-    let maps = spec.each_surface();
-    let inputs = maps.iter().flat_map(|surface| [&surface.height, &surface.color, &surface.normal]);
-    let inputs: Vec<&Path> = inputs.flatten().map(AsRef::as_ref).collect();
+    let surfaces = spec.each_surface();
+    let inputs: Vec<&Path> = surfaces.iter().flat_map(|surface| surface.files()).map(AsRef::as_ref).collect();
     format_of("--output", path, &[("toml", ())], &inputs)?;
     // Paths in a scene file start at its folder, those of flags at the current one.
     if path.parent().is_some_and(|folder| !folder.as_os_str().is_empty()) {
@@ -62,7 +61,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn make_absolute(spec: &mut SceneSpec) -> Result<(), Failure> {
     for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
-        for file in [&mut surface.height, &mut surface.color, &mut surface.normal].into_iter().flatten() {
+        for file in surface.files_mut() {
             *file =
                 absolute(&*file).map_err(|error| Failure::Work(format!("{}: {error}", file.display())))?;
         }
@@ -106,6 +105,7 @@ fn of_key(key: &Key) -> Value {
     let mut schema = match &key.form {
         Form::Text => json!({ "type": "string" }),
         Form::Name(names) => json!({ "type": "string", "enum": names }),
+        Form::Mesh(names) => json!({ "type": "string", "examples": names }),
         Form::Flag => json!({ "type": "boolean" }),
         Form::Number => json!({ "type": "number" }),
         Form::Whole => json!({ "type": "integer" }),

@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relief_core::ByteSize;
 use relief_io::GreenSign;
-use relief_render::mesh::Builtin;
 use relief_render::scene::{
-    BackendChoice, LightSpec, MaterialSpec, ProjectionChoice, Sampling, SceneError, SceneSpec, SurfaceSpec,
-    ValueError, ValueProblem, View, parse_scene, read_scene,
+    BackendChoice, LightSpec, MaterialSpec, MeshChoice, ProjectionChoice, Sampling, SceneError, SceneSpec,
+    SurfaceSpec, UvProjection, ValueError, ValueProblem, View, parse_scene, read_scene,
 };
 use relief_render::tone::Tone;
 use relief_shaders::METHODS;
@@ -66,10 +65,14 @@ pub struct SceneArguments {
         hide_short_help = true
     )]
     green: Option<GreenSign>,
-    /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus
-    /// [default: plane]
-    #[arg(long, value_name = "MESH", help_heading = "Maps and mesh")]
-    mesh: Option<Builtin>,
+    /// Base mesh: plane (in the proportions of the height map), square, cube, cylinder, sphere or torus, or a
+    /// glTF, GLB, OBJ, PLY or STL file, in metres with y up [default: plane]
+    #[arg(long, value_name = "NAME|FILE", help_heading = "Maps and mesh")]
+    mesh: Option<MeshChoice>,
+    /// Make texture coordinates for the mesh of a file, in place of its own: box (from six sides), cylinder
+    /// (around y, with flat caps) or sphere (as a map of the world)
+    #[arg(long, value_name = "box|cylinder|sphere", help_heading = "Maps and mesh", hide_short_help = true)]
+    project: Option<UvProjection>,
     /// Metres of displacement between heights 0 and 1, or with a unit, as in 5cm [default: true to the tile
     /// where the height map's file states metres, else 0.05]
     #[arg(
@@ -329,7 +332,8 @@ impl SceneArguments {
             color: self.color.clone(),
             normal: self.normal.clone(),
             green: self.green,
-            mesh: self.mesh,
+            mesh: self.mesh.clone(),
+            project: self.project,
             tile: self.tile.map(|tile| tile.map(|count| count as f32)),
             tile_size: self.tile_size,
             method: self.method.clone(),

@@ -4,8 +4,10 @@
 #![allow(dead_code)]
 
 pub mod broken;
+pub mod broken_mesh;
 pub mod exr_file;
 pub mod files;
+pub mod mesh_file;
 pub mod tiff_file;
 
 use std::path::{Path, PathBuf};

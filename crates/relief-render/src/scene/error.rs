@@ -65,6 +65,9 @@ pub enum SceneError {
     /// A colour map, a normal map or surroundings cannot be read.
     #[error(transparent)]
     Picture(ReadError),
+    /// A base mesh cannot be read.
+    #[error(transparent)]
+    Mesh(ReadError),
     /// A picture shows no surroundings.
     #[error("{}: {source}", path.display())]
     Environment {

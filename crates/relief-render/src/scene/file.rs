@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Read};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
@@ -58,8 +58,8 @@ pub fn parse_scene(text: &str, path: &Path) -> Result<SceneSpec, SceneError> {
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
     for surface in spec.surfaces.iter_mut().chain([&mut spec.surface]) {
-        for file in [&mut surface.height, &mut surface.color, &mut surface.normal] {
-            *file = file.take().map(|file: PathBuf| folder.join(file));
+        for file in surface.files_mut() {
+            *file = folder.join(&*file);
         }
     }
     spec.environment = spec.environment.take().map(|file| folder.join(file));

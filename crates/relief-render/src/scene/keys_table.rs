@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use relief_core::Wrap;
 
-use super::{BackendChoice, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, View};
+use super::{BackendChoice, ProjectionChoice, Sampling, SceneSpec, SurfaceSpec, UvProjection, View};
 use crate::mesh::Builtin;
 use crate::tone::Tone;
 use relief_shaders::{METHODS, STAGES};
@@ -17,6 +17,8 @@ pub enum Form {
     Text,
     /// One of these names.
     Name(Vec<&'static str>),
+    /// One of these names of built-in meshes, or a file's name.
+    Mesh(Vec<&'static str>),
     /// True or false.
     Flag,
     /// A number.
@@ -62,6 +64,7 @@ fn surface(name: &'static str, form: Form, default: &'static str, about: &'stati
 
 /// All keys, in the order in which a scene file has them best.
 pub fn keys() -> Vec<Key> {
+    let builtins = Builtin::ALL.map(Builtin::name).to_vec();
     let methods = METHODS.iter().map(|method| method.name).collect();
     let mut keys = vec![
         surface("height", Form::Text, "", "height map: PNG, JPEG, EXR, TIFF, GeoTIFF, HDR, PGM or raw"),
@@ -91,7 +94,13 @@ pub fn keys() -> Vec<Key> {
         surface("color", Form::Text, "", "colour map, in sRGB"),
         surface("normal", Form::Text, "", "tangent-space normal map"),
         surface("green", Form::Name(vec!["+y", "-y"]), "\"+y\"", "where the normal map's green points"),
-        surface("mesh", Form::Name(Builtin::ALL.map(Builtin::name).to_vec()), "\"plane\"", "base mesh"),
+        surface("mesh", Form::Mesh(builtins), "\"plane\"", "base mesh, or a glTF, OBJ, PLY or STL file"),
+        surface(
+            "project",
+            Form::Name(UvProjection::ALL.map(UvProjection::name).to_vec()),
+            "",
+            "texture coordinates for a mesh of a file, in place of its own",
+        ),
         surface("tile", Form::Numbers(2), "[1, 1]", "tiles along u and v"),
         surface(
             "tile-size",
@@ -176,7 +185,7 @@ impl SceneSpec {
 fn line(text: &mut String, key: &Key, value: Option<String>) {
     let Key { name, default, about, form, .. } = key;
     let choices = match form {
-        Form::Name(names) => format!(": {}", names.join(", ")),
+        Form::Name(names) | Form::Mesh(names) => format!(": {}", names.join(", ")),
         _ => String::new(),
     };
     let _ = match value {
@@ -212,7 +221,8 @@ fn surface_value(spec: &SurfaceSpec, key: &str) -> Option<String> {
         "scale" => spec.scale.map(|scale| format!("{scale:?}")),
         "bias" => spec.bias.map(|bias| format!("{bias:?}")),
         "green" => spec.green.map(|green| quoted(green.name())),
-        "mesh" => spec.mesh.map(|mesh| quoted(mesh.name())),
+        "mesh" => spec.mesh.as_ref().map(|mesh| quoted(&mesh.to_string())),
+        "project" => spec.project.map(|projection| quoted(projection.name())),
         "tile" => spec.tile.map(|tile| list(&tile)),
         "tile-size" => spec.tile_size.map(|size| list(&size)),
         "position" => spec.position.map(|position| list(&position)),

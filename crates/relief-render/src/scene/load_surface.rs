@@ -4,13 +4,13 @@ use super::builder::{DEFAULT_METHOD, SEEN, of_selection};
 use super::error::{SceneError, ValueError, ValueProblem};
 use super::metres::{MAX_METRES, check_metres};
 use super::surface_spec::ENVIRONMENT;
-use super::{Surface, SurfaceSpec};
+use super::{MeshChoice, Surface, SurfaceSpec};
 use crate::environment::Environment;
 use crate::material::{Material, MaterialError};
-use crate::mesh::{Builtin, Mesh, Placement};
+use crate::mesh::{Builtin, Mesh, Placement, UvProjection, square};
 use glam::{Vec2, Vec3};
 use relief_core::{ByteSize, HeightMap};
-use relief_io::{Convention, Fill, HeightOptions, Picture};
+use relief_io::{Convention, Fill, HeightOptions, MeshOptions, Picture, ReadError, ReadProblem};
 use relief_shaders::{AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -35,6 +35,13 @@ const READ_BYTES: u64 = 16;
 
 /// Memory that a texel of a colour map takes, with its coarser levels.
 const COLOR_BYTES: u64 = READ_BYTES + 6;
+
+/// Memory that a triangle of a mesh takes while it is rendered: itself, its vertices, and the hierarchies and
+/// triangles that the backends make of it.
+const BYTES_PER_TRIANGLE: u64 = 640;
+
+/// What a projection needs.
+const MESH_OF_FILE: &str = "mesh FILE";
 
 /// The displacement between heights 0 and 1 when neither the scene nor the height map's file says anything,
 /// in metres.
@@ -71,18 +78,22 @@ pub struct Parts {
     two_sided: bool,
 }
 
+/// Colours of a mesh's file: a factor and a picture.
+type FileColors = ([f32; 3], Option<Arc<Picture>>);
+
 /// Reads maps, each file once, within what memory is left.
 pub struct Maps {
     limit: ByteSize,
     left: u64,
     heights: Vec<(PathBuf, HeightOptions, HeightMap)>,
     colors: Vec<(PathBuf, Arc<Picture>)>,
+    meshes: Vec<(PathBuf, MeshOptions, Mesh, Option<FileColors>)>,
 }
 
 impl Maps {
     /// Of a limit to all memory so much is left for maps.
     pub fn new(limit: ByteSize, left: u64) -> Self {
-        Self { limit, left, heights: Vec::new(), colors: Vec::new() }
+        Self { limit, left, heights: Vec::new(), colors: Vec::new(), meshes: Vec::new() }
     }
 
     fn height(&mut self, path: &Path, options: HeightOptions) -> Result<HeightMap, SceneError> {
@@ -102,9 +113,47 @@ impl Maps {
             return Ok(Arc::clone(color));
         }
         let color = Arc::new(relief_io::read_picture(path, self.left).map_err(SceneError::Picture)?);
-        self.left = self.left.saturating_sub(COLOR_BYTES * u64::from(color.width) * u64::from(color.height));
+        self.take_picture(&color);
         self.colors.push((path.to_owned(), Arc::clone(&color)));
         Ok(color)
+    }
+
+    /// The mesh of a file, where the file has it, and its colours if they are asked for.
+    fn mesh(
+        &mut self,
+        path: &Path,
+        projection: Option<UvProjection>,
+        colors: bool,
+    ) -> Result<(Mesh, Option<FileColors>), SceneError> {
+        let options = MeshOptions { projection, colors, max_bytes: self.left };
+        let is_same = |(known, with, _, _): &&(PathBuf, MeshOptions, _, _)| {
+            known == path && MeshOptions { max_bytes: options.max_bytes, ..*with } == options
+        };
+        let (mesh, colors) = match self.meshes.iter().find(is_same) {
+            Some((_, _, mesh, colors)) => (mesh.clone(), colors.clone()),
+            None => {
+                let file = relief_io::read_mesh(path, &options).map_err(SceneError::Mesh)?;
+                let colors = file.colors.map(|colors| (colors.factor, colors.picture.map(Arc::new)));
+                if let Some((_, Some(picture))) = &colors {
+                    self.take_picture(picture);
+                }
+                self.meshes.push((path.to_owned(), options, file.mesh.clone(), colors.clone()));
+                (file.mesh, colors)
+            }
+        };
+        // Each surface has it in its own place.
+        let needed = BYTES_PER_TRIANGLE * mesh.triangles().len() as u64;
+        self.left = self.left.checked_sub(needed).ok_or_else(|| {
+            let problem = ReadProblem::MeshMemory { limit: self.limit.0 };
+            SceneError::Mesh(ReadError { path: path.to_owned(), problem })
+        })?;
+        Ok((mesh, colors))
+    }
+
+    /// Leaves less for what a picture of colours takes.
+    fn take_picture(&mut self, picture: &Picture) {
+        let texels = u64::from(picture.width) * u64::from(picture.height);
+        self.left = self.left.saturating_sub(COLOR_BYTES * texels);
     }
 
     /// The surroundings of a file.
@@ -153,9 +202,12 @@ impl SurfaceSpec {
                 if low.is_finite() { (high, "finite and above the first") } else { (low, "finite") };
             return Err(ValueProblem::Number { value, must }.of("range"));
         }
+        if self.project.is_some() && !matches!(self.mesh, Some(MeshChoice::File(_))) {
+            return Err(ValueProblem::Needs(MESH_OF_FILE).of("project"));
+        }
         Ok(Parts {
-            mesh: self.placed_mesh([1.0, 1.0])?,
-            material: self.material()?,
+            mesh: self.placed(self.mesh_without_file([1.0, 1.0])?)?,
+            material: self.material_of(None)?,
             selection: self.selection(samples, surrounded)?,
             scale_m: self.scale,
             bias_m: self.bias,
@@ -174,8 +226,8 @@ impl SurfaceSpec {
         };
         let map = map.map_err(|error| ValueProblem::from(error).of("tile-size"))?;
         // All other meshes are as they are, whatever lies on them.
-        let mesh = match self.mesh.unwrap_or_default() {
-            Builtin::Plane => self.placed_mesh(map.proportions())?,
+        let mesh = match self.mesh.clone().unwrap_or_default() {
+            MeshChoice::Builtin(Builtin::Plane) => self.placed(self.mesh_without_file(map.proportions())?)?,
             _ => parts.mesh,
         };
         let scale_m = parts.scale_m.or_else(|| {
@@ -203,6 +255,21 @@ impl SurfaceSpec {
         maps: &mut Maps,
     ) -> Result<Surface, SceneError> {
         let path = self.height.as_ref().ok_or(SceneError::NoHeightMap(number))?;
+        let (parts, color) = match &self.mesh {
+            Some(MeshChoice::File(file)) => {
+                let own =
+                    self.color.is_some() || self.material.as_ref().is_some_and(|own| own.diffuse.is_some());
+                let (mesh, colors) = maps.mesh(file, self.project, !own)?;
+                let of_number = |error: ValueError| error.of_surface(number);
+                let mesh = self.placed(mesh).map_err(of_number)?;
+                let material = match &colors {
+                    Some((factor, _)) => self.material_of(Some(Vec3::from(*factor))).map_err(of_number)?,
+                    None => parts.material,
+                };
+                (Parts { mesh, material, ..parts }, colors.and_then(|(_, picture)| picture))
+            }
+            _ => (parts, None),
+        };
         let options = HeightOptions {
             channel: self.channel.clone(),
             convention: if self.depth == Some(true) { Convention::Depth } else { Convention::Height },
@@ -220,6 +287,9 @@ impl SurfaceSpec {
         maps.take(path, &map, &parts.selection)?;
         let surface = self.with_heights(parts, map);
         let mut surface = surface.map_err(|error| error.of_surface(number))?;
+        if let Some(color) = color {
+            surface = surface.with_color(color);
+        }
         if let Some(path) = &self.color {
             surface = surface.with_color(maps.color(path)?);
         }
@@ -235,18 +305,33 @@ impl SurfaceSpec {
         Ok(surface)
     }
 
-    /// The mesh in its place, for a height map whose tile has those proportions.
-    fn placed_mesh(&self, [u, v]: [f64; 2]) -> Result<Mesh, ValueError> {
-        let tile = self.tile.unwrap_or([1.0, 1.0]);
+    /// How many tiles lie along `u` and `v`.
+    fn tiles(&self) -> Result<[f32; 2], ValueError> {
+        let tiles = self.tile.unwrap_or([1.0, 1.0]);
         let possible = 1.0 / MAX_TILES..=MAX_TILES;
-        if let Some(&value) = tile.iter().find(|tiles| !possible.contains(tiles)) {
-            let must = "from 1e-6 to 1e6";
-            return Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"));
+        match tiles.iter().find(|tiles| !possible.contains(tiles)) {
+            Some(&value) => {
+                let must = "from 1e-6 to 1e6";
+                Err(ValueProblem::Number { value: f64::from(value), must }.of("tile"))
+            }
+            None => Ok(tiles),
         }
-        let [across, down] = tile.map(f64::from);
-        let mesh = self.mesh.unwrap_or_default().build([u * across, v * down]);
-        let mesh = mesh.map_err(|error| ValueProblem::from(error).of("mesh"))?;
-        let mesh = mesh.tiled(Vec2::from(tile)).map_err(|error| ValueProblem::from(error).of("tile"))?;
+    }
+
+    /// The built-in mesh for a height map whose tile has those proportions; a square stands in for a file's.
+    fn mesh_without_file(&self, [u, v]: [f64; 2]) -> Result<Mesh, ValueError> {
+        let [across, down] = self.tiles()?.map(f64::from);
+        let mesh = match self.mesh.clone().unwrap_or_default() {
+            MeshChoice::Builtin(builtin) => builtin.build([u * across, v * down]),
+            MeshChoice::File(_) => square(1),
+        };
+        mesh.map_err(|error| ValueProblem::from(error).of("mesh"))
+    }
+
+    /// A mesh in its place, with its tiles.
+    fn placed(&self, mesh: Mesh) -> Result<Mesh, ValueError> {
+        let mesh =
+            mesh.tiled(Vec2::from(self.tiles()?)).map_err(|error| ValueProblem::from(error).of("tile"))?;
         let placement = Placement {
             position_m: self.position.unwrap_or_default().into(),
             rotation_degrees: self.rotation.unwrap_or_default().into(),
@@ -263,11 +348,12 @@ impl SurfaceSpec {
         mesh.placed(&placement).map_err(|error| ValueProblem::from(error).of("position"))
     }
 
-    fn material(&self) -> Result<Material, ValueError> {
+    /// The material, of that diffuse colour unless another is given.
+    fn material_of(&self, diffuse: Option<Vec3>) -> Result<Material, ValueError> {
         let default = if self.color.is_some() { Material::under_colours() } else { Material::default() };
         let spec = self.material.clone().unwrap_or_default();
         let material = Material::new(
-            spec.diffuse.map_or(default.diffuse(), Vec3::from),
+            spec.diffuse.map(Vec3::from).or(diffuse).unwrap_or(default.diffuse()),
             spec.specular.map_or(default.specular(), Vec3::from),
             spec.shininess.unwrap_or(default.shininess()),
         );

@@ -1,8 +1,9 @@
 //! Descriptions of surfaces, with gaps.
 
+use super::MeshChoice;
 use super::keys::{numbers, parsed, settings};
-use crate::mesh::Builtin;
 use relief_core::Wrap;
+use relief_core::mesh::UvProjection;
 use relief_io::{GreenSign, RawLayout};
 use relief_shaders::{AMBIENT, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES};
 use serde::Deserialize;
@@ -55,9 +56,13 @@ pub struct SurfaceSpec {
     #[serde(deserialize_with = "numbers")]
     pub tile_size: Option<[f64; 2]>,
     /// The base mesh: `plane` (default), which has the height map's proportions, `square`, `cube`,
-    /// `cylinder`, `sphere` or `torus`.
+    /// `cylinder`, `sphere`, `torus`, or a file that [`read_mesh`](relief_io::read_mesh) reads.
     #[serde(deserialize_with = "parsed")]
-    pub mesh: Option<Builtin>,
+    pub mesh: Option<MeshChoice>,
+    /// How texture coordinates are made for the mesh of a file: `box`, `cylinder` or `sphere`. By default they
+    /// are the file's.
+    #[serde(deserialize_with = "parsed")]
+    pub project: Option<UvProjection>,
     /// Tiles along `u` and `v`. By default 1 and 1.
     #[serde(deserialize_with = "numbers")]
     pub tile: Option<[f32; 2]>,
@@ -116,8 +121,8 @@ impl SurfaceSpec {
     /// This description with everything that `over` says in place of what it said itself.
     ///
     /// What belongs to something replaced goes with it: another height file drops how the old one was to be
-    /// read (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another method or
-    /// stage its own settings, another shadow its search, another ambient light than `environment` what is
+    /// read (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another mesh
+    /// `project`, another method or stage its own settings, another shadow its search, another ambient light than `environment` what is
     /// refracted and what is refracted another ambient light, and a scale without a bias the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
@@ -126,6 +131,9 @@ impl SurfaceSpec {
         }
         if over.normal.is_some() {
             self.green = None;
+        }
+        if over.mesh.is_some() {
+            self.project = None;
         }
         if over.scale.is_some() {
             self.bias = None;
@@ -153,6 +161,7 @@ impl SurfaceSpec {
             normal: over.normal.or(self.normal),
             green: over.green.or(self.green),
             mesh: over.mesh.or(self.mesh),
+            project: over.project.or(self.project),
             tile: over.tile.or(self.tile),
             tile_size: over.tile_size.or(self.tile_size),
             position: over.position.or(self.position),
@@ -166,6 +175,24 @@ impl SurfaceSpec {
             ior: over.ior.or(self.ior),
             two_sided: over.two_sided.or(self.two_sided),
         }
+    }
+
+    /// The files that it names: maps and the mesh.
+    pub fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        let mesh = match &self.mesh {
+            Some(MeshChoice::File(path)) => Some(path),
+            _ => None,
+        };
+        [self.height.as_ref(), self.color.as_ref(), self.normal.as_ref(), mesh].into_iter().flatten()
+    }
+
+    /// As [`files`](Self::files), to be named otherwise.
+    pub fn files_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        let mesh = match &mut self.mesh {
+            Some(MeshChoice::File(path)) => Some(path),
+            _ => None,
+        };
+        [self.height.as_mut(), self.color.as_mut(), self.normal.as_mut(), mesh].into_iter().flatten()
     }
 
     /// Whether the surroundings are to be seen by what is said of refraction.

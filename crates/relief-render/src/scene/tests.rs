@@ -61,7 +61,8 @@ bias = -0.1
 color = "/somewhere/b.png"
 normal = "c.png"
 green = "-y"
-mesh = "torus"
+mesh = "meshes/column.glb"
+project = "box"
 tile = [8, 3.5]
 tile-size = [50, 20]
 position = [0, -0.5, 0]
@@ -119,7 +120,8 @@ fn every_key_is_read() {
         color: Some(PathBuf::from("/somewhere/b.png")),
         normal: Some(folder.path().join("c.png")),
         green: "-y".parse().ok(),
-        mesh: Some(Builtin::Torus),
+        mesh: Some(MeshChoice::File(folder.path().join("meshes/column.glb"))),
+        project: Some(UvProjection::Box),
         tile: Some([8.0, 3.5]),
         tile_size: Some([50.0, 20.0]),
         position: Some([0.0, -0.5, 0.0]),
@@ -343,7 +345,7 @@ fn surfaces_of_a_file_say_what_they_differ_in() {
     assert_eq!((spec.surfaces.len(), spec.size), (2, Some([64, 48])));
     let [first, second] = &spec.each_surface()[..] else { panic!("two surfaces") };
     assert_eq!((first.height.as_ref(), first.scale), (second.height.as_ref(), Some(0.1)));
-    assert_eq!((first.mesh, first.position), (Some(Builtin::Cube), Some([1.0, 0.0, 0.0])));
+    assert_eq!((first.mesh.clone(), first.position), (Some(Builtin::Cube.into()), Some([1.0, 0.0, 0.0])));
     assert_eq!((first.size, second.size), (Some(0.5), None));
     assert_eq!(first.stages, stages([("search", "linear"), ("refine", "binary")]));
     assert_eq!((second.method.as_deref(), second.scale), (Some("cone"), Some(0.2)));

@@ -107,8 +107,8 @@ impl<'a> Outputs<'a> {
     /// not after it.
     pub fn new(arguments: &'a Arguments, spec: &SceneSpec) -> Result<Self, Failure> {
         let surfaces = spec.each_surface();
-        let maps = surfaces.iter().flat_map(|surface| [&surface.height, &surface.color, &surface.normal]);
-        let inputs: Vec<&Path> = maps.flatten().map(AsRef::as_ref).chain(arguments.scene.file()).collect();
+        let files = surfaces.iter().flat_map(|surface| surface.files());
+        let inputs: Vec<&Path> = files.map(AsRef::as_ref).chain(arguments.scene.file()).collect();
         let picture = arguments.output.as_path();
         let mut format = format_of("--output", picture, &PICTURES, &inputs)?;
         match (arguments.bits, format) {

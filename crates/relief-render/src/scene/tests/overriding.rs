@@ -33,10 +33,11 @@ fn surroundings_are_seen_where_they_are_asked_for() {
 fn what_is_said_later_wins() {
     let file = read(FULL).expect("a proper scene");
     assert_eq!(file.clone().overridden_by(SceneSpec::default()), file);
-    let mesh = SurfaceSpec { mesh: Some(Builtin::Plane), ..SurfaceSpec::default() };
+    let mesh = SurfaceSpec { mesh: Some(Builtin::Plane.into()), ..SurfaceSpec::default() };
     let flags = SceneSpec { fov: Some(20.0), ..of(mesh) };
     let both = file.clone().overridden_by(flags);
-    let surface = SurfaceSpec { mesh: Some(Builtin::Plane), ..file.surface.clone() };
+    // A projection is for the mesh that it was given with.
+    let surface = SurfaceSpec { mesh: Some(Builtin::Plane.into()), project: None, ..file.surface.clone() };
     assert_eq!(both, SceneSpec { fov: Some(20.0), surface, ..file });
 }
 

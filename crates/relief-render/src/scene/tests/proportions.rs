@@ -47,7 +47,7 @@ fn a_plane_has_the_proportions_of_what_lies_on_it() {
 fn a_square_stays_one_and_square_texels_are_the_default() {
     let long = HeightMap::new(8, 2, vec![0.5; 16], Wrap::Repeat).expect("a valid map");
     for (mesh, sides) in [(Builtin::Square, [1.0, 1.0]), (Builtin::Plane, [1.0, 0.25])] {
-        let spec = SurfaceSpec { mesh: Some(mesh), ..SurfaceSpec::default() };
+        let spec = SurfaceSpec { mesh: Some(mesh.into()), ..SurfaceSpec::default() };
         let surface = spec.parts(1, false).and_then(|parts| spec.with_heights(parts, long.clone()));
         let tile_m = surface.expect("a surface").metric().tile_m;
         assert!((tile_m[0] - sides[0]).abs() < 1e-6 && (tile_m[1] - sides[1]).abs() < 1e-6, "{tile_m:?}");

@@ -1,6 +1,6 @@
 use super::*;
+use crate::TangentFrame;
 use proptest::prelude::*;
-use relief_core::TangentFrame;
 use std::collections::HashMap;
 
 /// The built-in of that kind with about `n` divisions.

@@ -1,7 +1,7 @@
 //! The list of built-in meshes.
 
 use super::{Mesh, MeshError, cube, cylinder, rectangle, sphere, square, torus};
-use relief_core::registry::UnknownName;
+use crate::registry::UnknownName;
 use std::fmt;
 use std::str::FromStr;
 

@@ -1,12 +1,21 @@
 //! Base meshes: triangles with texture coordinates and true tangent frames.
+//!
+//! A [`Mesh`] is a built-in shape, or comes from a [`RawMesh`], which is what files hold. Lengths are metres, and
+//! `y` is up: the built-in shapes stand on the plane of `x` and `z`, and show the middle of their texture to
+//! whoever looks along `-z`.
 
 mod builtin;
 mod cube;
 mod cylinder;
+mod framing;
+mod measures;
 mod patch;
 mod placement;
+mod projection;
+mod raw;
 mod rectangle;
 mod sphere;
+mod topology;
 mod torus;
 
 use glam::{Vec2, Vec3};
@@ -14,7 +23,10 @@ use glam::{Vec2, Vec3};
 pub use builtin::Builtin;
 pub use cube::cube;
 pub use cylinder::cylinder;
+pub use measures::{MeshMeasures, Spread};
 pub use placement::Placement;
+pub use projection::UvProjection;
+pub use raw::{Framed, FramingError, RawCorner, RawMesh};
 pub use rectangle::{rectangle, square};
 pub use sphere::sphere;
 pub use torus::torus;

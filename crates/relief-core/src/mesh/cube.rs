@@ -5,7 +5,7 @@ use super::{Mesh, MeshError, check_divisions};
 use glam::{DVec2, DVec3};
 
 /// Directions of growing `u` and `v` of each face, seen from outside with the sides upright.
-const FACES: [(DVec3, DVec3); 6] = [
+pub(super) const FACES: [(DVec3, DVec3); 6] = [
     (DVec3::X, DVec3::NEG_Y),
     (DVec3::NEG_Z, DVec3::NEG_Y),
     (DVec3::NEG_X, DVec3::NEG_Y),

@@ -1,0 +1,100 @@
+//! What `relief inspect` says of a mesh.
+
+use std::io::{self, Write};
+
+use relief_core::mesh::{MeshMeasures, Spread};
+use relief_io::{DEFAULT_MAX_BYTES, MeshFile, MeshOptions, read_mesh};
+use serde_json::{Value, json};
+
+use super::Arguments;
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::streams::answer;
+use crate::values::six_digits;
+
+/// Reads and prints.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let reading = &arguments.reading;
+    let of_maps = [
+        ("--normal", arguments.normal.is_some()),
+        ("--channel", reading.channel.is_some()),
+        ("--raw", reading.raw.is_some()),
+        ("--fill", reading.fill),
+    ];
+    if let Some((flag, _)) = of_maps.into_iter().find(|(_, given)| *given) {
+        return Err(Failure::Usage(format!("{flag} is for height maps: leave it out")));
+    }
+    let max_bytes = arguments.max_memory.map_or(DEFAULT_MAX_BYTES, |size| size.0);
+    let options = MeshOptions { projection: arguments.project, max_bytes, ..MeshOptions::default() };
+    let (file, measures) = {
+        let _reading = Progress::spinner("reading", arguments.json);
+        let file = read_mesh(&arguments.file, &options).map_err(Failure::of_mesh)?;
+        let measures = file.mesh.measures();
+        (file, measures)
+    };
+    answer(|out| {
+        if arguments.json {
+            writeln!(out, "{:#}", as_json(arguments, &file, &measures))?;
+            return Ok(());
+        }
+        Ok(print(out, arguments, &file, &measures)?)
+    })
+}
+
+fn print(
+    out: &mut impl Write,
+    arguments: &Arguments,
+    file: &MeshFile,
+    measures: &MeshMeasures,
+) -> io::Result<()> {
+    let MeshMeasures { vertices, triangles, charts, seams, hard_edges, mirrored, .. } = measures;
+    let name = arguments.file.display();
+    writeln!(out, "{name}: {}, {triangles} triangles, {vertices} vertices", file.format)?;
+    let number = |number: f32| six_digits(f64::from(number)).to_string();
+    let point = |[x, y, z]: [f32; 3]| format!("({}, {}, {})", number(x), number(y), number(z));
+    let [least, most] = measures.bounds_m;
+    let sides = (most - least).to_array().map(|side| format!("{} m", number(side)));
+    let [from, to] = [least, most].map(|corner| point(corner.to_array()));
+    writeln!(out, "  size        {}, from {from} to {to}", sides.join(" x "))?;
+    if file.degenerate + file.double > 0 {
+        let (degenerate, double) = (file.degenerate, file.double);
+        writeln!(out, "  left out    {degenerate} triangles without an area, {double} on earlier ones")?;
+    }
+    let open = match measures.open_edges {
+        0 => "closed".to_owned(),
+        count => format!("{count} of them open"),
+    };
+    let branching = match measures.branching_edges {
+        0 => String::new(),
+        count => format!(", {count} with more than two triangles"),
+    };
+    writeln!(out, "  edges       {}, {open}{branching}", measures.edges)?;
+    writeln!(out, "  charts      {charts}, {seams} edges at seams, {mirrored} triangles mirrored")?;
+    writeln!(out, "  hard edges  {hard_edges}")?;
+    for (axis, tile) in ["u", "v"].iter().zip(measures.tile_m) {
+        let [least, mean, greatest] = parts(tile);
+        writeln!(out, "  tile {axis}      {least} m to {greatest} m, {mean} m on the mean")?;
+    }
+    let [_, mean, greatest] = parts(measures.normal_angle_deg);
+    writeln!(out, "  normals     up to {greatest}° apart within a triangle, {mean}° on the mean")
+}
+
+fn parts(spread: Spread) -> [f64; 3] {
+    [spread.least, spread.mean, spread.greatest].map(six_digits)
+}
+
+fn as_json(arguments: &Arguments, file: &MeshFile, measures: &MeshMeasures) -> Value {
+    let spread =
+        |spread: Spread| json!({ "least": spread.least, "mean": spread.mean, "greatest": spread.greatest });
+    let [least, most] = measures.bounds_m.map(|corner| corner.to_array());
+    let [u, v] = measures.tile_m.map(spread);
+    json!({
+        "input": arguments.file.display().to_string(), "format": file.format.name(),
+        "vertices": measures.vertices, "points": measures.points, "triangles": measures.triangles,
+        "left_out": { "degenerate": file.degenerate, "double": file.double },
+        "bounds_m": [least, most], "charts": measures.charts, "mirrored": measures.mirrored,
+        "edges": measures.edges, "open_edges": measures.open_edges, "branching_edges": measures.branching_edges,
+        "seams": measures.seams, "hard_edges": measures.hard_edges,
+        "tile_m": { "u": u, "v": v }, "normal_angle_deg": spread(measures.normal_angle_deg),
+    })
+}

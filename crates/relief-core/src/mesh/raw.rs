@@ -1,0 +1,207 @@
+//! Meshes as files hold them: without frames, and not to be trusted.
+
+use super::topology::weld;
+use super::{Mesh, MeshError};
+use glam::{DVec3, Vec2, Vec3};
+use std::collections::HashSet;
+
+/// The largest coordinate of a position in metres, and the longest tile.
+pub(super) const MAX_METRES: f64 = 1e9;
+
+/// The largest texture coordinate. Beyond it `f32` does not tell the texels of a tile apart.
+const MAX_UV: f32 = 1e6;
+
+/// A mesh as files hold it: positions, and normals and texture coordinates where it has them, each counted by
+/// itself.
+///
+/// [`framed`](Self::framed) makes a [`Mesh`] of it, whatever it holds, or says why it cannot.
+///
+/// ```
+/// use relief_core::mesh::{RawCorner, RawMesh};
+/// use glam::{Vec2, Vec3};
+///
+/// // A square of 2 m with one tile on it, of two triangles.
+/// let raw = RawMesh {
+///     positions: vec![Vec3::ZERO, Vec3::new(0.0, 0.0, 2.0), Vec3::new(2.0, 0.0, 2.0), Vec3::new(2.0, 0.0, 0.0)],
+///     uvs: vec![Vec2::ZERO, Vec2::Y, Vec2::ONE, Vec2::X],
+///     triangles: [[0, 1, 2], [0, 2, 3]].map(|corners| corners.map(RawCorner::all)).to_vec(),
+///     ..RawMesh::default()
+/// };
+/// let mesh = raw.framed()?.mesh;
+/// assert_eq!(mesh.tile_m(), [2.0, 2.0]);
+/// assert_eq!(mesh.vertices()[0].normal, Vec3::Y);
+/// # Ok::<(), relief_core::mesh::FramingError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RawMesh {
+    /// Positions in metres, `y` up.
+    pub positions: Vec<Vec3>,
+    /// Outward normals of any length. Those that are 0 count as missing.
+    pub normals: Vec<Vec3>,
+    /// Texture coordinates, `(0, 0)` the top-left corner of the map, `v` downward; not wrapped.
+    pub uvs: Vec<Vec2>,
+    /// The corners of every triangle, counter-clockwise seen from the front.
+    pub triangles: Vec<[RawCorner; 3]>,
+}
+
+/// A corner of a triangle, by its places in the lists of a [`RawMesh`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct RawCorner {
+    /// Place in [`RawMesh::positions`].
+    pub position: u32,
+    /// Place in [`RawMesh::normals`], or [`RawCorner::NONE`].
+    pub normal: u32,
+    /// Place in [`RawMesh::uvs`], or [`RawCorner::NONE`].
+    pub uv: u32,
+}
+
+impl RawCorner {
+    /// Stands for a normal or for texture coordinates that a corner does not have.
+    pub const NONE: u32 = u32::MAX;
+
+    /// A corner of that place in the positions and texture coordinates, without a normal.
+    pub const fn all(place: u32) -> Self {
+        Self { position: place, normal: Self::NONE, uv: place }
+    }
+}
+
+/// A mesh, and what was left out of what it was made from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Framed {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// Triangles without an area, which nobody can see.
+    pub degenerate: usize,
+    /// Triangles that lie on an earlier one with the same three corners and the same front.
+    pub double: usize,
+}
+
+/// Why a [`RawMesh`] makes no [`Mesh`].
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FramingError {
+    /// No triangle has an area.
+    #[error("there is no triangle with an area: a mesh needs faces")]
+    NoTriangles,
+    /// A corner names something that does not exist.
+    #[error("triangle {triangle} names {what} {index}, but there are {count}")]
+    NoSuch {
+        /// The triangle's number.
+        triangle: usize,
+        /// Position, normal or texture coordinates.
+        what: &'static str,
+        /// The place that it names, counted from 0.
+        index: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// A number is NaN, infinite or too large.
+    #[error("a corner of triangle {triangle} has {what}: correct the mesh")]
+    BadNumber {
+        /// The triangle's number.
+        triangle: usize,
+        /// What is wrong with which numbers.
+        what: &'static str,
+    },
+    /// Triangles have no texture coordinates.
+    #[error(
+        "{missing} of {triangles} triangles have no texture coordinates, without which no map lies on them"
+    )]
+    NoTextureCoordinates {
+        /// Triangles without.
+        missing: usize,
+        /// Triangles in all.
+        triangles: usize,
+    },
+    /// Texture coordinates of triangles lie on a line or a point, so that no direction belongs to `u` and `v`.
+    #[error("the texture coordinates of {count} triangles have no area, first those of triangle {first}")]
+    NoTextureArea {
+        /// The first such triangle.
+        first: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// There are more triangles than 32-bit numbers count corners of.
+    #[error("a mesh of {0} triangles is too large")]
+    TooLarge(usize),
+    /// What was made is no mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+impl RawMesh {
+    /// The most memory that [`framed`](Self::framed) takes for a triangle, in bytes, with what it makes.
+    pub const BYTES_PER_TRIANGLE: u64 = 480;
+
+    /// The most memory that [`framed`](Self::framed) takes for a position, in bytes.
+    pub const BYTES_PER_POSITION: u64 = 100;
+
+    /// The normal of a triangle that a cross product of its sides points along, or 0.
+    pub(super) fn cross(&self, corners: &[RawCorner; 3]) -> DVec3 {
+        let [a, b, c] = corners.map(|corner| self.positions[corner.position as usize].as_dvec3());
+        (b - a).cross(c - a)
+    }
+
+    /// Refuses places that do not exist and numbers that nobody can reckon with. Texture coordinates that are
+    /// missing are no mistake yet.
+    pub(super) fn check(&self) -> Result<(), FramingError> {
+        let count = self.triangles.len();
+        let counts = [count, self.positions.len(), self.normals.len(), self.uvs.len()];
+        if counts.iter().any(|&count| count > (u32::MAX / 3) as usize) {
+            return Err(FramingError::TooLarge(count));
+        }
+        for (triangle, corners) in self.triangles.iter().enumerate() {
+            for corner in corners {
+                self.check_corner(triangle, corner)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_corner(&self, triangle: usize, corner: &RawCorner) -> Result<(), FramingError> {
+        let RawCorner { position, normal, uv } = *corner;
+        let no_such = |what, index, count| FramingError::NoSuch { triangle, what, index, count };
+        let bad = |what| Err(FramingError::BadNumber { triangle, what });
+        let point = self.positions.get(position as usize);
+        let point = point.ok_or_else(|| no_such("position", position, self.positions.len()))?;
+        if !(point.abs().max_element() <= MAX_METRES as f32 && point.is_finite()) {
+            return bad("a position that is no number, or beyond 1e9 m");
+        }
+        if normal != RawCorner::NONE {
+            let vector = self.normals.get(normal as usize);
+            let vector = vector.ok_or_else(|| no_such("normal", normal, self.normals.len()))?;
+            if !vector.is_finite() {
+                return bad("a normal that is no number");
+            }
+        }
+        if uv != RawCorner::NONE {
+            let at = self.uvs.get(uv as usize);
+            let at = at.ok_or_else(|| no_such("texture coordinates", uv, self.uvs.len()))?;
+            if !(at.is_finite() && at.abs().max_element() <= MAX_UV) {
+                return bad("texture coordinates that are no numbers, or beyond 1e6");
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes equal positions one, and leaves out triangles without an area and doubles, which are counted.
+    pub(super) fn weld_and_drop(&mut self) -> [usize; 2] {
+        let point_of = weld(self.positions.iter().copied());
+        for corner in self.triangles.iter_mut().flatten() {
+            corner.position = point_of[corner.position as usize];
+        }
+        let mut triangles = std::mem::take(&mut self.triangles);
+        let before = triangles.len();
+        triangles.retain(|corners| self.cross(corners) != DVec3::ZERO);
+        let degenerate = before - triangles.len();
+        let mut seen = HashSet::with_capacity(triangles.len());
+        triangles.retain(|corners| {
+            let mut points = corners.map(|corner| corner.position);
+            let least = (0..3).min_by_key(|&place| points[place]).unwrap_or_default();
+            points.rotate_left(least);
+            seen.insert(points)
+        });
+        let double = before - degenerate - triangles.len();
+        self.triangles = triangles;
+        [degenerate, double]
+    }
+}

@@ -1,0 +1,112 @@
+//! A mesh while it is read, within what memory it may take.
+
+use glam::{DVec3, Vec2, Vec3};
+use relief_core::mesh::{RawCorner, RawMesh};
+
+use super::polygon::{self, Triangulated};
+use crate::ReadProblem;
+
+/// Memory that a normal takes, and texture coordinates: themselves, in lists that double as they grow.
+const NORMAL_BYTES: u64 = 3 * size_of::<Vec3>() as u64;
+const UV_BYTES: u64 = 3 * size_of::<Vec2>() as u64;
+
+/// Collects what a file holds, and counts the memory that it takes and will take.
+pub(super) struct Builder {
+    raw: RawMesh,
+    left: u64,
+    limit: u64,
+}
+
+impl Builder {
+    /// Of nothing yet, which may take so many bytes.
+    pub fn new(limit: u64) -> Self {
+        Self { raw: RawMesh::default(), left: limit, limit }
+    }
+
+    /// Counts bytes before somebody takes them.
+    pub fn take(&mut self, bytes: u64) -> Result<(), ReadProblem> {
+        self.left = self.left.checked_sub(bytes).ok_or(ReadProblem::MeshMemory { limit: self.limit })?;
+        Ok(())
+    }
+
+    /// Gives back what was counted for something that is gone.
+    pub fn give_back(&mut self, bytes: u64) {
+        self.left = self.left.saturating_add(bytes).min(self.limit);
+    }
+
+    /// Bytes that may still be taken.
+    pub fn left(&self) -> u64 {
+        self.left
+    }
+
+    /// Adds a position and gives its place.
+    pub fn position(&mut self, position: Vec3) -> Result<u32, ReadProblem> {
+        self.take(RawMesh::BYTES_PER_POSITION)?;
+        push(&mut self.raw.positions, position)
+    }
+
+    /// Adds a normal and gives its place.
+    pub fn normal(&mut self, normal: Vec3) -> Result<u32, ReadProblem> {
+        self.take(NORMAL_BYTES)?;
+        push(&mut self.raw.normals, normal)
+    }
+
+    /// Adds texture coordinates and gives their place.
+    pub fn uv(&mut self, uv: Vec2) -> Result<u32, ReadProblem> {
+        self.take(UV_BYTES)?;
+        push(&mut self.raw.uvs, uv)
+    }
+
+    /// Adds a triangle.
+    pub fn triangle(&mut self, corners: [RawCorner; 3]) -> Result<(), ReadProblem> {
+        self.take(RawMesh::BYTES_PER_TRIANGLE)?;
+        push(&mut self.raw.triangles, corners).map(drop)
+    }
+
+    /// Refuses faces of too many corners, before these are collected.
+    pub fn check_corners(count: usize) -> Result<(), ReadProblem> {
+        if count <= polygon::MAX_CORNERS {
+            return Ok(());
+        }
+        let what = format!("a face of more than {} corners", polygon::MAX_CORNERS);
+        Err(ReadProblem::Unsupported { what, advice: "cut it into triangles" })
+    }
+
+    /// Adds a face of at least three corners, whose positions are there.
+    pub fn face(&mut self, corners: &[RawCorner]) -> Result<(), ReadProblem> {
+        if let &[a, b, c] = corners {
+            return self.triangle([a, b, c]);
+        }
+        let position = |corner: &RawCorner| {
+            self.raw.positions.get(corner.position as usize).map_or(DVec3::ZERO, |point| point.as_dvec3())
+        };
+        let points: Vec<DVec3> = corners.iter().map(position).collect();
+        match polygon::triangulate(&points) {
+            Triangulated::Triangles(triangles) => {
+                triangles.into_iter().try_for_each(|places| self.triangle(places.map(|place| corners[place])))
+            }
+            Triangulated::TooComplex => Err(ReadProblem::Unsupported {
+                what: format!("a face of {} corners that is not convex", corners.len()),
+                advice: "cut it into triangles",
+            }),
+        }
+    }
+
+    /// What was collected.
+    pub fn finish(self) -> RawMesh {
+        self.raw
+    }
+}
+
+/// Adds to a list and gives the place; an error, not an abort, where the system has no more memory.
+fn push<T>(list: &mut Vec<T>, value: T) -> Result<u32, ReadProblem> {
+    let place = list.len();
+    if place == list.capacity() {
+        let needed = (place as u64).saturating_mul(2 * size_of::<T>() as u64);
+        list.try_reserve(1).map_err(|_| ReadProblem::OutOfMemory { needed })?;
+    }
+    list.push(value);
+    // Each has taken memory that was counted, so that 2^32 of them are no more than the largest limits allow, and
+    // the mesh refuses them.
+    Ok(u32::try_from(place).unwrap_or(RawCorner::NONE))
+}

@@ -1,0 +1,48 @@
+//! GLB: the JSON and a buffer in one file.
+
+use super::damaged;
+use crate::ReadProblem;
+
+const HEADER: usize = 12;
+const CHUNK_HEADER: usize = 8;
+
+/// The JSON of a file, and the buffer inside of a GLB.
+pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ReadProblem> {
+    if !bytes.starts_with(b"glTF") {
+        return Ok((bytes, None));
+    }
+    let version = word(bytes, 4)?;
+    if version != 2 {
+        let what = format!("version {version} of GLB");
+        return Err(ReadProblem::Unsupported { what, advice: "export it as glTF 2.0" });
+    }
+    let len = word(bytes, 8)? as usize;
+    let file = bytes
+        .get(..len)
+        .ok_or_else(|| damaged(format!("its header promises {len} bytes, the file has {}", bytes.len())))?;
+    let (json, next) = chunk(file, HEADER, b"JSON")?.ok_or_else(|| damaged("it has no JSON"))?;
+    let binary = chunk(file, next, b"BIN\0")?.map(|(binary, _)| binary);
+    Ok((json, binary))
+}
+
+/// The chunk at a place and where the next one starts; none at the end of the file, or where the chunk is of
+/// another kind.
+fn chunk<'a>(file: &'a [u8], at: usize, kind: &[u8; 4]) -> Result<Option<(&'a [u8], usize)>, ReadProblem> {
+    if at >= file.len() {
+        return Ok(None);
+    }
+    let len = word(file, at)? as usize;
+    word(file, at + 4)?;
+    let start = at + CHUNK_HEADER;
+    let content = file.get(start..).and_then(|rest| rest.get(..len));
+    let content = content.ok_or_else(|| damaged(format!("a chunk of {len} bytes reaches beyond its end")))?;
+    // Chunks begin at multiples of four bytes.
+    let next = (start + len).next_multiple_of(4);
+    Ok((file[at + 4..start] == *kind).then_some((content, next)))
+}
+
+/// The 32-bit number at a place.
+fn word(bytes: &[u8], at: usize) -> Result<u32, ReadProblem> {
+    let word = bytes.get(at..).and_then(|rest| rest.first_chunk());
+    word.map(|word| u32::from_le_bytes(*word)).ok_or_else(|| damaged("it ends too early"))
+}

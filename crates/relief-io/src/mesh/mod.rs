@@ -1,0 +1,168 @@
+//! Base meshes from files: glTF, OBJ, PLY and STL.
+
+mod builder;
+mod gltf;
+mod obj;
+mod ply;
+mod polygon;
+mod stl;
+mod text;
+
+use std::fmt;
+use std::path::Path;
+
+use relief_core::mesh::{Framed, Mesh, UvProjection};
+
+use self::builder::Builder;
+use crate::{DEFAULT_MAX_BYTES, Picture, ReadError, ReadProblem, Source};
+
+/// A format of meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MeshFormat {
+    /// glTF 2.0, as JSON or as binary GLB.
+    Gltf,
+    /// Wavefront OBJ.
+    Obj,
+    /// PLY, as text or binary.
+    Ply,
+    /// STL, as text or binary.
+    Stl,
+}
+
+/// The endings of meshes' names.
+const ENDINGS: [(&str, MeshFormat); 5] = [
+    ("gltf", MeshFormat::Gltf),
+    ("glb", MeshFormat::Gltf),
+    ("obj", MeshFormat::Obj),
+    ("ply", MeshFormat::Ply),
+    ("stl", MeshFormat::Stl),
+];
+
+impl MeshFormat {
+    /// The name of the format.
+    pub const fn name(self) -> &'static str {
+        match self {
+            MeshFormat::Gltf => "glTF",
+            MeshFormat::Obj => "OBJ",
+            MeshFormat::Ply => "PLY",
+            MeshFormat::Stl => "STL",
+        }
+    }
+
+    /// The format of a file by the ending of its name, in upper or lower case; none where it is no mesh's.
+    pub fn by_name(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?;
+        ENDINGS.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(ending)).map(|(_, format)| format)
+    }
+}
+
+impl fmt::Display for MeshFormat {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// How to read a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshOptions {
+    /// How texture coordinates are made, in place of the file's. None: those of the file.
+    pub projection: Option<UvProjection>,
+    /// Whether the colours of the file's material are read, too.
+    pub colors: bool,
+    /// The most memory that reading may take, in bytes.
+    pub max_bytes: u64,
+}
+
+impl Default for MeshOptions {
+    fn default() -> Self {
+        Self { projection: None, colors: false, max_bytes: DEFAULT_MAX_BYTES }
+    }
+}
+
+/// The colours of a mesh: those of the only material of its triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshColors {
+    /// Linear red, green and blue, each from 0 to 1, by which the picture is multiplied.
+    pub factor: [f32; 3],
+    /// The picture, laid out by the mesh's texture coordinates; white where there is none.
+    pub picture: Option<Picture>,
+}
+
+/// A mesh of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshFile {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// The file's format.
+    pub format: MeshFormat,
+    /// The colours, if they were asked for and the file has them: a glTF whose triangles all have one material. Its
+    /// picture is left out where texture coordinates are projected, or are not the first ones.
+    pub colors: Option<MeshColors>,
+    /// Triangles without an area, which were left out.
+    pub degenerate: usize,
+    /// Triangles that lay on an earlier one with the same corners and front, which were left out.
+    pub double: usize,
+}
+
+/// Reads a mesh from a file or from the bytes of one: all of its triangles as one mesh, with normals and true
+/// tangent frames (see [`RawMesh::framed`](relief_core::mesh::RawMesh::framed)). The format is that of the
+/// ending of its name.
+///
+/// ```
+/// use relief_io::{MeshOptions, Source, read_mesh};
+///
+/// let text = b"v 0 0 0\nv 0 0 2\nv 2 0 2\nvt 0 1\nvt 0 0\nvt 1 0\nf 1/1 2/2 3/3\n";
+/// let mesh = read_mesh(Source::bytes("corner.obj", text), &MeshOptions::default())?.mesh;
+/// assert_eq!(mesh.triangles().len(), 1);
+/// assert_eq!(mesh.tile_m(), [2.0, 2.0]);
+/// # Ok::<(), relief_io::ReadError>(())
+/// ```
+///
+/// Positions are taken as they are: a unit is a metre, and `y` is up. Files of other programs may count in
+/// millimetres or have `z` up, STL and PLY more often than not; a
+/// [`Placement`](relief_core::mesh::Placement) turns and sizes them.
+///
+/// | format | what is read |
+/// | --- | --- |
+/// | glTF | all triangles of the default scene, or the first one, in the places of their nodes; strips, fans, sparse and quantised accessors; the first texture coordinates; no poses of skins and morphs, no compressed meshes |
+/// | OBJ | faces of any number of corners, with `vt` and `vn`; `v` is turned over, as it runs up there |
+/// | PLY | faces of any number of corners; `u` and `v`, `s` and `t` or `texture_u` and `texture_v` of vertices, or `texcoord` of faces, turned over; normals |
+/// | STL | triangles; their normals are not used |
+///
+/// Files that a glTF names have to lie in its folder or below. Bytes in memory have no folder: there all buffers
+/// are in the file itself.
+///
+/// # Memory
+///
+/// A triangle takes at most 480 bytes, a position 100, and the file its length; they are counted while they are
+/// read, and reading ends before it takes more than [`MeshOptions::max_bytes`].
+///
+/// # Errors
+///
+/// When the file, or one that it names, cannot be read, is damaged, lies outside the folder or is too large; when
+/// it has no triangles, no texture coordinates (and no projection is asked for), or numbers that are not finite;
+/// or when it uses what is not supported.
+pub fn read_mesh<'a>(source: impl Into<Source<'a>>, options: &MeshOptions) -> Result<MeshFile, ReadError> {
+    let source = source.into();
+    read(source, options).map_err(|problem| source.error(problem))
+}
+
+fn read(source: Source<'_>, options: &MeshOptions) -> Result<MeshFile, ReadProblem> {
+    let format = MeshFormat::by_name(source.name()).ok_or(ReadProblem::NoMesh)?;
+    let mut builder = Builder::new(options.max_bytes);
+    let bytes = source.whole(|len| builder.take(len))?;
+    let mut colors = None;
+    match format {
+        MeshFormat::Gltf => colors = gltf::read(source, &bytes, options, &mut builder)?,
+        MeshFormat::Obj => obj::read(&bytes, &mut builder)?,
+        MeshFormat::Ply => ply::read(&bytes, &mut builder)?,
+        MeshFormat::Stl => stl::read(&bytes, &mut builder)?,
+    }
+    drop(bytes);
+    let mut raw = builder.finish();
+    if let Some(projection) = options.projection {
+        raw = raw.projected(projection)?;
+    }
+    let Framed { mesh, degenerate, double } = raw.framed()?;
+    Ok(MeshFile { mesh, format, colors, degenerate, double })
+}

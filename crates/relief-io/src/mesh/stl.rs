@@ -1,0 +1,131 @@
+//! STL, as text and binary.
+//!
+//! Read by hand: binary files often begin with the word that marks texts, and their length alone tells them apart;
+//! normals, which are not used, are often wrong or no numbers.
+
+use std::collections::HashMap;
+
+use glam::Vec3;
+use relief_core::mesh::RawCorner;
+
+use super::builder::Builder;
+use super::text::{Words, number, shown};
+use crate::ReadProblem;
+
+const FORMAT: &str = "STL";
+
+/// Bytes before the triangles of a binary file: a text, and how many there are.
+const HEADER: usize = 84;
+
+/// Bytes of a triangle: its normal, three corners, and two more.
+const TRIANGLE: usize = 50;
+
+/// Memory that a different position takes while positions are told apart.
+const BYTES_TO_TELL_APART: u64 = 40;
+
+/// Adds triangles, with equal positions once.
+struct Triangles<'a> {
+    builder: &'a mut Builder,
+    places: HashMap<[u32; 3], u32>,
+}
+
+impl Triangles<'_> {
+    fn add(&mut self, corners: [Vec3; 3]) -> Result<(), ReadProblem> {
+        let mut places = [0; 3];
+        for (place, corner) in places.iter_mut().zip(corners) {
+            let bits = corner.to_array().map(f32::to_bits);
+            *place = match self.places.get(&bits) {
+                Some(&known) => known,
+                None => {
+                    self.builder.take(BYTES_TO_TELL_APART)?;
+                    let new = self.builder.position(corner)?;
+                    self.places.insert(bits, new);
+                    new
+                }
+            };
+        }
+        let none = RawCorner::NONE;
+        self.builder.triangle(places.map(|position| RawCorner { position, normal: none, uv: none }))
+    }
+}
+
+pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), ReadProblem> {
+    let mut triangles = Triangles { builder, places: HashMap::new() };
+    let count = bytes.get(HEADER - 4..HEADER).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
+    let binary_len = count.map(|count| HEADER as u64 + TRIANGLE as u64 * u64::from(count));
+    let is_text = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    match binary_len {
+        Some(len) if len == bytes.len() as u64 || !is_text => binary(bytes, len, &mut triangles),
+        _ if is_text => text(bytes, &mut triangles),
+        _ => Err(ReadProblem::damaged(FORMAT, "it is shorter than its header")),
+    }
+}
+
+fn binary(bytes: &[u8], len: u64, triangles: &mut Triangles<'_>) -> Result<(), ReadProblem> {
+    if (bytes.len() as u64) < len {
+        let what = format!("its header promises {len} bytes, the file has {}", bytes.len());
+        return Err(ReadProblem::damaged(FORMAT, what));
+    }
+    let body = &bytes[HEADER..len as usize];
+    for (at, triangle) in body.as_chunks::<TRIANGLE>().0.iter().enumerate() {
+        let numbers = triangle[..48].as_chunks::<4>().0;
+        let corner =
+            |first: usize| Vec3::from_array([0, 1, 2].map(|k| f32::from_le_bytes(numbers[first + k])));
+        let corners = [corner(3), corner(6), corner(9)];
+        if !corners.iter().all(|corner| corner.is_finite()) {
+            let what = format!("triangle {at} has a number that is not finite");
+            return Err(ReadProblem::damaged(FORMAT, what));
+        }
+        triangles.add(corners)?;
+    }
+    Ok(())
+}
+
+fn text(bytes: &[u8], triangles: &mut Triangles<'_>) -> Result<(), ReadProblem> {
+    let mut words = Words::new(bytes, 1);
+    // The corners of the loop that is open, and whether a solid is.
+    let (mut corners, mut is_open) = (Vec::new(), false);
+    while let Some(word) = words.next() {
+        let line = words.line();
+        match word.to_ascii_lowercase().as_slice() {
+            b"solid" => {
+                is_open = true;
+                words.skip_line();
+            }
+            b"endsolid" => {
+                is_open = false;
+                words.skip_line();
+            }
+            // The normal that follows, its name and three numbers, is not read.
+            b"facet" => words.by_ref().take(4).for_each(drop),
+            b"outer" => {
+                corners.clear();
+                words.next();
+            }
+            b"vertex" if corners.len() < 3 => {
+                let mut numbers = [0.0; 3];
+                for place in &mut numbers {
+                    *place = number(FORMAT, line, words.next().unwrap_or_default())?;
+                }
+                corners.push(Vec3::from_array(numbers));
+            }
+            b"endloop" => {
+                let three = <[Vec3; 3]>::try_from(corners.as_slice()).map_err(|_| {
+                    let what = format!("line {line}: a face of {} corners", corners.len());
+                    ReadProblem::damaged(FORMAT, what)
+                })?;
+                triangles.add(three)?;
+                corners.clear();
+            }
+            b"endfacet" => {}
+            other => {
+                let what = format!("line {line}: '{}' does not belong there", shown(other));
+                return Err(ReadProblem::damaged(FORMAT, what));
+            }
+        }
+    }
+    if is_open {
+        return Err(ReadProblem::damaged(FORMAT, "it ends too early"));
+    }
+    Ok(())
+}

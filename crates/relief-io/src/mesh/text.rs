@@ -1,0 +1,65 @@
+//! Numbers and words in files of text.
+
+use crate::ReadProblem;
+
+/// A finite number, or what stands there in its place.
+pub(super) fn number(format: &'static str, line: usize, word: &[u8]) -> Result<f32, ReadProblem> {
+    let text = std::str::from_utf8(word).ok();
+    let number = text.and_then(|text| text.parse::<f32>().ok()).filter(|number| number.is_finite());
+    number.ok_or_else(|| {
+        let what = format!("line {line}: '{}' is no finite number", shown(word));
+        ReadProblem::damaged(format, what)
+    })
+}
+
+/// The beginning of a word as people can read it.
+pub(super) fn shown(word: &[u8]) -> String {
+    const MOST: usize = 32;
+    let cut = &word[..word.len().min(MOST)];
+    let text: String = String::from_utf8_lossy(cut).chars().filter(|shown| !shown.is_control()).collect();
+    if cut.len() < word.len() { format!("{text}...") } else { text }
+}
+
+/// The words of a text one by one, and the line that the last one stands on, counted from 1.
+#[derive(Clone, Debug)]
+pub(super) struct Words<'a> {
+    rest: &'a [u8],
+    line: usize,
+}
+
+impl<'a> Words<'a> {
+    /// The words from there on, which is on that line.
+    pub fn new(rest: &'a [u8], line: usize) -> Self {
+        Self { rest, line }
+    }
+
+    /// The line of the last word.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// Bytes that follow.
+    pub fn left(&self) -> usize {
+        self.rest.len()
+    }
+
+    /// What is left of the line is no word.
+    pub fn skip_line(&mut self) {
+        let end = self.rest.iter().position(|&byte| byte == b'\n').unwrap_or(self.rest.len());
+        self.rest = &self.rest[end..];
+    }
+}
+
+impl<'a> Iterator for Words<'a> {
+    type Item = &'a [u8];
+
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let start = self.rest.iter().position(|byte| !byte.is_ascii_whitespace())?;
+        self.line += self.rest[..start].iter().filter(|&&byte| byte == b'\n').count();
+        let rest = &self.rest[start..];
+        let end = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+        let (word, rest) = rest.split_at(end);
+        self.rest = rest;
+        Some(word)
+    }
+}
