@@ -1,4 +1,5 @@
-//! Meshes of files through the command: rendered as the built-in shapes are, inspected, and refused with advice.
+//! Meshes of files through the command: rendered as the built-in shapes are, inspected, and refused with
+//! advice.
 
 mod common;
 
@@ -40,8 +41,8 @@ fn folder() -> Folder {
 
 const LOOK: &str = "--height hills.png --tile 6,2 --scale 0.03 --size 160x120 --samples 1 --backend cpu";
 
-/// The part of the pixels that both pictures show, and the greatest difference of most of these, in metres and
-/// in texture coordinates.
+/// The part of the pixels that both pictures show, and the greatest difference of most of these, in metres
+/// and in texture coordinates.
 fn compare(a: &Aov, b: &Aov) -> [f64; 3] {
     let (mut alike, mut of_positions, mut of_uvs) = (0, Vec::new(), Vec::new());
     for ((_, _, a), (_, _, b)) in a.pixels().zip(b.pixels()) {
@@ -170,15 +171,21 @@ fn write_red_square(folder: &Folder) {
     folder.write("red.bin", buffer);
     let file = json!({
         "asset": { "version": "2.0" }, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
-        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2, "material": 0 }] }],
+        "meshes": [{ "primitives": [
+            { "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "indices": 2, "material": 0 },
+        ] }],
         "materials": [{ "pbrMetallicRoughness": { "baseColorFactor": [1, 0, 0, 1] } }],
         "accessors": [
-            { "bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, 0, -1], "max": [1, 0, 1] },
+            {
+                "bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                "min": [-1, 0, -1], "max": [1, 0, 1],
+            },
             { "bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2" },
             { "bufferView": 2, "componentType": 5121, "count": 6, "type": "SCALAR" },
         ],
         "bufferViews": [
-            { "buffer": 0, "byteOffset": 0, "byteLength": 48 }, { "buffer": 0, "byteOffset": 48, "byteLength": 32 },
+            { "buffer": 0, "byteOffset": 0, "byteLength": 48 },
+            { "buffer": 0, "byteOffset": 48, "byteLength": 32 },
             { "buffer": 0, "byteOffset": 80, "byteLength": 6 },
         ],
         "buffers": [{ "uri": "red.bin", "byteLength": 86 }],

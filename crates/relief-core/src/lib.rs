@@ -1,6 +1,6 @@
-//! The core of Relief: a [`HeightMap`], the [`Mesh`](mesh::Mesh) that it lies on and the [`TangentFrame`] that lays it there,
-//! the [`Path`] that a ray takes through it, the [`Hit`] where the path ends, and the exact answer that every faster method is
-//! judged by.
+//! The core of Relief: a [`HeightMap`], the [`Mesh`](mesh::Mesh) that it lies on and the [`TangentFrame`]
+//! that lays it there, the [`Path`] that a ray takes through it, the [`Hit`] where the path ends, and the
+//! exact answer that every faster method is judged by.
 //!
 //! No file access, no GPU and no shader compiler lives here. The conventions that the whole project follows
 //! are written at the types that carry them: texture axes and reconstruction at [`HeightMap`], handedness at

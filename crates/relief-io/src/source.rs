@@ -62,8 +62,8 @@ impl<'a> Source<'a> {
         if self.bytes.is_some() { None } else { Some(self.name.parent().unwrap_or(Path::new(""))) }
     }
 
-    /// All of its bytes, which are not none. `take` is told the length before memory is taken; bytes that are in
-    /// memory already take none.
+    /// All of its bytes, which are not none. `take` is told the length before memory is taken; bytes that are
+    /// in memory already take none.
     pub(crate) fn whole(
         self,
         take: impl FnOnce(u64) -> Result<(), ReadProblem>,

@@ -103,11 +103,18 @@ fn plys_are_read_or_refused() {
         |what, text: String, is: fn(&ReadProblem) -> bool| case(what, "a.ply", text, Right::Refused(is));
     let right = |what, text: String, triangles| case(what, "a.ply", text, Right::Mesh(triangles, 0, 0));
     let plain = square_ply(4, "4 0 1 2 3", 1);
+    let nobody = "element empty 9999999\n";
+    let early = "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n";
+    let early = format!("{early}end_header\n3 0 1 2\n");
     let mesh = square(1).expect("a mesh");
     let little = String::from_utf8_lossy(&ply(&mesh, Ply::Little)[..40]).into_owned();
     assert_right(vec![
         right("a square", plain.clone(), 2),
-        right("an element that nobody knows", plain.replace("element face", "element empty 9999999\nelement face"), 2),
+        right(
+            "an element that nobody knows",
+            plain.replace("element face", &format!("{nobody}element face")),
+            2,
+        ),
         refused("no PLY", plain.replace("ply\n", "plx\n"), is_damaged),
         refused("no end of the header", plain[..100].to_owned(), is_damaged),
         refused("an unknown format", plain.replace("ascii", "utf8"), is_damaged),
@@ -130,7 +137,7 @@ fn plys_are_read_or_refused() {
         refused("infinite texture coordinates", plain.replace("1 0 1 1 0", "1 0 1 inf 0"), has_bad_number),
         refused("no texture coordinates", plain.replace("float u", "float q"), has_no_uv),
         refused("strips", plain.replace("element face 1", "element tristrips 1"), is_unsupported),
-        refused("faces before vertices", "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1 2\n".to_owned(), is_damaged),
+        refused("faces before vertices", early, is_damaged),
         refused("a binary header alone", little, is_damaged),
     ]);
 }

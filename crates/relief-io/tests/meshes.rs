@@ -117,8 +117,8 @@ fn a_tiled_texture_goes_on_across_its_cut() {
     assert!((sides[0].tangent.normalize() - cut.tangent.normalize()).length() < 0.01);
 }
 
-/// Two squares beside each other on the ground, each of 1 m, whose texture is given by its corners: of the left
-/// one from -x to 0, then of the right one, each from behind to the front.
+/// Two squares beside each other on the ground, each of 1 m, whose texture is given by its corners: of the
+/// left one from -x to 0, then of the right one, each from behind to the front.
 fn two_squares(uvs: [[f64; 2]; 8]) -> Mesh {
     let positions = "v -1 0 0\nv -1 0 1\nv 0 0 1\nv 0 0 0\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\n";
     let uvs: String = uvs.iter().map(|[u, v]| format!("vt {u} {}\n", 1.0 - v)).collect();

@@ -1,7 +1,7 @@
 //! From a mesh as files hold it to one with normals and true tangent frames.
 //!
-//! Source of the frames: Szirmay-Kalos and Umenhoffer 2008, section 2, equations 4 to 7, for each triangle; those
-//! of the triangles at a corner are averaged by their angles there.
+//! Source of the frames: Szirmay-Kalos and Umenhoffer 2008, section 2, equations 4 to 7, for each triangle;
+//! those of the triangles at a corner are averaged by their angles there.
 
 use super::raw::{Framed, FramingError, MAX_METRES, RawCorner, RawMesh};
 use super::topology::{HalfEdge, Sets, half_edges};
@@ -34,31 +34,30 @@ impl RawMesh {
     ///
     /// * Equal positions are one point. Triangles without an area, and such that lie on an earlier one with
     ///   the same corners and front, are left out and counted.
-    /// * **Normals** are made unit vectors. A corner that has none gets the mean of the normals of all triangles
-    ///   at its point, weighted by their angles there, so that relief has no gaps along edges. Where these
-    ///   cancel each other out, as on sheets with two fronts, it is that of the triangle.
-    /// * **Tangents and bitangents** are the derivatives of the position by `u` and `v`, as long as one tile:
-    ///   the means of the triangles' own that share the corner's normal and go on across shared edges in the same
-    ///   texture, weighted by their angles: of their directions, turned into the plane at right angles to the
-    ///   normal, and of how many tiles they have to the metre. A texture
-    ///   goes on across an edge where both sides have the same orientation and the same way to go from end to
-    ///   end. So mirrored halves have frames of their own, of either handedness; where a tiled texture is cut, as
-    ///   at the back of a cylinder, the frames of both sides are one; and where the sides are turned to each
-    ///   other or stretched they are two.
+    /// * **Normals** are made unit vectors. A corner that has none gets the mean of the normals of all
+    ///   triangles at its point, weighted by their angles there, so that relief has no gaps along edges.
+    ///   Where these cancel each other out, as on sheets with two fronts, it is that of the triangle.
+    /// * **Tangents and bitangents** are the derivatives of the position by `u` and `v`, as long as one tile.
+    ///   They are means, weighted by angles, over the triangles that share the corner's normal and the
+    ///   texture: of their directions, turned into the plane at right angles to the normal, and of how many
+    ///   tiles they have to the metre. A texture goes on across an edge where both sides have the same
+    ///   orientation and the same way to go from end to end. So mirrored halves have frames of their own, of
+    ///   either handedness; where a tiled texture is cut, as at the back of a cylinder, the frames of both
+    ///   sides are one; and where the sides are turned to each other or stretched they are two.
     /// * Triangles whose texture coordinates have no area take the frames of their neighbours.
     ///
-    /// These frames carry lengths, which displacement needs, and are not the orthonormal ones of MikkTSpace, in
-    /// which many tangent-space normal maps are baked. On a texture without shear the two have the same
+    /// These frames carry lengths, which displacement needs, and are not the orthonormal ones of MikkTSpace,
+    /// in which many tangent-space normal maps are baked. On a texture without shear the two have the same
     /// directions; the lengths of MikkTSpace's are those of no tile.
     ///
-    /// Takes at most [`Self::BYTES_PER_TRIANGLE`] and [`Self::BYTES_PER_POSITION`]; the same mesh gives the same
-    /// bits.
+    /// Takes at most [`Self::BYTES_PER_TRIANGLE`] and [`Self::BYTES_PER_POSITION`]; the same mesh gives the
+    /// same bits.
     ///
     /// # Errors
     ///
     /// When a corner names what does not exist or has numbers that are not finite or too large, when there is
-    /// no triangle with an area, and when triangles have no texture coordinates, or such without an area beside
-    /// no neighbour that has one.
+    /// no triangle with an area, and when triangles have no texture coordinates, or such without an area
+    /// beside no neighbour that has one.
     pub fn framed(mut self) -> Result<Framed, FramingError> {
         self.check()?;
         let [degenerate, double] = self.weld_and_drop();
@@ -76,8 +75,8 @@ impl RawMesh {
         Ok(Framed { mesh: Mesh::new(vertices, triangles)?, degenerate, double })
     }
 
-    /// For each point the sum of the unit normals of its triangles, weighted by angles, and that of the weights;
-    /// nothing where every corner has a normal.
+    /// For each point the sum of the unit normals of its triangles, weighted by angles, and that of the
+    /// weights; nothing where every corner has a normal.
     fn normals_of_points(&self) -> Vec<(DVec3, f64)> {
         if self.triangles.iter().flatten().all(|corner| self.stored_normal(corner).is_some()) {
             return Vec::new();
@@ -240,8 +239,8 @@ impl Framing<'_> {
         Ok((vertices, triangles))
     }
 
-    /// Gives corners of triangles without an area in the texture the frames of a vertex at the same point, or of
-    /// another corner of the triangle.
+    /// Gives corners of triangles without an area in the texture the frames of a vertex at the same point, or
+    /// of another corner of the triangle.
     fn fill_from_neighbours(
         &self,
         vertices: &mut Vec<Vertex>,
@@ -287,8 +286,9 @@ fn orientation(face: &Face) -> bool {
     face.frame.handedness() > 0.0
 }
 
-/// The mean of tangents: their mean direction at right angles to a normal, with as many tiles to the metre as on
-/// the mean. (The mean of their lengths would be that of the longest, where a texture is next to nothing wide.)
+/// The mean of tangents: their mean direction at right angles to a normal, with as many tiles to the metre as
+/// on the mean. (The mean of their lengths would be that of the longest, where a texture is next to nothing
+/// wide.)
 struct Mean {
     normal: DVec3,
     directions: DVec3,

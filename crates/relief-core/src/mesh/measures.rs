@@ -115,8 +115,8 @@ impl Mesh {
     }
 }
 
-/// Whether `u` and `v` run clockwise on a triangle that is seen from the front: with `v` downward they do unless
-/// they are mirrored.
+/// Whether `u` and `v` run clockwise on a triangle that is seen from the front: with `v` downward they do
+/// unless they are mirrored.
 fn is_mirrored(corners: &[&Vertex; 3]) -> bool {
     let [a, b, c] = corners.map(|corner| corner.uv);
     let [across, down]: [Vec2; 2] = [b - a, c - a];

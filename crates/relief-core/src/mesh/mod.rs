@@ -1,8 +1,8 @@
 //! Base meshes: triangles with texture coordinates and true tangent frames.
 //!
-//! A [`Mesh`] is a built-in shape, or comes from a [`RawMesh`], which is what files hold. Lengths are metres, and
-//! `y` is up: the built-in shapes stand on the plane of `x` and `z`, and show the middle of their texture to
-//! whoever looks along `-z`.
+//! A [`Mesh`] is a built-in shape, or comes from a [`RawMesh`], which is what files hold. Lengths are metres,
+//! and `y` is up: the built-in shapes stand on the plane of `x` and `z`, and show the middle of their texture
+//! to whoever looks along `-z`.
 
 mod builtin;
 mod cube;

@@ -15,11 +15,11 @@ const ON_AXIS: f64 = 1e-6;
 /// texture on the built-in shape of its name as that one has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UvProjection {
-    /// From the six sides of a box: each triangle from the side that it looks at most. A tile is as long as the
-    /// longest side of the bounding box.
+    /// From the six sides of a box: each triangle from the side that it looks at most. A tile is as long as
+    /// the longest side of the bounding box.
     Box,
-    /// Around the `y` axis: `u` once around, `½` at `+z`, `v` from the top to the bottom. Triangles that look up
-    /// or down by more than 45° are projected from above and below, a tile as long as the wider side.
+    /// Around the `y` axis: `u` once around, `½` at `+z`, `v` from the top to the bottom. Triangles that look
+    /// up or down by more than 45° are projected from above and below, a tile as long as the wider side.
     Cylinder,
     /// As a map of the world: `u` once around the `y` axis, `½` at `+z`, `v` from the north pole `+y` to the
     /// south pole.
@@ -64,9 +64,9 @@ struct Bounds {
 }
 
 impl RawMesh {
-    /// The same with texture coordinates that are made by a projection, in place of its own. Where a projection
-    /// is cut, as at the back of a sphere, coordinates go on beyond 0 and 1, so that maps have to repeat along
-    /// `u`.
+    /// The same with texture coordinates that are made by a projection, in place of its own. Where a
+    /// projection is cut, as at the back of a sphere, coordinates go on beyond 0 and 1, so that maps have to
+    /// repeat along `u`.
     ///
     /// # Errors
     ///
@@ -107,7 +107,8 @@ impl RawMesh {
     }
 }
 
-/// The directions of `u` and `v` on the side of a box that a normal points at; of equally near ones the first.
+/// The directions of `u` and `v` on the side of a box that a normal points at; of equally near ones the
+/// first.
 fn side_of(normal: DVec3) -> (DVec3, DVec3) {
     let mut best = (f64::NEG_INFINITY, FACES[0]);
     for (du, dv) in FACES {

@@ -21,15 +21,16 @@ const MAX_UV: f32 = 1e6;
 /// use glam::{Vec2, Vec3};
 ///
 /// // A square of 2 m with one tile on it, of two triangles.
+/// let uvs = vec![Vec2::ZERO, Vec2::Y, Vec2::ONE, Vec2::X];
 /// let raw = RawMesh {
-///     positions: vec![Vec3::ZERO, Vec3::new(0.0, 0.0, 2.0), Vec3::new(2.0, 0.0, 2.0), Vec3::new(2.0, 0.0, 0.0)],
-///     uvs: vec![Vec2::ZERO, Vec2::Y, Vec2::ONE, Vec2::X],
+///     positions: uvs.iter().map(|uv| 2.0 * Vec3::new(uv.x, 0.0, uv.y)).collect(),
+///     uvs,
 ///     triangles: [[0, 1, 2], [0, 2, 3]].map(|corners| corners.map(RawCorner::all)).to_vec(),
 ///     ..RawMesh::default()
 /// };
 /// let mesh = raw.framed()?.mesh;
-/// assert_eq!(mesh.tile_m(), [2.0, 2.0]);
-/// assert_eq!(mesh.vertices()[0].normal, Vec3::Y);
+/// let corner = mesh.vertices()[0];
+/// assert_eq!((corner.tangent, corner.bitangent, corner.normal), (2.0 * Vec3::X, 2.0 * Vec3::Z, Vec3::Y));
 /// # Ok::<(), relief_core::mesh::FramingError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -112,7 +113,8 @@ pub enum FramingError {
         /// Triangles in all.
         triangles: usize,
     },
-    /// Texture coordinates of triangles lie on a line or a point, so that no direction belongs to `u` and `v`.
+    /// Texture coordinates of triangles lie on a line or a point, so that no direction belongs to `u` and
+    /// `v`.
     #[error("the texture coordinates of {count} triangles have no area, first those of triangle {first}")]
     NoTextureArea {
         /// The first such triangle.

@@ -106,7 +106,6 @@ fn push<T>(list: &mut Vec<T>, value: T) -> Result<u32, ReadProblem> {
         list.try_reserve(1).map_err(|_| ReadProblem::OutOfMemory { needed })?;
     }
     list.push(value);
-    // Each has taken memory that was counted, so that 2^32 of them are no more than the largest limits allow, and
-    // the mesh refuses them.
+    // A mesh of more than 32 bits count is refused when its frames are made.
     Ok(u32::try_from(place).unwrap_or(RawCorner::NONE))
 }

@@ -95,8 +95,8 @@ pub struct MeshFile {
     pub mesh: Mesh,
     /// The file's format.
     pub format: MeshFormat,
-    /// The colours, if they were asked for and the file has them: a glTF whose triangles all have one material. Its
-    /// picture is left out where texture coordinates are projected, or are not the first ones.
+    /// The colours, if they were asked for and the file has them: a glTF whose triangles all have one
+    /// material. Its picture is left out where texture coordinates are projected, or are not the first ones.
     pub colors: Option<MeshColors>,
     /// Triangles without an area, which were left out.
     pub degenerate: usize,
@@ -114,7 +114,8 @@ pub struct MeshFile {
 /// let text = b"v 0 0 0\nv 0 0 2\nv 2 0 2\nvt 0 1\nvt 0 0\nvt 1 0\nf 1/1 2/2 3/3\n";
 /// let mesh = read_mesh(Source::bytes("corner.obj", text), &MeshOptions::default())?.mesh;
 /// assert_eq!(mesh.triangles().len(), 1);
-/// assert_eq!(mesh.tile_m(), [2.0, 2.0]);
+/// // One tile is 2 m wide: along x, as u grows.
+/// assert_eq!(mesh.vertices()[0].tangent.to_array(), [2.0, 0.0, 0.0]);
 /// # Ok::<(), relief_io::ReadError>(())
 /// ```
 ///
@@ -129,19 +130,19 @@ pub struct MeshFile {
 /// | PLY | faces of any number of corners; `u` and `v`, `s` and `t` or `texture_u` and `texture_v` of vertices, or `texcoord` of faces, turned over; normals |
 /// | STL | triangles; their normals are not used |
 ///
-/// Files that a glTF names have to lie in its folder or below. Bytes in memory have no folder: there all buffers
-/// are in the file itself.
+/// Files that a glTF names have to lie in its folder or below. Bytes in memory have no folder: there all
+/// buffers are in the file itself.
 ///
 /// # Memory
 ///
-/// A triangle takes at most 480 bytes, a position 100, and the file its length; they are counted while they are
-/// read, and reading ends before it takes more than [`MeshOptions::max_bytes`].
+/// A triangle takes at most 480 bytes, a position 100, and the file its length; they are counted while they
+/// are read, and reading ends before it takes more than [`MeshOptions::max_bytes`].
 ///
 /// # Errors
 ///
-/// When the file, or one that it names, cannot be read, is damaged, lies outside the folder or is too large; when
-/// it has no triangles, no texture coordinates (and no projection is asked for), or numbers that are not finite;
-/// or when it uses what is not supported.
+/// When the file, or one that it names, cannot be read, is damaged, lies outside the folder or is too large;
+/// when it has no triangles, no texture coordinates (and no projection is asked for), or numbers that are not
+/// finite; or when it uses what is not supported.
 pub fn read_mesh<'a>(source: impl Into<Source<'a>>, options: &MeshOptions) -> Result<MeshFile, ReadError> {
     let source = source.into();
     read(source, options).map_err(|problem| source.error(problem))

@@ -1,7 +1,7 @@
 //! Wavefront OBJ.
 //!
-//! Read by hand: lines are named in errors, texts need not be UTF-8, faces with and without texture coordinates
-//! may be mixed, and memory is counted as it is taken.
+//! Read by hand: lines are named in errors, texts need not be UTF-8, faces with and without texture
+//! coordinates may be mixed, and memory is counted as it is taken.
 
 use glam::{Vec2, Vec3};
 use relief_core::mesh::RawCorner;

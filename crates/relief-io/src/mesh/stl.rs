@@ -1,7 +1,7 @@
 //! STL, as text and binary.
 //!
-//! Read by hand: binary files often begin with the word that marks texts, and their length alone tells them apart;
-//! normals, which are not used, are often wrong or no numbers.
+//! Read by hand: binary files often begin with the word that marks texts, and their length alone tells them
+//! apart; normals, which are not used, are often wrong or no numbers.
 
 use std::collections::HashMap;
 

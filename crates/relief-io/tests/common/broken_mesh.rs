@@ -85,8 +85,8 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<MeshFile, ReadError> {
     read
 }
 
-/// Fails unless frames are such that displacement can be reckoned in them. (That numbers are finite and indices
-/// in range is checked where meshes are made.)
+/// Fails unless frames are such that displacement can be reckoned in them. (That numbers are finite and
+/// indices in range is checked where meshes are made.)
 fn assert_sound(mesh: &Mesh) {
     assert!(!mesh.triangles().is_empty());
     for vertex in mesh.vertices() {

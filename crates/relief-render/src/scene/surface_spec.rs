@@ -59,8 +59,8 @@ pub struct SurfaceSpec {
     /// `cylinder`, `sphere`, `torus`, or a file that [`read_mesh`](relief_io::read_mesh) reads.
     #[serde(deserialize_with = "parsed")]
     pub mesh: Option<MeshChoice>,
-    /// How texture coordinates are made for the mesh of a file: `box`, `cylinder` or `sphere`. By default they
-    /// are the file's.
+    /// How texture coordinates are made for the mesh of a file: `box`, `cylinder` or `sphere`. By default
+    /// they are the file's.
     #[serde(deserialize_with = "parsed")]
     pub project: Option<UvProjection>,
     /// Tiles along `u` and `v`. By default 1 and 1.
@@ -122,8 +122,9 @@ impl SurfaceSpec {
     ///
     /// What belongs to something replaced goes with it: another height file drops how the old one was to be
     /// read (`channel`, `depth`, `range`, `raw`, `fill`), another normal map drops `green`, another mesh
-    /// `project`, another method or stage its own settings, another shadow its search, another ambient light than `environment` what is
-    /// refracted and what is refracted another ambient light, and a scale without a bias the old bias.
+    /// `project`, another method or stage its own settings, another shadow its search, another ambient light
+    /// than `environment` what is refracted and what is refracted another ambient light, and a scale without
+    /// a bias the old bias.
     #[must_use]
     pub fn overridden_by(mut self, over: SurfaceSpec) -> SurfaceSpec {
         if over.height.is_some() {

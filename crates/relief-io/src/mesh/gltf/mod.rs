@@ -1,7 +1,7 @@
 //! glTF 2.0: JSON with buffers beside it or inside, and GLB.
 //!
-//! The crate `gltf` reads and checks the JSON. Buffers, accessors and nodes are resolved here, since a file may
-//! claim any size, name any path and tie its nodes to any knot.
+//! The crate `gltf` reads and checks the JSON. Buffers, accessors and nodes are resolved here, since a file
+//! may claim any size, name any path and tie its nodes to any knot.
 
 mod accessor;
 mod buffers;

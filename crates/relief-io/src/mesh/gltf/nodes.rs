@@ -6,8 +6,8 @@ use glam::{DMat4, Mat4};
 use super::damaged;
 use crate::ReadProblem;
 
-/// All nodes that the scene shows, parents before their children, each with its transformation to the world. The
-/// scene is the default one, else the first, else all nodes that are nobody's child.
+/// All nodes that the scene shows, parents before their children, each with its transformation to the world.
+/// The scene is the default one, else the first, else all nodes that are nobody's child.
 pub(super) fn placed(document: &Document) -> Result<Vec<(Node<'_>, DMat4)>, ReadProblem> {
     let scene = document.default_scene().or_else(|| document.scenes().next());
     let roots: Vec<Node<'_>> = match scene {
