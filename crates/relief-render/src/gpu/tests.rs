@@ -9,7 +9,7 @@ use relief_io::Picture;
 use relief_maps::Maps;
 use relief_shaders::cpu::{Corner, Frame, PixelIn, SurfaceSettings};
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{METHODS, Selection, SlotMaps};
+use relief_shaders::{Selection, SlotMaps};
 use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
 
 use super::{AdapterChoice, Gpu, GpuError, GpuRenderer, Prober, Work, block_on};
@@ -324,25 +324,6 @@ fn a_second_frame_uploads_a_camera_and_compiles_nothing() {
     let fewer = changed.to_builder().surfaces(changed.surfaces()[..1].to_vec()).size(50, 40);
     rendered(&mut renderer, &fewer.build().expect("a proper scene"), &mut maps);
     assert!(renderer.last_work().uploaded <= 2048, "{:?}", renderer.last_work());
-}
-
-#[test]
-fn every_method_runs_within_the_least_limits_and_on_the_callers_device() {
-    for limits in [Limits::downlevel_defaults(), Limits::defaults()] {
-        let Some(gpu) = own(limits) else { return };
-        for sampling in Sampling::ALL {
-            let mut renderer = Renderer::on_gpu(gpu.clone(), sampling);
-            let mut maps = Maps::in_memory();
-            for method in METHODS {
-                let selection = Selection::of(method).expect("a method");
-                let surfaces = three_surfaces().into_iter().map(|surface| surface.with_selection(selection));
-                let scene = scene(surfaces.collect());
-                let picture = rendered(&mut renderer, &scene, &mut maps);
-                let covered = picture.pixels.iter().filter(|pixel| pixel.hit == 1).count();
-                assert!(covered > 1000, "{} {sampling}: {covered} pixels", method.name);
-            }
-        }
-    }
 }
 
 #[test]

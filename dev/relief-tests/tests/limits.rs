@@ -1,0 +1,76 @@
+//! Everything runs within the limits that small devices have, on a device that the caller has opened.
+
+mod common;
+
+use common::has_adapter;
+use relief_core::Wrap;
+use relief_maps::Maps;
+use relief_render::Renderer;
+use relief_render::gpu::{Gpu, block_on};
+use relief_render::mesh::torus;
+use relief_render::scene::{Scene, Surface};
+use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestAdapterOptions};
+use relief_shaders::wgsl::Sampling;
+use relief_shaders::{METHODS, Selection, ambient, detail, shadow};
+use relief_tests::maps;
+
+/// A device of exactly those limits, and no feature.
+fn opened(limits: Limits) -> Option<Gpu> {
+    if !has_adapter() {
+        return None;
+    }
+    let adapter = block_on(Instance::default().request_adapter(&RequestAdapterOptions::default()));
+    let descriptor = DeviceDescriptor {
+        required_features: Features::empty(),
+        required_limits: limits,
+        ..DeviceDescriptor::default()
+    };
+    let (device, queue) =
+        block_on(adapter.expect("there is one").request_device(&descriptor)).expect("a device");
+    Some(Gpu::of_device(device, queue, "the caller's own"))
+}
+
+/// Every method, and every other stage with one of them.
+fn selections() -> Vec<Selection> {
+    let methods = METHODS.iter().map(|method| Selection::of(method).expect("a method"));
+    let stages = [("shadow", shadow::ENTRIES), ("ambient", ambient::ENTRIES), ("detail", detail::ENTRIES)];
+    let others = stages.into_iter().flat_map(|(stage, entries)| {
+        entries.iter().map(move |entry| {
+            let mut selection = Selection::method("cone").expect("a method");
+            selection.choose(stage, entry.name).expect("a listed name");
+            selection
+        })
+    });
+    methods.chain(others).collect()
+}
+
+/// Renders everything within these limits and looks whether there is something to be seen, in all samplings or
+/// in one after the other by turns: most of the time goes into compiling.
+fn runs_within(limits: Limits, in_all: bool) {
+    let Some(gpu) = opened(limits) else { return };
+    let map = maps::ALL[2].build(Wrap::Repeat).with_displacement(0.05, -0.05).expect("lengths");
+    for (turn, sampling) in Sampling::ALL.into_iter().enumerate() {
+        let mut renderer = Renderer::on_gpu(gpu.clone(), sampling);
+        let mut kept = Maps::in_memory();
+        let is_its_turn = |number: usize| in_all || number % Sampling::ALL.len() == turn;
+        for (_, selection) in selections().into_iter().enumerate().filter(|(number, _)| is_its_turn(*number))
+        {
+            let surface = Surface::new(torus(32, 16).expect("a mesh"), map.clone()).with_selection(selection);
+            let scene = Scene::builder(surface).size(90, 70).samples(1).build().expect("a proper scene");
+            let picture = renderer.render(&scene, &mut kept, &|_, _| ()).expect("a picture").rendering;
+            let covered = picture.pixels.iter().filter(|pixel| pixel.hit == 1).count();
+            let name = selection.choices.map(|choice| choice.entry.name);
+            assert!(covered > 1000, "{name:?} {sampling}: {covered} pixels");
+        }
+    }
+}
+
+#[test]
+fn everything_runs_within_the_least_limits() {
+    runs_within(Limits::downlevel_defaults(), true);
+}
+
+#[test]
+fn everything_runs_within_the_limits_of_the_web() {
+    runs_within(Limits::defaults(), false);
+}
