@@ -4895,7 +4895,6 @@ impl<'g> Resources<'g> {
         let mut local_33: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
-        let mut local_34: rt::Scalar<bool>;
 
         let upright_3 = at_28.normal.dot(view_8);
         let shown = upright_3.max(rt::Scalar(0.5f32));
@@ -4931,19 +4930,15 @@ impl<'g> Resources<'g> {
         let _e63 = second;
         let _e65 = self.v_seen_normals(at_28, <Normals>::new(_e62, _e63), view_8);
         let _e66 = self.v_table_part(at_28);
-        let _e70 = rt::Scalar(self.surface_settings.height_levels);
-        let _e71 = self.v_levels_of(rt::Scalar(at_28.footprint), _e70);
         if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
-            let _e76 = self.v_has_table(_e71);
-            local_34 = _e76;
-        } else {
-            local_34 = rt::Scalar(false);
-        }
-        let _e78 = local_34;
-        if rt::Scalar::into_branch_condition(_e78) {
-            let _e79 = self.v_table_of(at_28, uv_17, view_8, _e71);
-            let _e80 = self.v_with_table(at_28, _e65, _e79, _e66);
-            return _e80;
+            let _e72 = rt::Scalar(self.surface_settings.height_levels);
+            let _e73 = self.v_levels_of(rt::Scalar(at_28.footprint), _e72);
+            let _e74 = self.v_has_table(_e73);
+            if rt::Scalar::into_branch_condition(_e74) {
+                let _e75 = self.v_table_of(at_28, uv_17, view_8, _e73);
+                let _e76 = self.v_with_table(at_28, _e65, _e75, _e66);
+                return _e76;
+            }
         }
         return _e65;
     }
@@ -4991,17 +4986,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_32: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_32.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_35 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
+            local_34 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_35 = rt::Scalar(true);
+            local_34 = rt::Scalar(true);
         }
-        let _e16 = local_35;
+        let _e16 = local_34;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found_1.far);
         }
@@ -5247,7 +5242,7 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_17: rt::Vec3<u32>;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -5262,11 +5257,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_39, _e18);
-            local_36 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_35 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_36 = rt::Scalar(true);
+            local_35 = rt::Scalar(true);
         }
-        let _e23 = local_36;
+        let _e23 = local_35;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -5514,7 +5509,7 @@ impl<'g> Resources<'g> {
         let mut t_25: rt::Scalar<f32>;
         let mut cell_18: rt::Vec2<f32>;
         let mut cost_20: rt::Vec3<u32>;
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -5571,11 +5566,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_37 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_36 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_37 = rt::Scalar(true);
+                            local_36 = rt::Scalar(true);
                         }
-                        let _e89 = local_37;
+                        let _e89 = local_36;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_20;
                             let _e93 = self.v_hit_on_path(path_42, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -6228,14 +6223,14 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mirrored_light(&self, pixel_12: PixelIn, at_38: Entered, hit_21: Hit) -> rt::Scalar<f32> {
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(at_38.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_38 = rt::Scalar(hit_21.found).elementwise_eq(rt::Scalar(0u32));
+            local_37 = rt::Scalar(hit_21.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_38 = rt::Scalar(true);
+            local_37 = rt::Scalar(true);
         }
-        let _e13 = local_38;
+        let _e13 = local_37;
         if rt::Scalar::into_branch_condition(_e13) {
             return rt::Scalar(0f32);
         }
@@ -6596,14 +6591,14 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_hit(&self, pixel_15: PixelIn, at_42: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(at_42.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_39 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
+            local_38 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_39 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e14 = local_39;
+        let _e14 = local_38;
         if rt::Scalar::into_branch_condition(_e14) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
         }
@@ -6634,15 +6629,15 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_visible_lights(&self, at_43: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
         let mut k_11: rt::Scalar<u32> = rt::Scalar(0u32);
 
         if rt::Scalar::into_branch_condition((!rt::Scalar(at_43.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_40 = rt::Scalar(hit_25.found).elementwise_eq(rt::Scalar(0u32));
+            local_39 = rt::Scalar(hit_25.found).elementwise_eq(rt::Scalar(0u32));
         } else {
-            local_40 = rt::Scalar(true);
+            local_39 = rt::Scalar(true);
         }
-        let _e14 = local_40;
+        let _e14 = local_39;
         if rt::Scalar::into_branch_condition(_e14) {
             let _e15 = visible_2;
             return _e15;

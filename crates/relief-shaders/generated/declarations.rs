@@ -2970,9 +2970,11 @@ fn mesostructure_normals(at: Entered, uv: vec2f, view: vec3f) -> SeenNormals {
     }
     let seen = seen_normals(at, Normals(first, second), view);
     let part = table_part(at);
-    let of_table = levels_of(at.footprint, surface_settings.height_levels);
-    if (part > 0.0 && has_table(of_table)) {
-        return with_table(at, seen, table_of(at, uv, view, of_table), part);
+    if (part > 0.0) {
+        let of_table = levels_of(at.footprint, surface_settings.height_levels);
+        if (has_table(of_table)) {
+            return with_table(at, seen, table_of(at, uv, view, of_table), part);
+        }
     }
     return seen;
 }"#,
