@@ -20,8 +20,8 @@ fn normal(map: &HeightMap, metric: Metric, [u, v]: [f64; 2]) -> [f64; 3] {
     n.map(|part| part / length)
 }
 
-/// What an eye sees through the point of the plane at the mean height that lies over a texel's centre, from an
-/// azimuth in turns and a sine of the elevation.
+/// What an eye sees through the point of the plane at the mean height that lies over a texel's centre, from
+/// an azimuth in turns and a sine of the elevation.
 fn seen(map: &HeightMap, metric: Metric, at: [u32; 2], turn: f64, sine: f64) -> [f64; 8] {
     let uv = [0, 1].map(|axis| (f64::from(at[axis]) + 0.5) / f64::from([map.width(), map.height()][axis]));
     let mean = map.texels().iter().map(|h| f64::from(*h)).sum::<f64>() / map.texels().len() as f64;
@@ -44,7 +44,8 @@ fn seen(map: &HeightMap, metric: Metric, at: [u32; 2], turn: f64, sine: f64) -> 
     [x, y, z, x * x, x * y, y * y, x * z, y * z]
 }
 
-/// The texels of a row of `from` that lie in a texel of the same row in `to`, and the part of it that each is.
+/// The texels of a row of `from` that lie in a texel of the same row in `to`, and the part of it that each
+/// is.
 fn parts(texel: u32, from: u32, to: u32) -> Vec<(u32, f64)> {
     let [from_f, to_f] = [from, to].map(f64::from);
     let edge = |texel: u32| f64::from(texel) / to_f * from_f;

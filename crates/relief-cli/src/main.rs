@@ -64,8 +64,8 @@ enum Command {
     Render(Box<commands::render::Arguments>),
     /// Write a scene file of render's flags, with every key
     Scene(Box<commands::scene::Arguments>),
-    /// Say what is in a height map (size, depth, range, used levels, histogram, whether it tiles), or in a mesh
-    /// (size, charts, seams, hard edges, lengths of tiles)
+    /// Say what is in a height map (size, depth, range, used levels, histogram, whether it tiles), or in a
+    /// mesh (size, charts, seams, hard edges, lengths of tiles)
     Inspect(commands::inspect::Arguments),
     /// Bake a height map into the maps that methods read: cones, normals, horizons and more
     Bake(Box<commands::bake::Arguments>),

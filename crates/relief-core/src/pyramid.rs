@@ -62,14 +62,14 @@ impl MaxPyramid {
         Ok(Self { wrap: map.wrap(), levels: levels(map, higher, at)? })
     }
 
-    /// The same pyramid, whose nodes bound the coarser [levels](HeightMap::level) of the map, too. Of the map's
-    /// level `l`, which has cells of its own, node `(i, j)` of level `k` covers the cells
-    /// `i 2^(k - l) .. (i + 1) 2^(k - l)` as far as they are there, and rows likewise, for every `l < k`. So
-    /// the levels from `k = l + 1` on are a pyramid over the map's level `l`, from whose nodes down to its
-    /// cells lead the same steps.
+    /// The same pyramid, whose nodes bound the coarser [levels](HeightMap::level) of the map, too. Of the
+    /// map's level `l` node `(i, j)` of level `k > l` covers the cells from `i 2^(k - l)` up to
+    /// `(i + 1) 2^(k - l)`, counted in that level, as far as they are there, and rows likewise. So the nodes
+    /// from level `l + 1` on are a pyramid over the map's level `l`, and are walked in the same way.
     ///
     /// A texel of a coarser level lies half a texel of that level beside the finest cells of the same
-    /// numbers, so the bounds of the finest level are a little less tight. The two finest levels are the same.
+    /// numbers, so the bounds of the finest level are a little less tight. The two finest levels are the
+    /// same.
     #[must_use]
     pub fn over_levels(mut self, map: &HeightMap) -> Self {
         reach_over_levels(&mut self.levels, map, higher);
@@ -230,8 +230,8 @@ fn levels<E: Send>(
     Ok(levels)
 }
 
-/// Makes every node the `pick` of what it covers of the map's coarser levels, too. A node has what its children
-/// have; what is new in a level of nodes are two by two cells of the map's level before.
+/// Makes every node the `pick` of what it covers of the map's coarser levels, too. A node has what its
+/// children have; what is new in a level of nodes are two by two cells of the map's level before.
 fn reach_over_levels(
     levels: &mut [PyramidLevel],
     map: &HeightMap,

@@ -78,8 +78,8 @@ pub enum MapLevels {
     /// The levels of the kind's texture from that one on. Each is padded, to the right and below, to half the
     /// size of the one before, as textures of GPUs have it: kinds round sizes up, textures round down.
     ChainFrom(u32),
-    /// All levels of the kind's texture, which are means over areas as levels of detail are: of every level of
-    /// detail one is as large, but for the finest ones.
+    /// All levels of the kind's texture, each a mean over areas. They have the sizes of the coarser levels of
+    /// detail.
     Means,
     /// The finest level of the kind's texture for each [level](crate::HeightMap::level) of the height map,
     /// baked from that level's heights.

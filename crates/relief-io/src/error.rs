@@ -195,7 +195,7 @@ pub enum ReadProblem {
     NoMesh,
     /// A mesh takes more memory than allowed.
     #[error(
-        "is a mesh that takes more than the {} MiB of memory that are allowed: make it coarser or raise the limit",
+        "is a mesh that takes more than the {} MiB of memory allowed: make it coarser or raise the limit",
         limit >> 20
     )]
     MeshMemory {

@@ -93,7 +93,8 @@ fn square_ply(vertices: u64, faces: &str, count: u64) -> String {
     let properties = ["x", "y", "z", "u", "v"].map(|name| format!("property float {name}\n")).concat();
     format!(
         "ply\nformat ascii 1.0\nelement vertex {vertices}\n{properties}element face {count}\n\
-         property list uchar int vertex_indices\nend_header\n0 0 0 0 1\n0 0 1 0 0\n1 0 1 1 0\n1 0 0 1 1\n{faces}\n"
+         property list uchar int vertex_indices\nend_header\n\
+         0 0 0 0 1\n0 0 1 0 0\n1 0 1 1 0\n1 0 0 1 1\n{faces}\n"
     )
 }
 

@@ -4590,8 +4590,8 @@ impl<'g> Resources<'g> {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let _e14 = self.v_no_table();
-        return <SeenNormals>::new(normal_9, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts, rt::Scalar(0f32), _e14);
+        let _e13 = self.v_no_table();
+        return <SeenNormals>::new(normal_9, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,

@@ -101,15 +101,15 @@ pub const MODULES: &[Module] = &[
 // traced flatter.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4.1.1, after Becker and Max 1993. `params.x` and `params.y` are
-// those of `footprint`. A relief that is `params.z` samples deep is flat, one that is `params.w` times as deep
-// is not flattened at all.
+// those of `footprint`. A relief that is `params.z` samples deep is flat, one that is `params.w` times as
+// deep is not flattened at all.
 "# },
     Module { path: "detail/footprint", head: r#"// The level of detail of which about two texels lie beside each other in a pixel's footprint on the base
 // surface.
 //
-// Oh, Ki and Lee 2006, section 3.4. `params.x` is how many times as long as wide the footprint may be taken to
-// be. `params.y` is how many texels of the level lie beside each other in it: with one, shadows are lost that
-// are still seen.
+// Oh, Ki and Lee 2006, section 3.4. `params.x` is how many times as long as wide the footprint may be taken
+// to be. `params.y` is how many texels of the level lie beside each other in it: with one, shadows are lost
+// that are still seen.
 "# },
     Module { path: "detail/none", head: r#"// No level of detail: the finest level of all maps.
 "# },
@@ -172,8 +172,8 @@ pub const MODULES: &[Module] = &[
 // of level k holds the greatest height over 2^k by 2^k dual cells; on level 0 the cell's own patch is looked
 // at, as `cells` does. `params.x` caps the reads.
 //
-// One chain of nodes serves all levels of detail: those of level k are over the cells of the traced level, too,
-// 2^(k - level) by 2^(k - level) of them. Levels are counted from the traced one here.
+// One chain of nodes serves all levels of detail: those of level k are over the cells of the traced level,
+// too, 2^(k - level) by 2^(k - level) of them. Levels are counted from the traced one here.
 "# },
     Module { path: "search/pyramid_texels", head: r#"// Pyramidal displacement mapping as published: the maximum pyramid of the texels, each a level column.
 //
@@ -2738,7 +2738,10 @@ fn one_seen(normal: vec3f) -> SeenNormals {
     let nothing = vec2f(0.0, 0.0);
     let none = vec3f(0.0, 0.0, 0.0);
     let parts = vec4f(0.0, 0.0, 0.0, 0.0);
-    return SeenNormals(normal, 1.0, 0u, none, none, none, nothing, nothing, nothing, 1.0, 0.0, parts, 0.0, no_table());
+    let table = no_table();
+    return SeenNormals(
+        normal, 1.0, 0u, none, none, none, nothing, nothing, nothing, 1.0, 0.0, parts, 0.0, table
+    );
 }"#,
     },
     Declaration {
@@ -2992,8 +2995,8 @@ const MOST_SEEN = 16.0;"#,
         name: "INNER_DEVIATIONS",
         sampling: None,
         uses: &[],
-        text: r#"// A cosine that is spread by a deviation stands for four: so many deviations beside it, two and two, each with
-// its part of the whole (Gauss and Hermite).
+        text: r#"// A cosine that is spread by a deviation stands for four: so many deviations beside it, two and two, each
+// with its part of the whole (Gauss and Hermite).
 const INNER_DEVIATIONS = 0.7419638;"#,
     },
     Declaration {

@@ -1,9 +1,9 @@
 //! Displacement mapping: a height map and a mesh go in; a picture, baked maps or a shader that any engine can
 //! use comes out.
 //!
-//! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], in [`mesh`] what it lies on, and in [`exact`] the answer that every faster
-//! method is judged by. Every other crate of the project is a module, most of them behind a feature of that
-//! name; all are on by default.
+//! The root holds the core: [`HeightMap`], [`Path`], [`Hit`], in [`mesh`] what it lies on, and in [`exact`]
+//! the answer that every faster method is judged by. Every other crate of the project is a module, most of
+//! them behind a feature of that name; all are on by default.
 //!
 //! | module | feature | what it is for |
 //! | --- | --- | --- |
@@ -52,10 +52,11 @@
 //!
 //! # On the web
 //!
-//! Everything compiles for `wasm32-unknown-unknown`. Read files as bytes, keep maps in memory, and draw on a GPU with the
-//! functions that are `async`. Two things panic there: the CPU backend, whose ray casting asks the system's clock while it
-//! builds its tree, and the functions that wait for a GPU, [`Gpu::new`](render::gpu::Gpu::new),
-//! [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and [`block_on`](render::gpu::block_on).
+//! Everything compiles for `wasm32-unknown-unknown`. Read files as bytes, keep maps in memory, and draw on a
+//! GPU with the functions that are `async`. Two things panic there: the CPU backend, whose ray casting asks
+//! the system's clock while it builds its tree, and the functions that wait for a GPU,
+//! [`Gpu::new`](render::gpu::Gpu::new), [`GpuRenderer::render`](render::gpu::GpuRenderer::render) and
+//! [`block_on`](render::gpu::block_on).
 
 #[doc(inline)]
 pub use relief_core::*;

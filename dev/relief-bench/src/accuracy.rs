@@ -115,8 +115,8 @@ fn costs(maps: &[Named]) -> Result<(), String> {
     }
     let [columns, rows] = PICTURE;
     println!(
-        "Costs of a ray at {GRAZING} degrees, in pictures of {columns} x {rows} pixels from eight sides: mean \
-         / 99th percentile / mean of the greatest in a tile of 8 x 4 pixels\n"
+        "Costs of a ray at {GRAZING} degrees, in pictures of {columns} x {rows} pixels from eight sides: \
+         mean / 99th percentile / mean of the greatest in a tile of 8 x 4 pixels\n"
     );
     let names: Vec<&str> = maps.iter().map(|named| named.name).collect();
     for (quantity, spread) in QUANTITIES {

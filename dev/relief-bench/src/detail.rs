@@ -18,8 +18,8 @@ pub struct Arguments {
     method: String,
 }
 
-/// Pixels that cover the texels beside each other of the relief that is seen by its levels, and of the one that
-/// is hardly deeper than a pixel.
+/// Pixels that cover the texels beside each other of the relief that is seen by its levels, and of the one
+/// that is hardly deeper than a pixel.
 const NEAR: [f64; 3] = [2.0, 4.0, 8.0];
 const FAR: [f64; 3] = [8.0, 16.0, 32.0];
 

@@ -97,8 +97,8 @@ impl Seen<'_> {
         self.pixels_of(self.selection(detail), [1.0, -1.0], samples, step)
     }
 
-    /// The picture with that selection, where the heights 1 and 0 lie so many depths of the relief apart and 0
-    /// so many above the plane, moved by so many pixels.
+    /// The picture with that selection, where the heights 1 and 0 lie so many depths of the relief apart and
+    /// 0 so many above the plane, moved by so many pixels.
     ///
     /// # Panics
     ///

@@ -2,6 +2,7 @@
 //! judge that compares one tracer with another. Never published.
 
 pub mod accuracy;
+pub mod adapter;
 pub mod baked;
 pub mod brute;
 pub mod claims;

@@ -5,16 +5,14 @@
 //! tracer. What may differ is which of two neighbouring triangles a pixel on their edge belongs to, and hits
 //! that graze.
 
-mod common;
-
 use std::path::Path;
 
-use common::has_adapter;
 use relief_maps::Maps;
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, read_scene};
 use relief_render::{Rendered, render};
 use relief_shaders::cpu::PixelOut;
 use relief_shaders::{METHODS, ambient, shadow};
+use relief_tests::adapter::has_adapter;
 
 const SCENES: [&str; 3] = ["jacksboro.toml", "bricks.toml", "cobbles.toml"];
 

@@ -29,7 +29,8 @@ fn a_level_is_traced_as_the_map_that_it_is() {
         .map(|(number, finest)| {
             let mut levels = *finest;
             levels.choose("detail", "footprint").expect("a listed name");
-            // One pyramid serves all levels and so bounds each less tightly: other steps lead to the same hit.
+            // One pyramid serves all levels and so bounds each less tightly: other steps lead to the same
+            // hit.
             let is_chain = levels.map_needs().iter().any(|need| need.input.levels != MapLevels::EachDetail);
             if is_chain || levels.check().is_err() {
                 return 0;
@@ -96,7 +97,8 @@ fn a_faded_relief_is_hit_where_a_flatter_one_is() {
     for wrap in [Wrap::Repeat, Wrap::Mirror] {
         let map = cobbles.map.clone().with_wrap(wrap);
         let seen = Seen { map: &map, method: "cone", shadow: "none", texels: 4.0, tilt_deg: 60.0, side: 96 };
-        // Half of it is flattened where its depth is in the middle between where that begins and where it ends.
+        // Half of it is flattened where its depth is in the middle between where that begins and where it
+        // ends.
         let (depth, mean) = (seen.depth(), f64::from(map.mean()));
         let with = |flat: f64, begin: f64| {
             let mut selection = seen.selection("fade");

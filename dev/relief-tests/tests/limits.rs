@@ -1,8 +1,5 @@
 //! Everything runs within the limits that small devices have, on a device that the caller has opened.
 
-mod common;
-
-use common::has_adapter;
 use relief_core::Wrap;
 use relief_maps::Maps;
 use relief_render::Renderer;
@@ -12,6 +9,7 @@ use relief_render::scene::{Scene, Surface};
 use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestAdapterOptions};
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{METHODS, Selection, ambient, detail, shadow};
+use relief_tests::adapter::has_adapter;
 use relief_tests::maps;
 
 /// A device of exactly those limits, and no feature.
@@ -44,8 +42,8 @@ fn selections() -> Vec<Selection> {
     methods.chain(others).collect()
 }
 
-/// Renders everything within these limits and looks whether there is something to be seen, in all samplings or
-/// in one after the other by turns: most of the time goes into compiling.
+/// Renders everything within these limits and looks whether there is something to be seen, in all samplings
+/// or in one after the other by turns: most of the time goes into compiling.
 fn runs_within(limits: Limits, in_all: bool) {
     let Some(gpu) = opened(limits) else { return };
     let map = maps::ALL[2].build(Wrap::Repeat).with_displacement(0.05, -0.05).expect("lengths");

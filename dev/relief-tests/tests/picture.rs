@@ -1,12 +1,9 @@
 //! Pictures that are kept: samples, cameras that see all, and bands of rows.
 
-mod common;
-
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use common::has_adapter;
 use glam::DVec3;
 use relief_maps::Maps;
 use relief_render::camera::Projection;
@@ -15,6 +12,7 @@ use relief_render::mesh::Builtin;
 use relief_render::scene::{BackendChoice, Scene, SceneSpec, SurfaceSpec, View, read_scene};
 use relief_render::{RenderError, Renderer, render};
 use relief_shaders::cpu::PixelOut;
+use relief_tests::adapter::has_adapter;
 
 /// The backends of this machine.
 fn backends() -> Vec<BackendChoice> {

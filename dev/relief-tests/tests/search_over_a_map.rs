@@ -33,8 +33,8 @@ fn paths(map: &HeightMap, seed: u64) -> impl Iterator<Item = (RayKind, Path)> + 
     finite.map(|(kind, path)| (kind, Path::from(&relief_shaders::cpu::Path::from(&path))))
 }
 
-/// A shader's answer over a level of detail, whose heights are given, to be judged: where its `t` says, which is
-/// checked, and there on the surface. Where a path begins below, the shader has the height of the path.
+/// A shader's answer over a level of detail, whose heights are given, to be judged: where its `t` says, which
+/// is checked, and there on the surface. Where a path begins below, the shader has the height of the path.
 fn answer(map: &HeightMap, tracer: &MethodTracer, level: u32, path: &Path) -> ExactHit {
     let mut hit = tracer.first_hit_in(level, path);
     if hit.found {

@@ -1,8 +1,5 @@
 //! Shadows of rays: nothing shadows itself, and what the exact tracer sees in a light's way is in its way.
 
-mod common;
-
-use common::has_adapter;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use relief_core::exact::least_gap;
@@ -12,6 +9,7 @@ use relief_render::mesh::square;
 use relief_render::scene::{BackendChoice, Surface, View};
 use relief_shaders::Selection;
 use relief_shaders::cpu::PixelOut;
+use relief_tests::adapter::has_adapter;
 use relief_tests::{maps, shadows, steepest};
 
 /// The relief's depth on the unit square, in metres.

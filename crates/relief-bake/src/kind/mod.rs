@@ -51,8 +51,8 @@ pub struct Kind {
     pub shapes: fn([u32; 2], &Settings) -> Vec<Shape>,
     /// How far a texel's value looks.
     pub reach: fn(&Settings) -> Reach,
-    /// What a bake takes at most besides the height map and what it hands out, in maps of 32-bit floats of the
-    /// height map's size.
+    /// What a bake takes at most besides the height map and what it hands out, in maps of 32-bit floats of
+    /// the height map's size.
     pub working_maps: fn(&Settings) -> f32,
     /// Bakes it.
     pub bake: fn(&BakeInput, &Settings, &Progress, &mut dyn Sink) -> Result<(), BakeError>,

@@ -22,9 +22,9 @@
 //! exact, and over the cells of one node it is attained, at a texel. With `bits`, heights are decoded from so
 //! many bits first, and each node is one of them: stored in as many bits it is still exact.
 //!
-//! With the parameter `over` at 2 nodes take the extremes of the map's coarser levels along, by the cells that
-//! [`MaxPyramid::over_levels`] names: the guarantee holds for the surface of each of these levels. Area means
-//! are no heights of so many bits, so such nodes are rounded to their own side when they are stored.
+//! With the parameter `over` at 2 nodes take the extremes of the map's coarser levels along, by the cells
+//! that [`MaxPyramid::over_levels`] names: the guarantee holds for the surface of each of these levels. Area
+//! means are no heights of so many bits, so such nodes are rounded to their own side when they are stored.
 
 use rayon::prelude::*;
 use relief_core::registry::{Param, Publication};
@@ -45,8 +45,8 @@ pub const KIND: Kind = Kind {
     params: PARAMS,
     guarantee: "The bilinear surface over the cells of a node is nowhere below its min and nowhere above its \
         max; both are attained. Exact in f32 and in as many bits as the heights have. Over the levels of \
-        detail the same holds for the surface of each. Over texels, as published, nothing is promised between \
-        their centres.",
+        detail the same holds for the surface of each. Over texels, as published, nothing is promised \
+        between their centres.",
     is_picture: false,
     shapes: |size, _| vec![shape(size)],
     reach: |_| Reach::Everything,
@@ -70,8 +70,8 @@ pub const OVER_LEVELS: u32 = 2;
 
 const OVER: Param = Param {
     name: "over",
-    summary: "what nodes are over: 0 dual cells, which bounds the surface, 1 texels, as published, which does not, \
-        2 dual cells of the map and of its levels of detail, which bounds the surface of each",
+    summary: "what nodes are over: 0 dual cells, which bounds the surface, 1 texels, as published, which does \
+        not, 2 dual cells of the map and of its levels of detail, which bounds the surface of each",
     unit: "",
     min: 0.0,
     max: 2.0,

@@ -7,13 +7,15 @@
 //!
 //! # What is stored
 //!
-//! The texture has a quarter of the map's sides, rounded down, and all its levels, each a mean over areas. For
-//! azimuth `a` and elevation `e` the rays come from the eye at the angle `2π a / azimuths` in metres from `+u`
-//! towards `+v`, under the elevation whose sine is `(e + 1) / elevations`: the last looks straight down. The
-//! ray through a point of a texel's area is the one that crosses the plane at the map's mean height there, and
-//! `n` is the unit normal where it first meets the relief, in tangent space with `y` along falling `v`: of
-//! the heights' central differences over two texels. Slice `2 (a * elevations + e)` holds the means of `x`,
-//! `y`, `z` and `x²`, the next one those of `xy`, `y²`, `xz` and `yz`. (`z²` is what is missing to 1.)
+//! The texture has a quarter of the map's sides, rounded down, and mip levels, each a mean over areas. All
+//! rays of a direction are parallel. They come from an eye at azimuth `a`, at the angle `2π a / azimuths` in
+//! metres from `+u` towards `+v`, and at elevation `e`, whose sine is `(e + 1) / elevations`: the last one
+//! looks straight down.
+//!
+//! A ray belongs to the texel over which it crosses the plane at the map's mean height. Its normal is that of
+//! the first hit, by central differences over two texels: a unit vector in tangent space, `y` along falling
+//! `v`. Slice `2 (a * elevations + e)` holds the means of `x`, `y`, `z` and `x²`, the next one those of `xy`,
+//! `y²`, `xz` and `yz`. (`z²` is what is missing to 1.)
 //!
 //! # Guarantee
 //!
@@ -118,7 +120,7 @@ impl Eye<'_> {
     }
 }
 
-/// The working set is the second level of the texture, which is 4 maps with the default directions, and six and a half more.
+/// The working set is the second level of the texture, 4 maps with the default directions, and 6.5 maps more.
 fn bake(
     source: &BakeInput,
     settings: &Settings,

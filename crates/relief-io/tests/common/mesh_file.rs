@@ -45,8 +45,8 @@ pub fn ply(mesh: &Mesh, stored: Ply) -> Vec<u8> {
     let properties: String =
         ["x", "y", "z", "nx", "ny", "nz", "s", "t"].map(|name| format!("property float {name}\n")).concat();
     let mut bytes = format!(
-        "ply\nformat {format} 1.0\ncomment a mesh\nelement vertex {vertices}\n{properties}element face {faces}\n\
-         property list uchar int vertex_indices\nend_header\n"
+        "ply\nformat {format} 1.0\ncomment a mesh\nelement vertex {vertices}\n{properties}\
+         element face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
     )
     .into_bytes();
     for vertex in mesh.vertices() {
@@ -149,7 +149,9 @@ pub fn gltf(mesh: &Mesh, uri: Option<&str>, node: &str) -> String {
     format!(
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
  "nodes": [{{"mesh": 0{comma}{node}}}],
- "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}}, "indices": 3}}]}}],
+ "meshes": [{{"primitives": [
+  {{"attributes": {{"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}}, "indices": 3}}
+ ]}}],
  "buffers": [{{{uri}"byteLength": {bytes}}}],
  "bufferViews": [{views}],
  "accessors": [{accessors}]}}"#

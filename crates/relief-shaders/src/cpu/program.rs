@@ -77,8 +77,8 @@ impl<'a> Program<'a> {
         self.0.visible_lights(entered, hit)
     }
 
-    /// The ray from a hit to the light of that number: to a point of its disc, by its number and how many there
-    /// are, as the shadow `soft` has them, or to its centre where there are none.
+    /// The ray from a hit to the light of that number: to a point of its disc, by its number and how many
+    /// there are, as the shadow `soft` has them, or to its centre where there are none.
     #[inline]
     pub fn ray_to_light(&self, entered: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> LightRay {
         self.0.ray_to_light(entered, hit, light, k, count)

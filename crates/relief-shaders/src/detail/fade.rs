@@ -52,9 +52,9 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees::all(Guarantee::Approximate),
     weakened: &[],
-    argument: "Heights are drawn toward the map's mean, so a ray meets another surface than that of the level, \
-        with a search's and a refinement's promises for that one. A point of it moves by at most the part that \
-        is flattened of the relief's depth: with the defaults by two thirds of a pixel, seen from the side. \
+    argument: "Heights are drawn toward the map's mean: what is traced is a flatter surface than the level's, \
+        and what a search and a refinement promise holds for that one. With the defaults a point of it moves \
+        by two thirds of a pixel at most. \
         Normals, and the rays of shadows, are those of the relief as it is. Where a footprint is wider than \
         four texels, what an eye sees of the normals is looked up by its direction, as baked from 32 \
         directions; elsewhere, and of a given normal map, it is made from the moments of the normals.",

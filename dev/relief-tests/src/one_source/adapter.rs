@@ -4,19 +4,11 @@ use std::sync::OnceLock;
 
 use relief_render::gpu::{AdapterChoice, Gpu, GpuRenderer, Prober};
 
-/// A software GPU; hardware may contract and reorder arithmetic, which these tests do not allow. Without one
-/// a test says that it skips, unless the environment variable `RELIEF_REQUIRE_GPU` is 1: then it fails.
+use crate::adapter;
+
+/// A software GPU; hardware may contract and reorder arithmetic, which these tests do not allow.
 fn open() -> Option<Gpu> {
-    match Gpu::new(AdapterChoice::Software) {
-        Ok(gpu) => Some(gpu),
-        Err(error) if std::env::var_os("RELIEF_REQUIRE_GPU").is_some_and(|value| value == "1") => {
-            panic!("RELIEF_REQUIRE_GPU is 1: {error}")
-        }
-        Err(error) => {
-            println!("skipped: {error}");
-            None
-        }
-    }
+    adapter::open(AdapterChoice::Software)
 }
 
 /// The software GPU that tests share.

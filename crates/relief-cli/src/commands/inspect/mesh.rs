@@ -93,7 +93,8 @@ fn as_json(arguments: &Arguments, file: &MeshFile, measures: &MeshMeasures) -> V
         "vertices": measures.vertices, "points": measures.points, "triangles": measures.triangles,
         "left_out": { "degenerate": file.degenerate, "double": file.double },
         "bounds_m": [least, most], "charts": measures.charts, "mirrored": measures.mirrored,
-        "edges": measures.edges, "open_edges": measures.open_edges, "branching_edges": measures.branching_edges,
+        "edges": measures.edges, "open_edges": measures.open_edges,
+        "branching_edges": measures.branching_edges,
         "seams": measures.seams, "hard_edges": measures.hard_edges,
         "tile_m": { "u": u, "v": v }, "normal_angle_deg": spread(measures.normal_angle_deg),
     })
