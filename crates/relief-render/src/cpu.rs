@@ -8,7 +8,9 @@ use glam::Vec3;
 use rayon::prelude::*;
 use relief_core::exact::FastTracer;
 use relief_core::{Cost, HeightMap};
-use relief_shaders::cpu::{Corner, Entered, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec4};
+use relief_shaders::cpu::{
+    Corner, Entered, FirstHit, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec4,
+};
 use relief_shaders::{LightRayState, MAX_LIGHTS};
 
 use crate::camera::Ray;
@@ -121,10 +123,17 @@ fn caster(triangles: &[Triangle]) -> RayCaster {
     RayCaster::of_corners(triangles.iter().map(|Triangle { a, b, c }| [a, b, c].map(position)))
 }
 
-/// The nearest of the surfaces' pixels; of equally near ones the first.
-fn nearest(pixels: impl Iterator<Item = PixelOut>) -> PixelOut {
-    let nearer = |best: PixelOut, pixel: PixelOut| if pixel.depth < best.depth { pixel } else { best };
-    pixels.reduce(nearer).unwrap_or_else(uncovered)
+/// The depths, relative to the nearest hit, up to which base polygons are looked at: keys and depths are
+/// rounded in other ways. Smaller, and the backends may show different polygons; larger costs time only.
+const DEPTH_SLACK: f64 = 1e-5;
+
+/// What a ray meets of a surface, and all that is needed to shade it.
+#[derive(Clone, Copy)]
+struct Seen {
+    pixel: PixelIn,
+    at: Entered,
+    first: FirstHit,
+    triangle: u32,
 }
 
 /// Some rows of a picture on their way.
@@ -152,12 +161,17 @@ impl Rows<'_> {
         );
     }
 
+    /// What a point of the picture shows: the nearest of the surfaces' hits, and of equally near ones that of
+    /// the first surface.
+    fn sample(&self, point: [f32; 2]) -> PixelOut {
+        let seen = self.surfaces.iter().filter_map(|surface| Some((surface, surface.seen(point)?)));
+        let nearest = seen.reduce(|best, seen| if seen.1.first.key > best.1.first.key { seen } else { best });
+        nearest.map_or_else(uncovered, |(surface, seen)| surface.shade(&seen))
+    }
+
     fn pixel(&self, x: u32, y: u32) -> PixelOut {
         let [x, y] = [x as f32 + 0.5, y as f32 + 0.5];
-        let sample = |Sample { offset, .. }: &Sample| {
-            let point = [x + offset[0], y + offset[1]];
-            nearest(self.surfaces.iter().filter_map(|surface| surface.pixel(point)))
-        };
+        let sample = |Sample { offset, .. }: &Sample| self.sample([x + offset[0], y + offset[1]]);
         let Some(((last, before), surface)) = self.samples.split_last().zip(self.surfaces.first()) else {
             return uncovered();
         };
@@ -185,6 +199,10 @@ struct Ready<'a> {
     traces_shadows: bool,
     points_of_lights: u32,
     lights: u32,
+    /// Whether the relief nowhere lies above its base.
+    is_carved: bool,
+    /// As in [`Frame`].
+    near: f64,
 }
 
 impl<'a> Ready<'a> {
@@ -204,52 +222,83 @@ impl<'a> Ready<'a> {
             traces_shadows: surface.selection.has_exact_shadows(),
             points_of_lights: surface.selection.points_of_lights(),
             lights: frame.light_count,
+            is_carved: surface.settings.bias_m + surface.settings.scale_m <= 0.0,
+            near: frame.near.into(),
         }
     }
 
-    /// What a point of the picture shows of the surface: the first base polygon along the ray whose relief is
-    /// hit.
-    fn pixel(&self, point: [f32; 2]) -> Option<PixelOut> {
+    /// What a point of the picture shows of the surface: the nearest hit of all base polygons along the ray,
+    /// and of equally near ones that of the first polygon.
+    fn seen(&self, point: [f32; 2]) -> Option<Seen> {
         let direction = self.program.pixel_direction(point);
         let origin = self.program.pixel_eye(point);
         let ray = Ray {
             origin: [origin.x, origin.y, origin.z].map(f64::from).into(),
             direction: [direction.x, direction.y, direction.z].map(f64::from).into(),
         };
-        self.base.hits(&ray, self.sides).find_map(|surface| {
+        let mut best: Option<Seen> = None;
+        // As far as relief lies behind its polygon, what is behind the nearest hit cannot be nearer.
+        let mut reach = f64::INFINITY;
+        for surface in self.base.hits(&ray, self.sides) {
+            if surface.t > reach {
+                break;
+            }
             let side = if surface.front { 1.0 } else { -1.0 };
             let Triangle { a, b, c } = self.triangles[surface.triangle as usize];
             let pixel = self.program.pixel_of([a, b, c], side, point);
-            let shaded = match &self.tracers {
-                None => self.program.shade_pixel(pixel),
-                Some(tracers) => self.trace_exactly(tracers, pixel),
+            let at = self.program.enter(pixel);
+            let first = match &self.tracers {
+                None => self.program.first_hit(pixel, at),
+                Some(tracers) => self.first_exactly(&tracers[at.level as usize], pixel, at),
             };
-            (shaded.hit == 1).then_some(shaded)
-        })
+            let triangle = surface.triangle;
+            let is_nearer = |best: &Seen| {
+                first.key > best.first.key || (first.key == best.first.key && triangle < best.triangle)
+            };
+            if first.hit.found == 1 && best.as_ref().is_none_or(is_nearer) {
+                best = Some(Seen { pixel, at, first, triangle });
+                if self.is_carved {
+                    reach = self.depth_of(first.key, DEPTH_SLACK);
+                }
+            }
+        }
+        best
     }
 
-    fn trace_exactly(&self, tracers: &[FastTracer], pixel: PixelIn) -> PixelOut {
-        let at: Entered = self.program.enter(pixel);
-        let tracer = &tracers[at.path.level as usize];
-        let hit = if at.valid == 1 {
-            tracer.trace(&(&at.path).into()).hit
-        } else {
-            relief_core::Hit::miss(Cost::default())
-        };
-        let hit = Hit::from(&hit);
-        let visible = match self.traces_shadows {
-            true => self.visible_lights(tracer, at, hit),
-            false => self.program.visible_lights(at, hit),
-        };
-        self.program.shade_hit(pixel, at, hit, visible)
+    /// A depth beyond that of a key, by as much slack, relatively.
+    fn depth_of(&self, key: f32, slack: f64) -> f64 {
+        self.near / f64::from(key) * (1.0 + slack) - self.near
     }
 
-    /// What of the lights arrives at a hit: rays that the shaders make, traced by the tracer.
+    /// The first hit by the exact tracer.
+    fn first_exactly(&self, tracer: &FastTracer, pixel: PixelIn, at: Entered) -> FirstHit {
+        for number in 0..at.segments {
+            let path = self.program.segment(pixel, at, number);
+            if path.exit > 0.0 {
+                let hit = Hit::from(&tracer.trace(&(&path).into()).hit);
+                if hit.found == 1 {
+                    return FirstHit { hit, segment: number, key: self.program.key(pixel, path, hit) };
+                }
+            }
+        }
+        FirstHit { hit: Hit::from(&relief_core::Hit::miss(Cost::default())), segment: 0, key: 0.0 }
+    }
+
+    fn shade(&self, seen: &Seen) -> PixelOut {
+        let Seen { pixel, at, first: FirstHit { hit, segment, .. }, .. } = *seen;
+        let placed = self.program.place(pixel, at, segment, hit);
+        let visible = match &self.tracers {
+            Some(tracers) if self.traces_shadows => {
+                self.visible_lights(&tracers[at.level as usize], placed, hit)
+            }
+            _ => self.program.visible_lights(placed, hit),
+        };
+        self.program.shade_hit(pixel, placed, hit, visible)
+    }
+
+    /// What of the lights arrives at a placed hit: rays that the shaders make, traced by the tracer.
     fn visible_lights(&self, tracer: &FastTracer, at: Entered, hit: Hit) -> [Vec4<f32>; MAX_LIGHTS] {
         let mut visible = [Vec4::from([0.0; 4]); MAX_LIGHTS];
-        if hit.found == 0 {
-            return visible;
-        }
         let count = self.points_of_lights;
         for (visible, light) in visible.iter_mut().zip(0..self.lights) {
             let is_lit = |point: &u32| {

@@ -19,9 +19,8 @@ use crate::mipmaps::Mipmaps;
 use crate::pictures::Pictures;
 use crate::scene::{Scene, Surface};
 
-/// The least distance of the near plane, as a part of the far plane's: depths have 24 bits, of which such a
-/// ratio leaves ten at the far end. Smaller and distant surfaces flicker; larger and the eye cannot come
-/// close to a surface.
+/// The least distance of the near plane, as a part of the distance of what is farthest away. Smaller, and
+/// what is nearest has more bits than it needs; larger, and the eye cannot come close to a surface.
 const NEAR_OVER_FAR: f64 = 1e-4;
 
 /// Makes jobs of scenes, and keeps what they have in common from one to the next.
@@ -136,7 +135,7 @@ fn frame(scene: &Scene) -> Frame {
             }
         };
     }
-    let view_projection = view_projection(camera, scene.surfaces(), scene.size());
+    let (view_projection, near) = view_projection(camera, scene.surfaces(), scene.size());
     Frame {
         view_projection: view_projection.as_mat4().to_cols_array_2d().map(Into::into),
         eye: place(eye, 1.0).into(),
@@ -148,6 +147,7 @@ fn frame(scene: &Scene) -> Frame {
         down: place(down, 0.0).into(),
         ambient: four(scene.ambient()).into(),
         sample_width: (1.0 / f64::from(scene.samples()).sqrt()) as f32,
+        near: near as f32,
         background: four(scene.background()).into(),
         lights,
         light_count: scene.lights().len() as u32,
@@ -208,16 +208,17 @@ fn triangle(mesh: &Mesh, number: u32) -> Triangle {
     Triangle { a, b, c }
 }
 
-/// The matrix for the rasteriser, with planes that hold all meshes.
-fn view_projection(camera: &Camera, surfaces: &[Surface], size: [u32; 2]) -> DMat4 {
+/// The matrix for the rasteriser, with planes that hold all meshes, and how near to the eye hits are ordered as
+/// finely as farther away.
+fn view_projection(camera: &Camera, surfaces: &[Surface], size: [u32; 2]) -> (DMat4, f64) {
     let vertices = || surfaces.iter().flat_map(|surface| surface.mesh().vertices());
     let depth = |vertex: &Vertex| camera.forward().dot(vertex.position.as_dvec3() - camera.eye());
     let farthest = vertices().map(depth).fold(0.0, f64::max);
     let nearest = vertices().map(depth).fold(f64::INFINITY, f64::min);
     // A mesh behind the eye shows nothing, whatever the planes.
     let far = if farthest > 0.0 { farthest * 1.01 } else { 1.0 };
-    let least = if camera.is_orthographic() { 0.0 } else { far * NEAR_OVER_FAR };
-    let near = (nearest * 0.99).clamp(least, far * 0.5);
+    let least = far * NEAR_OVER_FAR;
+    let near = (nearest * 0.99).clamp(if camera.is_orthographic() { 0.0 } else { least }, far * 0.5);
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    camera.view_projection(aspect, near, far).unwrap_or(DMat4::IDENTITY)
+    (camera.view_projection(aspect, near, far).unwrap_or(DMat4::IDENTITY), near.max(least))
 }

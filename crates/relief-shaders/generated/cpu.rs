@@ -80,48 +80,19 @@ impl Detail {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
-/// t is in metres along the ray, 0 at the entry; `base` is where the ray crosses the base surface.
-pub struct Path {
-    pub uv: rt::Vec2<f32>,
-    pub duv: rt::Vec2<f32>,
-    pub h: rt::Vec3<f32>,
-    pub exit: f32,
-    pub base: f32,
-    /// T·T, T·B, B·B in square metres per tile, and the displacement scale in metres.
-    pub metric: rt::Vec4<f32>,
-    /// What the ray is for: RAY_VIEW or RAY_SHADOW.
-    pub ray: u32,
-    /// The level of detail of the maps that are read.
-    pub level: u32,
-}
-impl Path {
-    pub fn new(
-        uv: impl rt::Into<rt::Vec2<f32>>,
-        duv: impl rt::Into<rt::Vec2<f32>>,
-        h: impl rt::Into<rt::Vec3<f32>>,
-        exit: impl rt::Into<f32>,
-        base: impl rt::Into<f32>,
-        metric: impl rt::Into<rt::Vec4<f32>>,
-        ray: impl rt::Into<u32>,
-        level: impl rt::Into<u32>,
-    ) -> Self {
-        Self { uv: rt::into(uv), duv: rt::into(duv), h: rt::into(h), exit: rt::into(exit), base: rt::into(base), metric: rt::into(metric), ray: rt::into(ray), level: rt::into(level) }
-    }
-}
-#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
-#[repr(C)]
-/// The ray at the base surface, and its path from there.
+/// Where a ray is on a surface: at first on its base; on the displaced surface when a hit has been placed.
 pub struct Entered {
-    /// 0 when the ray runs away from the surface and never enters the relief.
-    pub valid: u32,
-    pub path: Path,
-    /// Base point, in the world and in texture space, and the frame there.
+    /// How many segments the way through the relief has; 0 when the ray never enters it.
+    pub segments: u32,
+    /// The point, in the world and in texture space, and the frame there.
     pub point: rt::Vec3<f32>,
     pub uv: rt::Vec2<f32>,
     pub tangent: rt::Vec3<f32>,
     pub bitangent: rt::Vec3<f32>,
     pub normal: rt::Vec3<f32>,
+    /// As in `Path`.
+    pub metric: rt::Vec4<f32>,
+    pub level: u32,
     /// How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     /// the finest level.
     pub footprint: f32,
@@ -131,17 +102,18 @@ pub struct Entered {
 }
 impl Entered {
     pub fn new(
-        valid: impl rt::Into<u32>,
-        path: impl rt::Into<Path>,
+        segments: impl rt::Into<u32>,
         point: impl rt::Into<rt::Vec3<f32>>,
         uv: impl rt::Into<rt::Vec2<f32>>,
         tangent: impl rt::Into<rt::Vec3<f32>>,
         bitangent: impl rt::Into<rt::Vec3<f32>>,
         normal: impl rt::Into<rt::Vec3<f32>>,
+        metric: impl rt::Into<rt::Vec4<f32>>,
+        level: impl rt::Into<u32>,
         footprint: impl rt::Into<f32>,
         fade: impl rt::Into<f32>,
     ) -> Self {
-        Self { valid: rt::into(valid), path: rt::into(path), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), footprint: rt::into(footprint), fade: rt::into(fade) }
+        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), footprint: rt::into(footprint), fade: rt::into(fade) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -157,6 +129,50 @@ impl FacePlace {
         place: impl rt::Into<rt::Vec2<f32>>,
     ) -> Self {
         Self { face: rt::into(face), place: rt::into(place) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// Where the path ends. `uv` is not derived from t: offset limiting lands beside the ray.
+pub struct Hit {
+    pub found: u32,
+    pub exhausted: u32,
+    pub uv: rt::Vec2<f32>,
+    pub height: f32,
+    pub t: f32,
+    /// Reads, steps and bytes of the search and the refinement.
+    pub cost: rt::Vec3<u32>,
+}
+impl Hit {
+    pub fn new(
+        found: impl rt::Into<u32>,
+        exhausted: impl rt::Into<u32>,
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        height: impl rt::Into<f32>,
+        t: impl rt::Into<f32>,
+        cost: impl rt::Into<rt::Vec3<u32>>,
+    ) -> Self {
+        Self { found: rt::into(found), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), t: rt::into(t), cost: rt::into(cost) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// What a pixel's ray first meets of a triangle's relief.
+pub struct FirstHit {
+    pub hit: Hit,
+    /// The segment that it lies on.
+    pub segment: u32,
+    /// Orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at the
+    /// eye.
+    pub key: f32,
+}
+impl FirstHit {
+    pub fn new(
+        hit: impl rt::Into<Hit>,
+        segment: impl rt::Into<u32>,
+        key: impl rt::Into<f32>,
+    ) -> Self {
+        Self { hit: rt::into(hit), segment: rt::into(segment), key: rt::into(key) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -221,6 +237,8 @@ pub struct Frame {
     pub ambient: rt::Vec4<f32>,
     /// The part of a pixel's width that a sample stands for.
     pub sample_width: f32,
+    /// The depth in metres before which hits are ordered less finely than beyond it.
+    pub near: f32,
     /// Linear RGB of pixels that show no surface.
     pub background: rt::Vec4<f32>,
     pub lights: [Light; 8],
@@ -238,11 +256,12 @@ impl Frame {
         down: impl rt::Into<rt::Vec4<f32>>,
         ambient: impl rt::Into<rt::Vec4<f32>>,
         sample_width: impl rt::Into<f32>,
+        near: impl rt::Into<f32>,
         background: impl rt::Into<rt::Vec4<f32>>,
         lights: impl rt::Into<[Light; 8]>,
         light_count: impl rt::Into<u32>,
     ) -> Self {
-        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), sample_width: rt::into(sample_width), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count) }
+        Self { view_projection: rt::into(view_projection), eye: rt::into(eye), eye_right: rt::into(eye_right), eye_down: rt::into(eye_down), forward: rt::into(forward), corner: rt::into(corner), right: rt::into(right), down: rt::into(down), ambient: rt::into(ambient), sample_width: rt::into(sample_width), near: rt::into(near), background: rt::into(background), lights: rt::into(lights), light_count: rt::into(light_count) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -262,30 +281,6 @@ impl Grid {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
-/// Where the path ends. `uv` is not derived from t: offset limiting lands beside the ray.
-pub struct Hit {
-    pub found: u32,
-    pub exhausted: u32,
-    pub uv: rt::Vec2<f32>,
-    pub height: f32,
-    pub t: f32,
-    /// Reads, steps and bytes of the search and the refinement.
-    pub cost: rt::Vec3<u32>,
-}
-impl Hit {
-    pub fn new(
-        found: impl rt::Into<u32>,
-        exhausted: impl rt::Into<u32>,
-        uv: impl rt::Into<rt::Vec2<f32>>,
-        height: impl rt::Into<f32>,
-        t: impl rt::Into<f32>,
-        cost: impl rt::Into<rt::Vec3<u32>>,
-    ) -> Self {
-        Self { found: rt::into(found), exhausted: rt::into(exhausted), uv: rt::into(uv), height: rt::into(height), t: rt::into(t), cost: rt::into(cost) }
-    }
-}
-#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
-#[repr(C)]
 /// Two levels of a map between which a footprint lies.
 pub struct Levels {
     /// The finer one.
@@ -299,6 +294,44 @@ impl Levels {
         part: impl rt::Into<f32>,
     ) -> Self {
         Self { fine: rt::into(fine), part: rt::into(part) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A ray segment in texture space: (u, v) is linear in t, the normalised height is h.x + h.y t + h.z t².
+/// t is in metres along the ray, 0 at the entry; `base` is where the ray crosses the base surface.
+pub struct Path {
+    pub uv: rt::Vec2<f32>,
+    pub duv: rt::Vec2<f32>,
+    pub h: rt::Vec3<f32>,
+    pub exit: f32,
+    pub base: f32,
+    /// T·T, T·B, B·B in square metres per tile, and the displacement scale in metres.
+    pub metric: rt::Vec4<f32>,
+    /// What the ray is for: RAY_VIEW or RAY_SHADOW.
+    pub ray: u32,
+    /// The level of detail of the maps that are read.
+    pub level: u32,
+    /// Metres along the pixel's ray, from its origin, to the entry.
+    pub start: f32,
+    /// The part of the ray's whole way through the relief that this segment is: searches that spread a number
+    /// of steps over the whole take as many of them.
+    pub share: f32,
+}
+impl Path {
+    pub fn new(
+        uv: impl rt::Into<rt::Vec2<f32>>,
+        duv: impl rt::Into<rt::Vec2<f32>>,
+        h: impl rt::Into<rt::Vec3<f32>>,
+        exit: impl rt::Into<f32>,
+        base: impl rt::Into<f32>,
+        metric: impl rt::Into<rt::Vec4<f32>>,
+        ray: impl rt::Into<u32>,
+        level: impl rt::Into<u32>,
+        start: impl rt::Into<f32>,
+        share: impl rt::Into<f32>,
+    ) -> Self {
+        Self { uv: rt::into(uv), duv: rt::into(duv), h: rt::into(h), exit: rt::into(exit), base: rt::into(base), metric: rt::into(metric), ray: rt::into(ray), level: rt::into(level), start: rt::into(start), share: rt::into(share) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -909,11 +942,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_12 = level_3.cast_elem_as_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_12);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_12);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_12);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_12);
+        let k_16 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_16);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_16);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_16);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_16);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -938,10 +971,10 @@ impl<'g> Resources<'g> {
         color_1: rt::Vec3<f32>,
         params: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e9 = self.v_ambient_texel_between(hit.uv, rt::Scalar(at_1.path.level));
-        let _e11 = self.v_from_tangent_space(at_1, _e9.xyz());
-        let _e14 = self.frame.ambient;
-        return ((_e14.xyz() * color_1) * normal.dot(_e11).max(rt::Scalar(0f32)));
+        let _e8 = self.v_ambient_texel_between(hit.uv, rt::Scalar(at_1.level));
+        let _e10 = self.v_from_tangent_space(at_1, _e8.xyz());
+        let _e13 = self.frame.ambient;
+        return ((_e13.xyz() * color_1) * normal.dot(_e10).max(rt::Scalar(0f32)));
     }
     pub(crate) fn ambient_bounce(
         &self,
@@ -965,8 +998,8 @@ impl<'g> Resources<'g> {
         params_1: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e14 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_2.path.level));
-        return ((_e8.xyz() * color_2) * _e14.x());
+        let _e13 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_2.level));
+        return ((_e8.xyz() * color_2) * _e13.x());
     }
     pub(crate) fn ambient_constant(
         &self,
@@ -1120,11 +1153,11 @@ impl<'g> Resources<'g> {
         let most_2 = (last_1 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
         let corner_1 = point_3.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_4 = corner_1.cast_elem_as_i32();
-        let k_13 = level_6.cast_elem_as_i32();
-        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_13);
-        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_13);
-        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_13);
-        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_13);
+        let k_17 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_17);
+        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_17);
+        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_17);
+        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_17);
         let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_3 - corner_1));
         return _e55.xyz();
     }
@@ -1234,8 +1267,8 @@ impl<'g> Resources<'g> {
         params_4: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e14 = self.v_ambient_texel_between(hit_4.uv, rt::Scalar(at_5.path.level));
-        return ((_e8.xyz() * color_5) * _e14.x());
+        let _e13 = self.v_ambient_texel_between(hit_4.uv, rt::Scalar(at_5.level));
+        return ((_e8.xyz() * color_5) * _e13.x());
     }
     pub(crate) fn ambient_stage(
         &self,
@@ -1339,15 +1372,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_14 = level_8.cast_elem_as_i32();
+        let k_18 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_14));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_14));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_14));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_14));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_18));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_18));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_18));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_18));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -1483,10 +1516,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_44 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_50 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_44.x())) + (by * at_44.y())) + ((twist * at_44.x()) * at_44.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_44.x() * grid_1.step.y()) + (at_44.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_50.x())) + (by * at_50.y())) + ((twist * at_50.x()) * at_50.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_50.x() * grid_1.step.y()) + (at_50.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -1578,13 +1611,13 @@ impl<'g> Resources<'g> {
         at_7: Entered,
         direction_2: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let metric = at_7.path.metric;
+        let metric = at_7.metric;
         let td = at_7.tangent.dot(direction_2);
         let bd = at_7.bitangent.dot(direction_2);
         let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
         let duv = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
-        let _e30 = self.v_traced_scale_m();
-        return <rt::Vec3<f32>>::new_21(duv, (at_7.normal.dot(direction_2) / _e30));
+        let _e29 = self.v_traced_scale_m();
+        return <rt::Vec3<f32>>::new_21(duv, (at_7.normal.dot(direction_2) / _e29));
     }
     pub(crate) fn color_at(
         &self,
@@ -1602,11 +1635,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_15 = level_10.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_15));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_15));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_15));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_15));
+        let k_19 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_19));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_19));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_19));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_19));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -1834,8 +1867,8 @@ impl<'g> Resources<'g> {
         let part_5 = ((begin - _e8) / (begin - params_5.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
-        let level_24 = rt::Scalar(_e20.fine);
-        return <Detail>::new(level_24, _e4, part_5.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
+        let level_25 = rt::Scalar(_e20.fine);
+        return <Detail>::new(level_25, _e4, part_5.clamp(rt::Scalar(0f32), rt::Scalar(0.99902344f32)));
     }
     pub(crate) fn detail_footprint(
         &self,
@@ -1935,11 +1968,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_16 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_16);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_16);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_16);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_16);
+        let k_20 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_20);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_20);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_20);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_20);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -1960,11 +1993,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e4 = self.v_height_texels(rt::Scalar(path_8.level));
         let _e5 = self.v_texels_around(uv_6, _e4);
-        let level_25 = rt::Scalar(path_8.level).cast_elem_as_i32();
-        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_25);
-        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_25);
-        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_25);
-        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_25);
+        let level_26 = rt::Scalar(path_8.level).cast_elem_as_i32();
+        let _e13 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.x()), layer_4, level_26);
+        let _e19 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.x()), layer_4, level_26);
+        let _e25 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.x(), _e5.rows.y()), layer_4, level_26);
+        let _e31 = self.v_search_texel(path_8, <rt::Vec2<i32>>::from_scalars(_e5.columns.y(), _e5.rows.y()), layer_4, level_26);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e5.part);
         return _e33;
     }
@@ -2002,6 +2035,259 @@ impl<'g> Resources<'g> {
         let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
         return ((tangent * series) * rt::Scalar(0.15915494f32));
     }
+    pub(crate) fn surface_plane_enter(
+        &self,
+        pixel_9: PixelIn,
+        params_8: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_plane_enter(pixel_9, rt::into(params_8)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_plane_enter(
+        &self,
+        pixel_9: PixelIn,
+        params_8: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut local_5: rt::Scalar<bool>;
+
+        let a_4 = pixel_9.a.position;
+        let _e4 = self.v_plane_normal(pixel_9);
+        let nn = _e4.dot(_e4);
+        let _e8 = self.v_plane_distance(pixel_9, _e4);
+        let point_5 = (pixel_9.origin + (pixel_9.direction * _e8));
+        let from_a = (point_5 - a_4);
+        let wb = (from_a.cross((pixel_9.c.position - a_4)).dot(_e4) / nn);
+        let wc = ((pixel_9.b.position - a_4).cross(from_a).dot(_e4) / nn);
+        let wa = ((rt::Scalar(1f32) - wb) - wc);
+        let uv_19 = (((pixel_9.a.uv * wa) + (pixel_9.b.uv * wb)) + (pixel_9.c.uv * wc));
+        let tangent_1 = (((pixel_9.a.tangent * wa) + (pixel_9.b.tangent * wb)) + (pixel_9.c.tangent * wc));
+        let bitangent = (((pixel_9.a.bitangent * wa) + (pixel_9.b.bitangent * wb)) + (pixel_9.c.bitangent * wc));
+        let normal_12 = ((((pixel_9.a.normal * wa) + (pixel_9.b.normal * wb)) + (pixel_9.c.normal * wc)).normalize() * rt::Scalar(pixel_9.side));
+        let tt = tangent_1.dot(tangent_1);
+        let tb = tangent_1.dot(bitangent);
+        let bb = bitangent.dot(bitangent);
+        let area_2 = ((tt * bb) - (tb * tb));
+        let _e82 = rt::Scalar(self.surface_settings.scale_m);
+        let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e82);
+        if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
+            local_5 = normal_12.dot(pixel_9.direction).elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_5 = rt::Scalar(false);
+        }
+        let _e95 = local_5;
+        let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e95);
+        return <Entered>::new(segments, point_5, uv_19, tangent_1, bitangent, normal_12, metric_1, rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_10: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_10))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_10: PixelIn) -> Entered {
+        let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            _ => {
+                let _e10 = self.surface_settings.choices[0usize].params;
+                let _e11 = self.v_surface_plane_enter(pixel_10, _e10);
+                return _e11;
+            }
+        }
+    }
+    pub(crate) fn enter_relief(&self, pixel_11: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_11))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_enter_relief(&self, pixel_11: PixelIn) -> Entered {
+        let mut at_14: Entered;
+
+        let _e1 = self.v_surface_enter_stage(pixel_11);
+        at_14 = _e1;
+        let _e3 = at_14;
+        let _e4 = self.v_detail_stage(pixel_11, _e3);
+        rt::Scalar(at_14.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_14.footprint) = rt::Scalar(_e4.footprint);
+        rt::Scalar(at_14.fade) = rt::Scalar(_e4.fade);
+        let _e11 = at_14;
+        return _e11;
+    }
+    pub(crate) fn entered_once(
+        &self,
+        path_10: Path,
+        grid_5: Grid,
+        above: impl rt::Into<rt::Scalar<f32>>,
+        below: impl rt::Into<rt::Scalar<f32>>,
+        above_gap: impl rt::Into<rt::Scalar<f32>>,
+        below_gap: impl rt::Into<rt::Scalar<f32>>,
+        so_far: impl rt::Into<rt::Vec3<u32>>,
+    ) -> Found {
+        rt::into(self.v_entered_once(path_10, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_entered_once(
+        &self,
+        path_10: Path,
+        grid_5: Grid,
+        above: rt::Scalar<f32>,
+        below: rt::Scalar<f32>,
+        above_gap: rt::Scalar<f32>,
+        below_gap: rt::Scalar<f32>,
+        so_far: rt::Vec3<u32>,
+    ) -> Found {
+        let mut near_1: rt::Scalar<f32>;
+        let mut far_1: rt::Scalar<f32>;
+        let mut near_gap: rt::Scalar<f32>;
+        let mut far_gap: rt::Scalar<f32>;
+        let mut cost_1: rt::Vec3<u32>;
+        let mut local_6: rt::Scalar<bool>;
+
+        near_1 = above;
+        far_1 = below;
+        near_gap = above_gap;
+        far_gap = below_gap;
+        cost_1 = so_far;
+        let wide = (grid_5.step.x().abs() + grid_5.step.y().abs());
+        'naga_break: loop {
+            'naga_continue: {
+                let _e19 = far_1;
+                let _e20 = near_1;
+                if rt::Scalar::into_branch_condition((wide * (_e19 - _e20)).elementwise_gt(rt::Scalar(3f32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e25 = cost_1;
+                    cost_1 = (_e25 + STEP);
+                    let _e28 = near_1;
+                    let _e29 = far_1;
+                    let middle_3 = (rt::Scalar(0.5f32) * (_e28 + _e29));
+                    let _e33 = near_1;
+                    if rt::Scalar::into_branch_condition(middle_3.elementwise_gt(_e33)) {
+                        let _e37 = far_1;
+                        local_6 = middle_3.elementwise_lt(_e37);
+                    } else {
+                        local_6 = rt::Scalar(false);
+                    }
+                    let _e40 = local_6;
+                    if rt::Scalar::into_branch_condition((!_e40)) {
+                        break 'naga_break;
+                    }
+                    let _e42 = self.v_path_gap(path_10, middle_3);
+                    let _e43 = cost_1;
+                    cost_1 = (_e43 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
+                        far_1 = middle_3;
+                        far_gap = _e42;
+                    } else {
+                        near_1 = middle_3;
+                        near_gap = _e42;
+                    }
+                }
+            }
+        }
+        let _e49 = near_1;
+        let _e50 = far_1;
+        let _e51 = near_gap;
+        let _e52 = far_gap;
+        let _e53 = cost_1;
+        return <Found>::new(FOUND_BRACKET, _e49, _e50, _e51, _e52, _e53);
+    }
+    pub(crate) fn facing_four(
+        &self,
+        middle: impl rt::Into<rt::Scalar<f32>>,
+        along: impl rt::Into<rt::Scalar<f32>>,
+        across: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_facing_four(rt::into(middle), rt::into(along), rt::into(across)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_facing_four(
+        &self,
+        middle: rt::Scalar<f32>,
+        along: rt::Scalar<f32>,
+        across: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        let x_1 = (along * rt::Scalar(1.7320508f32));
+        let y = (across * rt::Scalar(1.7320508f32));
+        return <rt::Vec4<f32>>::from_scalars((middle + x_1), (middle - x_1), (middle + y), (middle - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+    }
+    pub(crate) fn normal_at(
+        &self,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        layer_5: impl rt::Into<rt::Scalar<i32>>,
+        level_14: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_normal_at(rt::into(uv_8), rt::into(layer_5), rt::into(level_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_at(
+        &self,
+        uv_8: rt::Vec2<f32>,
+        layer_5: rt::Scalar<i32>,
+        level_14: rt::Scalar<u32>,
+    ) -> rt::Vec4<f32> {
+        let _e5 = self.surface_settings.normal_size;
+        let _e6 = self.v_level_texels(_e5, level_14);
+        let _e7 = self.v_texels_around(uv_8, _e6);
+        let k_21 = level_14.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_21));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_21));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_21));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_21));
+        let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
+        return _e38;
+    }
+    pub(crate) fn normal_from_height(
+        &self,
+        at_15: Entered,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_normal_from_height(at_15, rt::into(uv_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_from_height(
+        &self,
+        at_15: Entered,
+        uv_9: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e3 = self.v_height_size(rt::Scalar(0u32));
+        let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
+        let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
+        let _e16 = self.v_height_at((uv_9 + du), rt::Scalar(0u32));
+        let _e19 = self.v_height_at((uv_9 - du), rt::Scalar(0u32));
+        let rise_u = (_e16 - _e19);
+        let _e23 = self.v_height_at((uv_9 + dv), rt::Scalar(0u32));
+        let _e26 = self.v_height_at((uv_9 - dv), rt::Scalar(0u32));
+        let rise_v = (_e23 - _e26);
+        let _e33 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
+        let _e41 = rt::Scalar(self.surface_settings.scale_m);
+        let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
+        let along_u_1 = (at_15.tangent + (at_15.normal * slope_u));
+        let along_v_1 = (at_15.bitangent + (at_15.normal * slope_v));
+        let across_2 = along_v_1.cross(along_u_1).normalize();
+        return (across_2 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_2.dot(at_15.normal).elementwise_ge(rt::Scalar(0f32))));
+    }
+    pub(crate) fn finest_normal(
+        &self,
+        at_16: Entered,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_finest_normal(at_16, rt::into(uv_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_finest_normal(
+        &self,
+        at_16: Entered,
+        uv_10: rt::Vec2<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e4 = rt::Scalar(self.surface_settings.has_normal);
+        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
+            let _e9 = self.v_normal_at(uv_10, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e11 = self.v_from_tangent_space(at_16, _e9.xyz());
+            return _e11.normalize();
+        }
+        let _e13 = self.v_normal_from_height(at_16, uv_10);
+        return _e13;
+    }
     pub(crate) fn inside_unit(
         &self,
         x0_: impl rt::Into<rt::Scalar<f32>>,
@@ -2017,131 +2303,109 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_5: rt::Scalar<bool>;
+        let mut local_7: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_5 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_7 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_5 = rt::Scalar(true);
+                local_7 = rt::Scalar(true);
             }
-            let _e13 = local_5;
+            let _e13 = local_7;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
             return interval;
         }
-        let a_4 = ((rt::Scalar(0f32) - x0_) / dx);
+        let a_5 = ((rt::Scalar(0f32) - x0_) / dx);
         let b_3 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_4.min(b_3)), interval.y().min(a_4.max(b_3)));
+        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_5.min(b_3)), interval.y().min(a_5.max(b_3)));
     }
-    pub(crate) fn surface_plane(
+    pub(crate) fn surface_plane_segment(
         &self,
-        pixel_9: PixelIn,
-        params_8: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Entered {
-        rt::into(self.v_surface_plane(pixel_9, rt::into(params_8)))
+        pixel_12: PixelIn,
+        at_17: Entered,
+        k: impl rt::Into<rt::Scalar<u32>>,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_plane_segment(pixel_12, at_17, rt::into(k), rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_plane(
+    fn v_surface_plane_segment(
         &self,
-        pixel_9: PixelIn,
-        params_8: rt::Vec4<f32>,
-    ) -> Entered {
-        let mut valid: rt::Scalar<u32> = rt::Scalar(1u32);
-        let mut local_6: rt::Scalar<bool>;
+        pixel_12: PixelIn,
+        at_17: Entered,
+        k: rt::Scalar<u32>,
+        params_9: rt::Vec4<f32>,
+    ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_3: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
 
-        let a_5 = pixel_9.a.position;
-        let e1_ = (pixel_9.b.position - a_5);
-        let e2_ = (pixel_9.c.position - a_5);
-        let n_8 = e1_.cross(e2_);
-        let nn = n_8.dot(n_8);
-        let toward_5 = n_8.dot(pixel_9.direction);
-        let distance = (n_8.dot((a_5 - pixel_9.origin)) / toward_5);
-        let point_5 = (pixel_9.origin + (pixel_9.direction * distance));
-        let from_a = (point_5 - a_5);
-        let wb = (from_a.cross(e2_).dot(n_8) / nn);
-        let wc = (e1_.cross(from_a).dot(n_8) / nn);
-        let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_19 = (((pixel_9.a.uv * wa) + (pixel_9.b.uv * wb)) + (pixel_9.c.uv * wc));
-        let tangent_1 = (((pixel_9.a.tangent * wa) + (pixel_9.b.tangent * wb)) + (pixel_9.c.tangent * wc));
-        let bitangent = (((pixel_9.a.bitangent * wa) + (pixel_9.b.bitangent * wb)) + (pixel_9.c.bitangent * wc));
-        let normal_12 = ((((pixel_9.a.normal * wa) + (pixel_9.b.normal * wb)) + (pixel_9.c.normal * wc)).normalize() * rt::Scalar(pixel_9.side));
-        let along_3 = pixel_9.direction.length();
-        let direction_4 = (pixel_9.direction / rt::Vec3::splat_from_scalar(along_3));
-        let tt = tangent_1.dot(tangent_1);
-        let tb = tangent_1.dot(bitangent);
-        let bb = bitangent.dot(bitangent);
-        let td_1 = tangent_1.dot(direction_4);
-        let bd_1 = bitangent.dot(direction_4);
-        let area_2 = ((tt * bb) - (tb * tb));
-        let descent = (rt::Scalar(0f32) - normal_12.dot(direction_4));
-        if rt::Scalar::into_branch_condition((!(!descent.elementwise_gt(rt::Scalar(0f32))))) {
-            local_6 = (!area_2.elementwise_gt(rt::Scalar(0f32)));
-        } else {
-            local_6 = rt::Scalar(true);
-        }
-        let _e107 = local_6;
-        if rt::Scalar::into_branch_condition(_e107) {
-            valid = rt::Scalar(0u32);
-        }
-        let duv_1 = (<rt::Vec2<f32>>::from_scalars(((td_1 * bb) - (bd_1 * tb)), ((bd_1 * tt) - (td_1 * tb))) / rt::Vec2::splat_from_scalar(area_2));
-        let _e118 = self.v_traced_scale_m();
-        let _e119 = self.v_base_height();
-        let slope_4 = ((rt::Scalar(0f32) - descent) / _e118);
-        let eye = ((rt::Scalar(0f32) - distance) * along_3);
-        let top_3 = (((_e119 - rt::Scalar(1f32)) * _e118) / descent);
+        let along_3 = pixel_12.direction.length();
+        let direction_4 = (pixel_12.direction / rt::Vec3::splat_from_scalar(along_3));
+        let _e9 = self.v_climb(at_17, direction_4);
+        let duv_1 = _e9.xy();
+        let descent = (rt::Scalar(0f32) - at_17.normal.dot(direction_4));
+        let _e15 = self.v_traced_scale_m();
+        let _e16 = self.v_base_height();
+        let slope_4 = ((rt::Scalar(0f32) - descent) / _e15);
+        let _e20 = self.v_plane_normal(pixel_12);
+        let _e21 = self.v_plane_distance(pixel_12, _e20);
+        let distance = (_e21 * along_3);
+        let eye = (rt::Scalar(0f32) - distance);
+        let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent);
         enter = top_3.max(eye);
-        leave_3 = ((_e119 * _e118) / descent);
-        let _e135 = leave_3;
-        let _e136 = leave_3;
-        leave_3 = (_e135 + ((_e136 - top_3) * rt::Scalar(0.000001f32)));
-        let _e143 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e143.elementwise_eq(WRAP_CLAMP)) {
-            let _e148 = enter;
-            let _e149 = leave_3;
-            let _e151 = self.v_inside_unit(uv_19.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e148, _e149));
-            interval_1 = _e151;
-            let _e155 = interval_1;
-            let _e156 = self.v_inside_unit(uv_19.y(), duv_1.y(), _e155);
-            interval_1 = _e156;
-            let _e158 = interval_1.x();
-            enter = _e158;
-            let _e160 = interval_1.y();
-            leave_3 = _e160;
+        leave_3 = ((_e16 * _e15) / descent);
+        let _e34 = leave_3;
+        let _e35 = leave_3;
+        leave_3 = (_e34 + ((_e35 - top_3) * rt::Scalar(0.000001f32)));
+        let _e42 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
+            let _e48 = enter;
+            let _e49 = leave_3;
+            let _e51 = self.v_inside_unit(at_17.uv.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            interval_1 = _e51;
+            let _e56 = interval_1;
+            let _e57 = self.v_inside_unit(at_17.uv.y(), duv_1.y(), _e56);
+            interval_1 = _e57;
+            let _e59 = interval_1.x();
+            enter = _e59;
+            let _e61 = interval_1.y();
+            leave_3 = _e61;
         }
-        let _e161 = leave_3;
-        let _e162 = enter;
-        if rt::Scalar::into_branch_condition((!_e161.elementwise_gt(_e162))) {
-            valid = rt::Scalar(0u32);
-        }
-        let _e166 = enter;
-        let _e169 = enter;
-        let entry_height = (_e119 + (slope_4 * _e166)).select(rt::Scalar(1f32), _e169.elementwise_eq(top_3));
-        let _e173 = enter;
-        let base_1 = (rt::Scalar(0f32) - _e173).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e179 = enter;
-        let _e184 = leave_3;
-        let _e185 = enter;
-        let _e189 = rt::Scalar(self.surface_settings.scale_m);
-        let path_47 = <Path>::new((uv_19 + (duv_1 * _e179)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e184 - _e185), base_1, <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e189), RAY_VIEW, rt::Scalar(0u32));
-        let _e194 = valid;
-        return <Entered>::new(_e194, path_47, point_5, uv_19, tangent_1, bitangent, normal_12, rt::Scalar(0f32), rt::Scalar(0f32));
+        let _e62 = enter;
+        let _e65 = enter;
+        let entry_height = (_e16 + (slope_4 * _e62)).select(rt::Scalar(1f32), _e65.elementwise_eq(top_3));
+        let _e69 = enter;
+        let base_1 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e76 = enter;
+        let _e81 = leave_3;
+        let _e82 = enter;
+        let _e87 = enter;
+        return <Path>::new((at_17.uv + (duv_1 * _e76)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e81 - _e82), base_1, at_17.metric, RAY_VIEW, rt::Scalar(at_17.level), (distance + _e87), rt::Scalar(1f32));
     }
-    pub(crate) fn surface_stage(&self, pixel_10: PixelIn) -> Entered {
-        rt::into(self.v_surface_stage(pixel_10))
+    pub(crate) fn surface_segment_stage(
+        &self,
+        pixel_13: PixelIn,
+        at_18: Entered,
+        k_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Path {
+        rt::into(self.v_surface_segment_stage(pixel_13, at_18, rt::into(k_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_stage(&self, pixel_10: PixelIn) -> Entered {
-        let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
-        match rt::Scalar::into_inner(_e5) {
+    fn v_surface_segment_stage(
+        &self,
+        pixel_13: PixelIn,
+        at_18: Entered,
+        k_1: rt::Scalar<u32>,
+    ) -> Path {
+        let _e7 = rt::Scalar(self.surface_settings.choices[0usize].number);
+        match rt::Scalar::into_inner(_e7) {
             _ => {
-                let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane(pixel_10, _e10);
-                return _e11;
+                let _e12 = self.surface_settings.choices[0usize].params;
+                let _e13 = self.v_surface_plane_segment(pixel_13, at_18, k_1, _e12);
+                return _e13;
             }
         }
     }
@@ -2207,263 +2471,985 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn path_slope(
         &self,
-        path_10: Path,
+        path_11: Path,
         t_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_10, rt::into(t_7)))
+        rt::into(self.v_path_slope(path_11, rt::into(t_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_10: Path,
+        path_11: Path,
         t_7: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_10.h.y() + ((rt::Scalar(2f32) * t_7) * path_10.h.z()));
+        return (path_11.h.y() + ((rt::Scalar(2f32) * t_7) * path_11.h.z()));
     }
     pub(crate) fn flattened(
         &self,
-        path_11: Path,
-        middle: impl rt::Into<rt::Scalar<f32>>,
+        path_12: Path,
+        middle_1: impl rt::Into<rt::Scalar<f32>>,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_11, rt::into(middle), rt::into(part_1)))
+        rt::into(self.v_flattened(path_12, rt::into(middle_1), rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
-        path_11: Path,
-        middle: rt::Scalar<f32>,
+        path_12: Path,
+        middle_1: rt::Scalar<f32>,
         part_1: rt::Scalar<f32>,
     ) -> Path {
         let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let kept = (rt::Scalar(1f32) - part_1);
-        let top_4 = (middle + ((rt::Scalar(1f32) - middle) * kept));
-        let above_3 = (path_11.h.x() - top_4);
+        let top_4 = (middle_1 + ((rt::Scalar(1f32) - middle_1) * kept));
+        let above_3 = (path_12.h.x() - top_4);
         let begins = above_3.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, path_11.h.y(), path_11.h.z()), rt::Scalar(path_11.exit));
-            start = _e22.min(rt::Scalar(path_11.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, path_12.h.y(), path_12.h.z()), rt::Scalar(path_12.exit));
+            start = _e22.min(rt::Scalar(path_12.exit));
         }
-        let height_2 = (middle + ((path_11.h.x() - middle) / kept)).select(rt::Scalar(1f32), begins);
+        let height_2 = (middle_1 + ((path_12.h.x() - middle_1) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
-        let _e33 = self.v_path_slope(path_11, _e32);
-        let h_1 = <rt::Vec3<f32>>::from_scalars(height_2, (_e33 / kept), (path_11.h.z() / kept));
+        let _e33 = self.v_path_slope(path_12, _e32);
+        let h_1 = <rt::Vec3<f32>>::from_scalars(height_2, (_e33 / kept), (path_12.h.z() / kept));
         let _e40 = start;
-        let rest_1 = (rt::Scalar(path_11.exit) - _e40);
+        let rest_1 = (rt::Scalar(path_12.exit) - _e40);
         let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_1.x().max(rt::Scalar(0f32)), h_1.y(), h_1.z()), rest_1);
         let exit = (_e48 * rt::Scalar(1.000001f32)).min(rest_1);
         let _e53 = start;
-        let base_2 = (rt::Scalar(path_11.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_2 = (rt::Scalar(path_12.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
-        let _e59 = self.v_path_uv(path_11, _e58);
-        return <Path>::new(_e59, path_11.duv, h_1, exit, base_2, path_11.metric, rt::Scalar(path_11.ray), rt::Scalar(path_11.level));
+        let _e59 = self.v_path_uv(path_12, _e58);
+        let _e65 = start;
+        return <Path>::new(_e59, path_12.duv, h_1, exit, base_2, path_12.metric, rt::Scalar(path_12.ray), rt::Scalar(path_12.level), (rt::Scalar(path_12.start) + _e65), rt::Scalar(path_12.share));
     }
-    pub(crate) fn enter_relief(&self, pixel_11: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_11))
+    pub(crate) fn segment_of(
+        &self,
+        pixel_14: PixelIn,
+        at_19: Entered,
+        k_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Path {
+        rt::into(self.v_segment_of(pixel_14, at_19, rt::into(k_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_11: PixelIn) -> Entered {
-        let mut at_14: Entered;
+    fn v_segment_of(
+        &self,
+        pixel_14: PixelIn,
+        at_19: Entered,
+        k_2: rt::Scalar<u32>,
+    ) -> Path {
+        let mut path_13: Path;
 
-        let _e1 = self.v_surface_stage(pixel_11);
-        at_14 = _e1;
-        let _e3 = at_14;
-        let _e4 = self.v_detail_stage(pixel_11, _e3);
-        rt::Scalar(at_14.path.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_14.footprint) = rt::Scalar(_e4.footprint);
-        rt::Scalar(at_14.fade) = rt::Scalar(_e4.fade);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e4.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e17 = at_14.path;
-            let _e20 = rt::Scalar(self.surface_settings.mean_height);
-            let _e22 = self.v_flattened(_e17, _e20, rt::Scalar(_e4.fade));
-            at_14.path = _e22;
-            let _e26 = at_14.path.h.x();
-            if rt::Scalar::into_branch_condition((!_e26.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(at_14.valid) = rt::Scalar(0u32);
+        let _e3 = self.v_surface_segment_stage(pixel_14, at_19, k_2);
+        path_13 = _e3;
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_19.fade).elementwise_gt(rt::Scalar(0f32))) {
+            let _e8 = path_13;
+            let _e11 = rt::Scalar(self.surface_settings.mean_height);
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_19.fade));
+            path_13 = _e13;
+            let _e16 = path_13.h.x();
+            if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
+                rt::Scalar(path_13.exit) = rt::Scalar(0f32);
             }
         }
-        let _e32 = at_14;
-        return _e32;
+        let _e22 = path_13;
+        return _e22;
     }
-    pub(crate) fn entered_once(
-        &self,
-        path_12: Path,
-        grid_5: Grid,
-        above: impl rt::Into<rt::Scalar<f32>>,
-        below: impl rt::Into<rt::Scalar<f32>>,
-        above_gap: impl rt::Into<rt::Scalar<f32>>,
-        below_gap: impl rt::Into<rt::Scalar<f32>>,
-        so_far: impl rt::Into<rt::Vec3<u32>>,
-    ) -> Found {
-        rt::into(self.v_entered_once(path_12, grid_5, rt::into(above), rt::into(below), rt::into(above_gap), rt::into(below_gap), rt::into(so_far)))
+    pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
+        rt::into(self.v_miss(rt::into(cost_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_entered_once(
+    fn v_miss(&self, cost_2: rt::Vec3<u32>) -> Hit {
+        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), cost_2);
+    }
+    pub(crate) fn hit_on_path(
         &self,
-        path_12: Path,
-        grid_5: Grid,
-        above: rt::Scalar<f32>,
-        below: rt::Scalar<f32>,
-        above_gap: rt::Scalar<f32>,
-        below_gap: rt::Scalar<f32>,
-        so_far: rt::Vec3<u32>,
-    ) -> Found {
-        let mut near_1: rt::Scalar<f32>;
-        let mut far_1: rt::Scalar<f32>;
-        let mut near_gap: rt::Scalar<f32>;
-        let mut far_gap: rt::Scalar<f32>;
-        let mut cost_1: rt::Vec3<u32>;
-        let mut local_7: rt::Scalar<bool>;
+        path_14: Path,
+        t_8: impl rt::Into<rt::Scalar<f32>>,
+        exhausted: impl rt::Into<rt::Scalar<u32>>,
+        cost_3: impl rt::Into<rt::Vec3<u32>>,
+    ) -> Hit {
+        rt::into(self.v_hit_on_path(path_14, rt::into(t_8), rt::into(exhausted), rt::into(cost_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_hit_on_path(
+        &self,
+        path_14: Path,
+        t_8: rt::Scalar<f32>,
+        exhausted: rt::Scalar<u32>,
+        cost_3: rt::Vec3<u32>,
+    ) -> Hit {
+        let mut local_8: rt::Scalar<bool>;
 
-        near_1 = above;
-        far_1 = below;
-        near_gap = above_gap;
-        far_gap = below_gap;
-        cost_1 = so_far;
-        let wide = (grid_5.step.x().abs() + grid_5.step.y().abs());
+        if rt::Scalar::into_branch_condition(t_8.elementwise_gt(rt::Scalar(path_14.exit))) {
+            let _e9 = self.v_path_height(path_14, rt::Scalar(path_14.exit));
+            local_8 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        } else {
+            local_8 = rt::Scalar(false);
+        }
+        let _e13 = local_8;
+        if rt::Scalar::into_branch_condition(_e13) {
+            let _e14 = self.v_miss(cost_3);
+            return _e14;
+        }
+        let inside_1 = t_8.clamp(rt::Scalar(0f32), rt::Scalar(path_14.exit));
+        let _e19 = self.v_path_uv(path_14, inside_1);
+        let _e20 = self.v_path_height(path_14, inside_1);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_1, cost_3);
+    }
+    pub(crate) fn starting_point(&self, path_15: Path, found: Found) -> f32 {
+        rt::into(self.v_starting_point(path_15, found))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_starting_point(&self, path_15: Path, found: Found) -> rt::Scalar<f32> {
+        let mut local_9: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
+            return rt::Scalar(path_15.base);
+        }
+        if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
+            local_9 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+        } else {
+            local_9 = rt::Scalar(true);
+        }
+        let _e16 = local_9;
+        if rt::Scalar::into_branch_condition(_e16) {
+            return rt::Scalar(found.far);
+        }
+        return rt::Scalar(found.near);
+    }
+    pub(crate) fn refine_none(
+        &self,
+        path_16: Path,
+        found_1: Found,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_none(path_16, found_1, rt::into(params_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_none(
+        &self,
+        path_16: Path,
+        found_1: Found,
+        params_10: rt::Vec4<f32>,
+    ) -> Hit {
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(found_1.cost);
+            return _e7;
+        }
+        let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_1.status).elementwise_eq(FOUND_EXHAUSTED));
+        let _e14 = self.v_starting_point(path_16, found_1);
+        let _e16 = self.v_hit_on_path(path_16, _e14, exhausted_1, found_1.cost);
+        return _e16;
+    }
+    pub(crate) fn refine_offset(
+        &self,
+        path_17: Path,
+        found_2: Found,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_offset(path_17, found_2, rt::into(params_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_offset(
+        &self,
+        path_17: Path,
+        found_2: Found,
+        params_11: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_9: rt::Scalar<f32>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(found_2.cost);
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_17, found_2);
+        let _e9 = self.v_path_uv(path_17, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_17.level));
+        let _e12 = self.v_path_slope(path_17, _e8);
+        t_9 = _e8;
+        if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
+            let _e16 = self.v_path_height(path_17, _e8);
+            t_9 = (_e8 + ((_e11 - _e16) / _e12));
+        }
+        let _e20 = t_9;
+        let _e30 = self.v_hit_on_path(path_17, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
+        return _e30;
+    }
+    pub(crate) fn refine_offset_limited(
+        &self,
+        path_18: Path,
+        found_3: Found,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_offset_limited(path_18, found_3, rt::into(params_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_offset_limited(
+        &self,
+        path_18: Path,
+        found_3: Found,
+        params_12: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut hit_6: Hit;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(found_3.cost);
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_18, found_3);
+        let _e9 = self.v_path_uv(path_18, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_18.level));
+        let _e12 = self.v_path_height(path_18, _e8);
+        let rise_m = ((_e11 - _e12) * path_18.metric.w());
+        let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED));
+        let _e27 = self.v_hit_on_path(path_18, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
+        hit_6 = _e27;
+        let _e30 = rt::Scalar(hit_6.found);
+        if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
+            rt::Scalar(hit_6.height) = _e11;
+        }
+        let _e34 = hit_6;
+        return _e34;
+    }
+    pub(crate) fn height_and_slope(
+        &self,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        level_15: impl rt::Into<rt::Scalar<u32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_height_and_slope(rt::into(uv_11), rt::into(level_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_height_and_slope(
+        &self,
+        uv_11: rt::Vec2<f32>,
+        level_15: rt::Scalar<u32>,
+    ) -> rt::Vec3<f32> {
+        let _e2 = self.v_height_size(level_15);
+        let point_6 = ((uv_11 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_6);
+        let f_1 = (point_6 - _e8);
+        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
+        let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
+        let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
+        let left_1 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
+        let right = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
+        return <rt::Vec3<f32>>::from_scalars((top_5 + ((bottom_2 - top_5) * f_1.y())), ((right - left_1) * _e2.x()), ((bottom_2 - top_5) * _e2.y()));
+    }
+    pub(crate) fn normal_z(
+        &self,
+        path_19: Path,
+        slope: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_normal_z(path_19, rt::into(slope)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_normal_z(
+        &self,
+        path_19: Path,
+        slope: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        let m = path_19.metric;
+        let area_3 = ((m.x() * m.z()) - (m.y() * m.y()));
+        let squared_2 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area_3);
+        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_2)).sqrt());
+    }
+    pub(crate) fn refine_slope(
+        &self,
+        path_20: Path,
+        found_4: Found,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope(path_20, found_4, rt::into(params_13)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope(
+        &self,
+        path_20: Path,
+        found_4: Found,
+        params_13: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_10: rt::Scalar<f32>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(found_4.cost);
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_20, found_4);
+        let _e9 = self.v_path_uv(path_20, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_20.level));
+        let _e13 = self.v_path_height(path_20, _e8);
+        let rise = (_e11.x() - _e13);
+        t_10 = _e8;
+        if rt::Scalar::into_branch_condition(params_13.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_20, _e8);
+            let closing = (_e19 - ((_e11.y() * path_20.duv.x()) + (_e11.z() * path_20.duv.y())));
+            if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
+                t_10 = (_e8 + (rise / closing));
+            }
+        } else {
+            let _e40 = self.v_normal_z(path_20, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_10 = (_e8 - ((rise * path_20.metric.w()) * _e40));
+        }
+        let _e43 = t_10;
+        let _e53 = self.v_hit_on_path(path_20, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
+        return _e53;
+    }
+    pub(crate) fn refine_slope_iterative(
+        &self,
+        path_21: Path,
+        found_5: Found,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_slope_iterative(path_21, found_5, rt::into(params_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_slope_iterative(
+        &self,
+        path_21: Path,
+        found_5: Found,
+        params_14: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_11: rt::Scalar<f32>;
+        let mut cost_4: rt::Vec3<u32>;
+        let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(found_5.cost);
+            return _e7;
+        }
+        let _e8 = self.v_starting_point(path_21, found_5);
+        t_11 = _e8;
+        cost_4 = found_5.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = far_1;
-                let _e20 = near_1;
-                if rt::Scalar::into_branch_condition((wide * (_e19 - _e20)).elementwise_gt(rt::Scalar(3f32))) {
+                let _e14 = k_3;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_14.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e25 = cost_1;
-                    cost_1 = (_e25 + STEP);
-                    let _e28 = near_1;
-                    let _e29 = far_1;
-                    let middle_3 = (rt::Scalar(0.5f32) * (_e28 + _e29));
-                    let _e33 = near_1;
-                    if rt::Scalar::into_branch_condition(middle_3.elementwise_gt(_e33)) {
-                        let _e37 = far_1;
-                        local_7 = middle_3.elementwise_lt(_e37);
+                    let _e17 = cost_4;
+                    cost_4 = (_e17 + STEP);
+                    let _e20 = t_11;
+                    let _e21 = self.v_path_uv(path_21, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_21.level));
+                    let _e24 = cost_4;
+                    cost_4 = (_e24 + HEIGHTS_READ);
+                    let _e28 = t_11;
+                    let _e29 = self.v_path_height(path_21, _e28);
+                    let rise_1 = (_e23.x() - _e29);
+                    if rt::Scalar::into_branch_condition(params_14.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e34 = t_11;
+                        let _e35 = self.v_path_slope(path_21, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_21.duv.x()) + (_e23.z() * path_21.duv.y())));
+                        if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
+                            let _e48 = t_11;
+                            t_11 = (_e48 + (rise_1 / closing_1));
+                        }
                     } else {
-                        local_7 = rt::Scalar(false);
+                        let _e51 = t_11;
+                        let _e58 = self.v_normal_z(path_21, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_11 = (_e51 - ((rise_1 * path_21.metric.w()) * _e58));
                     }
-                    let _e40 = local_7;
-                    if rt::Scalar::into_branch_condition((!_e40)) {
-                        break 'naga_break;
-                    }
-                    let _e42 = self.v_path_gap(path_12, middle_3);
-                    let _e43 = cost_1;
-                    cost_1 = (_e43 + HEIGHTS_READ);
-                    if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
-                        far_1 = middle_3;
-                        far_gap = _e42;
-                    } else {
-                        near_1 = middle_3;
-                        near_gap = _e42;
-                    }
+                    let _e61 = t_11;
+                    t_11 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_21.exit));
+                    let _e65 = k_3;
+                    k_3 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e49 = near_1;
-        let _e50 = far_1;
-        let _e51 = near_gap;
-        let _e52 = far_gap;
-        let _e53 = cost_1;
-        return <Found>::new(FOUND_BRACKET, _e49, _e50, _e51, _e52, _e53);
+        let _e68 = t_11;
+        let _e75 = cost_4;
+        let _e76 = self.v_hit_on_path(path_21, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        return _e76;
     }
-    pub(crate) fn facing_four(
-        &self,
-        middle_1: impl rt::Into<rt::Scalar<f32>>,
-        along: impl rt::Into<rt::Scalar<f32>>,
-        across: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_facing_four(rt::into(middle_1), rt::into(along), rt::into(across)))
+    pub(crate) fn has_interval(&self, found_6: Found) -> bool {
+        rt::into(self.v_has_interval(found_6))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_facing_four(
-        &self,
-        middle_1: rt::Scalar<f32>,
-        along: rt::Scalar<f32>,
-        across: rt::Scalar<f32>,
-    ) -> rt::Vec4<f32> {
-        let x_1 = (along * rt::Scalar(1.7320508f32));
-        let y = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_1 + x_1), (middle_1 - x_1), (middle_1 + y), (middle_1 - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
-    }
-    pub(crate) fn normal_at(
-        &self,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
-        layer_5: impl rt::Into<rt::Scalar<i32>>,
-        level_14: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_8), rt::into(layer_5), rt::into(level_14)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_at(
-        &self,
-        uv_8: rt::Vec2<f32>,
-        layer_5: rt::Scalar<i32>,
-        level_14: rt::Scalar<u32>,
-    ) -> rt::Vec4<f32> {
-        let _e5 = self.surface_settings.normal_size;
-        let _e6 = self.v_level_texels(_e5, level_14);
-        let _e7 = self.v_texels_around(uv_8, _e6);
-        let k_17 = level_14.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_17));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_17));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_17));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_17));
-        let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
-        return _e38;
-    }
-    pub(crate) fn normal_from_height(
-        &self,
-        at_15: Entered,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_15, rt::into(uv_9)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_from_height(
-        &self,
-        at_15: Entered,
-        uv_9: rt::Vec2<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e3 = self.v_height_size(rt::Scalar(0u32));
-        let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
-        let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e16 = self.v_height_at((uv_9 + du), rt::Scalar(0u32));
-        let _e19 = self.v_height_at((uv_9 - du), rt::Scalar(0u32));
-        let rise_u = (_e16 - _e19);
-        let _e23 = self.v_height_at((uv_9 + dv), rt::Scalar(0u32));
-        let _e26 = self.v_height_at((uv_9 - dv), rt::Scalar(0u32));
-        let rise_v = (_e23 - _e26);
-        let _e33 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
-        let _e41 = rt::Scalar(self.surface_settings.scale_m);
-        let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
-        let along_u_1 = (at_15.tangent + (at_15.normal * slope_u));
-        let along_v_1 = (at_15.bitangent + (at_15.normal * slope_v));
-        let across_2 = along_v_1.cross(along_u_1).normalize();
-        return (across_2 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_2.dot(at_15.normal).elementwise_ge(rt::Scalar(0f32))));
-    }
-    pub(crate) fn finest_normal(
-        &self,
-        at_16: Entered,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_16, rt::into(uv_10)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_finest_normal(
-        &self,
-        at_16: Entered,
-        uv_10: rt::Vec2<f32>,
-    ) -> rt::Vec3<f32> {
-        let _e4 = rt::Scalar(self.surface_settings.has_normal);
-        if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_10, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_16, _e9.xyz());
-            return _e11.normalize();
+    fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
+        let mut local_10: rt::Scalar<bool>;
+        let mut local_11: rt::Scalar<bool>;
+        let mut local_12: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
+            if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
+                local_11 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+            } else {
+                local_11 = rt::Scalar(true);
+            }
+            let _e16 = local_11;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_12 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_12 = rt::Scalar(true);
+            }
+            let _e24 = local_12;
+            local_10 = _e24;
+        } else {
+            local_10 = rt::Scalar(false);
         }
-        let _e13 = self.v_normal_from_height(at_16, uv_10);
-        return _e13;
+        let _e26 = local_10;
+        return _e26;
+    }
+    pub(crate) fn refine_binary(
+        &self,
+        path_22: Path,
+        found_7: Found,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_binary(path_22, found_7, rt::into(params_15)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_binary(
+        &self,
+        path_22: Path,
+        found_7: Found,
+        params_15: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut near_2: rt::Scalar<f32>;
+        let mut far_2: rt::Scalar<f32>;
+        let mut cost_5: rt::Vec3<u32>;
+        let mut local_13: rt::Scalar<bool>;
+        let mut crossed: rt::Scalar<bool>;
+        let mut k_4: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        let _e3 = self.v_has_interval(found_7);
+        if rt::Scalar::into_branch_condition((!_e3)) {
+            let _e5 = self.v_refine_none(path_22, found_7, params_15);
+            return _e5;
+        }
+        near_2 = rt::Scalar(found_7.near);
+        far_2 = rt::Scalar(found_7.far);
+        cost_5 = found_7.cost;
+        if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
+            let _e18 = far_2;
+            let _e19 = self.v_path_height(path_22, _e18);
+            local_13 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+        } else {
+            local_13 = rt::Scalar(true);
+        }
+        let _e23 = local_13;
+        crossed = _e23;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e27 = k_4;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_15.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e30 = cost_5;
+                    cost_5 = (_e30 + STEP);
+                    let _e33 = near_2;
+                    let _e34 = far_2;
+                    let middle_4 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let _e38 = cost_5;
+                    cost_5 = (_e38 + HEIGHTS_READ);
+                    let _e41 = self.v_path_gap(path_22, middle_4);
+                    if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
+                        far_2 = middle_4;
+                        crossed = rt::Scalar(true);
+                    } else {
+                        near_2 = middle_4;
+                    }
+                    let _e45 = k_4;
+                    k_4 = (_e45 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e48 = crossed;
+        if rt::Scalar::into_branch_condition((!_e48)) {
+            let _e50 = cost_5;
+            let _e51 = self.v_miss(_e50);
+            return _e51;
+        }
+        let _e52 = near_2;
+        let _e53 = far_2;
+        let _e58 = cost_5;
+        let _e59 = self.v_hit_on_path(path_22, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        return _e59;
+    }
+    pub(crate) fn refine_secant(
+        &self,
+        path_23: Path,
+        found_8: Found,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_secant(path_23, found_8, rt::into(params_16)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_secant(
+        &self,
+        path_23: Path,
+        found_8: Found,
+        params_16: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut near_3: rt::Scalar<f32>;
+        let mut far_3: rt::Scalar<f32>;
+        let mut near_gap_1: rt::Scalar<f32>;
+        let mut far_gap_1: rt::Scalar<f32>;
+        let mut cost_6: rt::Vec3<u32>;
+        let mut t_12: rt::Scalar<f32>;
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let _e3 = self.v_has_interval(found_8);
+        if rt::Scalar::into_branch_condition((!_e3)) {
+            let _e5 = self.v_refine_none(path_23, found_8, params_16);
+            return _e5;
+        }
+        near_3 = rt::Scalar(found_8.near);
+        far_3 = rt::Scalar(found_8.far);
+        near_gap_1 = rt::Scalar(found_8.near_gap);
+        far_gap_1 = rt::Scalar(found_8.far_gap);
+        cost_6 = found_8.cost;
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
+            let _e19 = near_3;
+            let _e20 = self.v_path_gap(path_23, _e19);
+            near_gap_1 = _e20;
+            let _e21 = far_3;
+            let _e22 = self.v_path_gap(path_23, _e21);
+            far_gap_1 = _e22;
+            let _e23 = cost_6;
+            cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
+            let _e28 = far_gap_1;
+            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
+                let _e31 = cost_6;
+                let _e32 = self.v_miss(_e31);
+                return _e32;
+            }
+        }
+        let _e33 = far_3;
+        t_12 = _e33;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e37 = k_5;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_16.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e40 = cost_6;
+                    cost_6 = (_e40 + STEP);
+                    let _e43 = near_gap_1;
+                    let _e44 = far_gap_1;
+                    let drop = (_e43 - _e44);
+                    if rt::Scalar::into_branch_condition((!drop.elementwise_gt(rt::Scalar(0f32)))) {
+                        break 'naga_break;
+                    }
+                    let _e49 = near_3;
+                    let _e50 = far_3;
+                    let _e51 = near_3;
+                    let _e53 = near_gap_1;
+                    t_12 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
+                    let _e57 = k_5;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_16.x())) {
+                        let _e60 = t_12;
+                        let _e61 = self.v_path_gap(path_23, _e60);
+                        let _e62 = cost_6;
+                        cost_6 = (_e62 + HEIGHTS_READ);
+                        if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
+                            let _e67 = t_12;
+                            far_3 = _e67;
+                            far_gap_1 = _e61;
+                        } else {
+                            let _e68 = t_12;
+                            near_3 = _e68;
+                            near_gap_1 = _e61;
+                        }
+                    }
+                    let _e69 = k_5;
+                    k_5 = (_e69 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e72 = t_12;
+        let _e74 = cost_6;
+        let _e75 = self.v_hit_on_path(path_23, _e72, rt::Scalar(0u32), _e74);
+        return _e75;
+    }
+    pub(crate) fn refine_true_secant(
+        &self,
+        path_24: Path,
+        found_9: Found,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_true_secant(path_24, found_9, rt::into(params_17)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_true_secant(
+        &self,
+        path_24: Path,
+        found_9: Found,
+        params_17: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut before: rt::Scalar<f32>;
+        let mut last: rt::Scalar<f32>;
+        let mut before_gap: rt::Scalar<f32>;
+        let mut last_gap: rt::Scalar<f32>;
+        let mut cost_7: rt::Vec3<u32>;
+        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let _e3 = self.v_has_interval(found_9);
+        if rt::Scalar::into_branch_condition((!_e3)) {
+            let _e5 = self.v_refine_none(path_24, found_9, params_17);
+            return _e5;
+        }
+        before = rt::Scalar(found_9.near);
+        last = rt::Scalar(found_9.far);
+        before_gap = rt::Scalar(found_9.near_gap);
+        last_gap = rt::Scalar(found_9.far_gap);
+        cost_7 = found_9.cost;
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
+            let _e19 = before;
+            let _e20 = self.v_path_gap(path_24, _e19);
+            before_gap = _e20;
+            let _e21 = last;
+            let _e22 = self.v_path_gap(path_24, _e21);
+            last_gap = _e22;
+            let _e23 = cost_7;
+            cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
+            let _e28 = last_gap;
+            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
+                let _e31 = cost_7;
+                let _e32 = self.v_miss(_e31);
+                return _e32;
+            }
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e35 = k_6;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_17.x())) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e38 = cost_7;
+                    cost_7 = (_e38 + STEP);
+                    let _e41 = before_gap;
+                    let _e42 = last_gap;
+                    let change = (_e41 - _e42);
+                    if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
+                        break 'naga_break;
+                    }
+                    let _e46 = last;
+                    let _e47 = last;
+                    let _e48 = before;
+                    let _e50 = last_gap;
+                    let t_26 = (_e46 + ((_e47 - _e48) * (_e50 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let _e57 = last;
+                    before = _e57;
+                    let _e58 = last_gap;
+                    before_gap = _e58;
+                    last = t_26;
+                    let _e59 = k_6;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_17.x())) {
+                        let _e62 = self.v_path_gap(path_24, t_26);
+                        last_gap = _e62;
+                        let _e63 = cost_7;
+                        cost_7 = (_e63 + HEIGHTS_READ);
+                    }
+                    let _e66 = k_6;
+                    k_6 = (_e66 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e69 = last;
+        let _e71 = cost_7;
+        let _e72 = self.v_hit_on_path(path_24, _e69, rt::Scalar(0u32), _e71);
+        return _e72;
+    }
+    pub(crate) fn grid_of(&self, path_25: Path) -> Grid {
+        rt::into(self.v_grid_of(path_25))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_grid_of(&self, path_25: Path) -> Grid {
+        let _e2 = self.v_height_size(rt::Scalar(path_25.level));
+        return <Grid>::new(((path_25.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_25.duv * _e2));
+    }
+    pub(crate) fn refine_patch(
+        &self,
+        path_26: Path,
+        found_10: Found,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_patch(path_26, found_10, rt::into(params_18)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_patch(
+        &self,
+        path_26: Path,
+        found_10: Found,
+        params_18: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut t_13: rt::Scalar<f32>;
+        let mut cell_6: rt::Vec2<f32>;
+        let mut cost_8: rt::Vec3<u32>;
+        let mut local_14: rt::Scalar<bool>;
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
+            let _e7 = self.v_miss(found_10.cost);
+            return _e7;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
+            let _e14 = self.v_hit_on_path(path_26, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
+            return _e14;
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
+            let _e21 = self.v_hit_on_path(path_26, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
+            return _e21;
+        }
+        let _e22 = self.v_grid_of(path_26);
+        t_13 = rt::Scalar(found_10.near);
+        let _e27 = t_13;
+        let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
+        cell_6 = _e30;
+        cost_8 = found_10.cost;
+        let _e35 = cost_8.x();
+        let limit = (_e35 + params_18.x().cast_elem_as_u32());
+        'naga_break: loop {
+            'naga_continue: {
+                let _e40 = cost_8.x();
+                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e42 = cost_8;
+                    cost_8 = (_e42 + STEP);
+                    let _e45 = cell_6;
+                    let _e46 = self.v_cell_leave(_e22, _e45);
+                    let end = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
+                    let _e52 = t_13;
+                    let span_4 = (end - _e52).max(rt::Scalar(0f32));
+                    let _e56 = cell_6;
+                    let _e57 = t_13;
+                    let _e58 = self.v_cell_gap(path_26, _e22, _e56, _e57);
+                    let _e59 = cost_8;
+                    cost_8 = (_e59 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
+                        let _e65 = t_13;
+                        let _e67 = cost_8;
+                        let _e68 = self.v_hit_on_path(path_26, _e65, rt::Scalar(0u32), _e67);
+                        return _e68;
+                    }
+                    let _e69 = self.v_first_root(_e58, span_4);
+                    if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e72 = t_13;
+                        let _e75 = cost_8;
+                        let _e76 = self.v_hit_on_path(path_26, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        return _e76;
+                    }
+                    if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_10.far))) {
+                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
+                            local_14 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                        } else {
+                            local_14 = rt::Scalar(true);
+                        }
+                        let _e89 = local_14;
+                        if rt::Scalar::into_branch_condition(_e89) {
+                            let _e92 = cost_8;
+                            let _e93 = self.v_hit_on_path(path_26, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
+                            return _e93;
+                        }
+                        let _e94 = cost_8;
+                        let _e95 = self.v_miss(_e94);
+                        return _e95;
+                    }
+                    let _e96 = cell_6;
+                    let _e97 = self.v_cell_next(_e22, _e96, _e46);
+                    cell_6 = _e97;
+                    let _e98 = t_13;
+                    t_13 = _e98.max(end);
+                }
+            }
+        }
+        let _e100 = t_13;
+        let _e102 = cost_8;
+        let _e103 = self.v_hit_on_path(path_26, _e100, rt::Scalar(1u32), _e102);
+        return _e103;
+    }
+    pub(crate) fn refine_half_texel(
+        &self,
+        path_27: Path,
+        found_11: Found,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_refine_half_texel(path_27, found_11, rt::into(params_19)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_half_texel(
+        &self,
+        path_27: Path,
+        found_11: Found,
+        params_19: rt::Vec4<f32>,
+    ) -> Hit {
+        let mut part_2: rt::Scalar<f32> = rt::Scalar(0.5f32);
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
+            let _e6 = self.v_refine_none(path_27, found_11, params_19);
+            return _e6;
+        }
+        let _e9 = self.v_height_size(rt::Scalar(path_27.level));
+        let speed_1 = (path_27.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_27.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_27, found_11, params_19);
+            return _e17;
+        }
+        let half = (rt::Scalar(0.5f32) / speed_1);
+        let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
+        let forward_2 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_27.exit));
+        let _e28 = self.v_path_gap(path_27, backward);
+        let before_1 = _e28.abs();
+        let _e30 = self.v_path_gap(path_27, forward_2);
+        let behind_1 = _e30.abs();
+        if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
+            part_2 = (before_1 / (before_1 + behind_1));
+        }
+        let cost_22 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
+        let _e45 = part_2;
+        let _e49 = self.v_hit_on_path(path_27, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
+        return _e49;
+    }
+    pub(crate) fn refine_stage(&self, path_28: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_28, found_12))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_refine_stage(&self, path_28: Path, found_12: Found) -> Hit {
+        let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
+        match rt::Scalar::into_inner(_e6) {
+            0u32 => {
+                let _e11 = self.surface_settings.choices[3usize].params;
+                let _e12 = self.v_refine_none(path_28, found_12, _e11);
+                return _e12;
+            }
+            1u32 => {
+                let _e17 = self.surface_settings.choices[3usize].params;
+                let _e18 = self.v_refine_offset(path_28, found_12, _e17);
+                return _e18;
+            }
+            2u32 => {
+                let _e23 = self.surface_settings.choices[3usize].params;
+                let _e24 = self.v_refine_offset_limited(path_28, found_12, _e23);
+                return _e24;
+            }
+            3u32 => {
+                let _e29 = self.surface_settings.choices[3usize].params;
+                let _e30 = self.v_refine_slope(path_28, found_12, _e29);
+                return _e30;
+            }
+            4u32 => {
+                let _e35 = self.surface_settings.choices[3usize].params;
+                let _e36 = self.v_refine_slope_iterative(path_28, found_12, _e35);
+                return _e36;
+            }
+            5u32 => {
+                let _e41 = self.surface_settings.choices[3usize].params;
+                let _e42 = self.v_refine_binary(path_28, found_12, _e41);
+                return _e42;
+            }
+            6u32 => {
+                let _e47 = self.surface_settings.choices[3usize].params;
+                let _e48 = self.v_refine_secant(path_28, found_12, _e47);
+                return _e48;
+            }
+            7u32 => {
+                let _e53 = self.surface_settings.choices[3usize].params;
+                let _e54 = self.v_refine_true_secant(path_28, found_12, _e53);
+                return _e54;
+            }
+            8u32 => {
+                let _e59 = self.surface_settings.choices[3usize].params;
+                let _e60 = self.v_refine_patch(path_28, found_12, _e59);
+                return _e60;
+            }
+            _ => {
+                let _e65 = self.surface_settings.choices[3usize].params;
+                let _e66 = self.v_refine_half_texel(path_28, found_12, _e65);
+                return _e66;
+            }
+        }
+    }
+    pub(crate) fn search_none(
+        &self,
+        path_29: Path,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_none(path_29, rt::into(params_20)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_none(
+        &self,
+        path_29: Path,
+        params_20: rt::Vec4<f32>,
+    ) -> Found {
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+    }
+    pub(crate) fn search_linear(
+        &self,
+        path_30: Path,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Found {
+        rt::into(self.v_search_linear(path_30, rt::into(params_21)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_search_linear(
+        &self,
+        path_30: Path,
+        params_21: rt::Vec4<f32>,
+    ) -> Found {
+        let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_2: rt::Scalar<f32>;
+        let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
+        let mut k_7: rt::Scalar<f32> = rt::Scalar(1f32);
+
+        let cosine_4 = (path_30.h.y().abs() * path_30.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max(((params_21.x() * params_21.y().mix_scalar(rt::Scalar(1f32), cosine_4)) * rt::Scalar(path_30.share)).ceil());
+        let _e24 = self.v_path_gap(path_30, rt::Scalar(0f32));
+        near_gap_2 = _e24;
+        let _e28 = near_gap_2;
+        if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
+            let _e32 = near_gap_2;
+            let _e33 = near_gap_2;
+            let _e34 = cost_9;
+            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e32, _e33, _e34);
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e40 = k_7;
+                if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps)) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e42 = cost_9;
+                    cost_9 = (_e42 + STEP);
+                    let _e46 = k_7;
+                    let t_27 = (rt::Scalar(path_30.exit) * (_e46 / steps));
+                    let _e49 = self.v_path_gap(path_30, t_27);
+                    let _e50 = cost_9;
+                    cost_9 = (_e50 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
+                        let _e56 = near_4;
+                        let _e57 = near_gap_2;
+                        let _e58 = cost_9;
+                        return <Found>::new(FOUND_BRACKET, _e56, t_27, _e57, _e49, _e58);
+                    }
+                    near_4 = t_27;
+                    near_gap_2 = _e49;
+                    let _e60 = k_7;
+                    k_7 = (_e60 + rt::Scalar(1f32));
+                }
+            }
+        }
+        let _e64 = near_4;
+        let _e65 = near_4;
+        let _e66 = near_gap_2;
+        let _e67 = near_gap_2;
+        let _e68 = cost_9;
+        return <Found>::new(FOUND_MISS, _e64, _e65, _e66, _e67, _e68);
     }
     pub(crate) fn least_at(
         &self,
@@ -2486,319 +3472,143 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
-        t_8: impl rt::Into<rt::Scalar<f32>>,
+        t_14: impl rt::Into<rt::Scalar<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
         first: impl rt::Into<rt::Scalar<bool>>,
-        cost_2: impl rt::Into<rt::Vec3<u32>>,
+        cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_8), rt::into(span_2), rt::into(first), rt::into(cost_2)))
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_14), rt::into(span_2), rt::into(first), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_3: rt::Vec3<f32>,
-        t_8: rt::Scalar<f32>,
+        t_14: rt::Scalar<f32>,
         span_2: rt::Scalar<f32>,
         first: rt::Scalar<bool>,
-        cost_2: rt::Vec3<u32>,
+        cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_8: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_8 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_15 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_8 = rt::Scalar(false);
+                local_15 = rt::Scalar(false);
             }
-            let _e14 = local_8;
+            let _e14 = local_15;
             if rt::Scalar::into_branch_condition(_e14) {
-                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_2);
+                return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_8, t_8, c_3.x(), c_3.x(), cost_2);
+            return <Found>::new(FOUND_BRACKET, t_14, t_14, c_3.x(), c_3.x(), cost_10);
         }
         let _e25 = self.v_least_at(c_3, span_2);
         let _e26 = self.v_quadratic(c_3, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_8, (t_8 + _e25), c_3.x(), _e26, cost_2);
+            return <Found>::new(FOUND_BRACKET, t_14, (t_14 + _e25), c_3.x(), _e26, cost_10);
         }
         let _e36 = self.v_quadratic(c_3, span_2);
-        return <Found>::new(FOUND_ABOVE, t_8, (t_8 + span_2), c_3.x(), _e36, cost_2);
-    }
-    pub(crate) fn near_uv(&self, uv_11: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_11)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_near_uv(&self, uv_11: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        let _e3 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_11 - uv_11.floor());
-        }
-        let _e10 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_11 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_11).floor()));
-        }
-        return uv_11;
-    }
-    pub(crate) fn from_hit(&self, at_17: Entered, hit_6: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_17, hit_6, light_1))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_17: Entered, hit_6: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_17, light_1.direction);
-        let _e6 = self.v_near_uv(hit_6.uv);
-        let _e9 = self.v_height_at(_e6, rt::Scalar(at_17.path.level));
-        let h_2 = <rt::Vec3<f32>>::from_scalars(_e9, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_2, rt::Scalar(0f32), rt::Scalar(0f32), at_17.path.metric, RAY_SHADOW, rt::Scalar(at_17.path.level));
-    }
-    pub(crate) fn way_out(&self, path_13: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_13, light_2))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_13: Path, light_2: Toward) -> rt::Scalar<f32> {
-        let mut way: rt::Scalar<f32>;
-        let mut interval_2: rt::Vec2<f32>;
-
-        way = ((rt::Scalar(1f32) - path_13.h.x()) / path_13.h.y()).min(rt::Scalar(light_2.distance));
-        let _e14 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
-            let _e21 = way;
-            let _e24 = self.v_inside_unit(path_13.uv.x(), path_13.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
-            interval_2 = _e24;
-            let _e30 = interval_2;
-            let _e31 = self.v_inside_unit(path_13.uv.y(), path_13.duv.y(), _e30);
-            interval_2 = _e31;
-            let _e33 = interval_2.y();
-            way = _e33;
-        }
-        let _e34 = way;
-        return _e34;
-    }
-    pub(crate) fn grid_of(&self, path_14: Path) -> Grid {
-        rt::into(self.v_grid_of(path_14))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_14: Path) -> Grid {
-        let _e2 = self.v_height_size(rt::Scalar(path_14.level));
-        return <Grid>::new(((path_14.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_14.duv * _e2));
-    }
-    pub(crate) fn light_ray(&self, at_18: Entered, hit_7: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_18, hit_7, light_3))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_18: Entered, hit_7: Hit, light_3: Toward) -> LightRay {
-        let mut local_9: rt::Scalar<bool>;
-
-        let _e3 = self.v_from_hit(at_18, hit_7, light_3);
-        if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
-        }
-        let _e11 = self.v_way_out(_e3, light_3);
-        if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
-            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
-        }
-        let _e17 = self.v_grid_of(_e3);
-        let _e19 = self.v_cell_of(_e17.origin);
-        let _e20 = self.v_cell_leave(_e17, _e19);
-        let end = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
-        let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
-        let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_9 = (_e31.y() + (_e31.z() * end)).elementwise_lt(rt::Scalar(0f32));
-        } else {
-            local_9 = rt::Scalar(true);
-        }
-        let _e45 = local_9;
-        if rt::Scalar::into_branch_condition(_e45) {
-            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
-        }
-        if rt::Scalar::into_branch_condition(end.elementwise_ge(_e11)) {
-            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
-        }
-        let _e51 = self.v_path_uv(_e3, end);
-        let gap_1 = (end * (_e31.y() + (_e31.z() * end)));
-        let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_3 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_1) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_48 = <Path>::new(_e51, _e3.duv, h_3, (_e11 - end), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_48);
-    }
-    pub(crate) fn search_none(
-        &self,
-        path_15: Path,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_none(path_15, rt::into(params_9)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_none(
-        &self,
-        path_15: Path,
-        params_9: rt::Vec4<f32>,
-    ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_15.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
-    }
-    pub(crate) fn search_linear(
-        &self,
-        path_16: Path,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Found {
-        rt::into(self.v_search_linear(path_16, rt::into(params_10)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_linear(
-        &self,
-        path_16: Path,
-        params_10: rt::Vec4<f32>,
-    ) -> Found {
-        let mut near_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_1: rt::Scalar<f32>;
-        let mut cost_3: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k: rt::Scalar<f32> = rt::Scalar(1f32);
-
-        let cosine_4 = (path_16.h.y().abs() * path_16.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max((params_10.x() * params_10.y().mix_scalar(rt::Scalar(1f32), cosine_4)).ceil());
-        let _e22 = self.v_path_gap(path_16, rt::Scalar(0f32));
-        near_gap_1 = _e22;
-        let _e26 = near_gap_1;
-        if rt::Scalar::into_branch_condition(_e26.elementwise_lt(rt::Scalar(0f32))) {
-            let _e30 = near_gap_1;
-            let _e31 = near_gap_1;
-            let _e32 = cost_3;
-            return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e30, _e31, _e32);
-        }
-        'naga_break: loop {
-            'naga_continue: {
-                let _e38 = k;
-                if rt::Scalar::into_branch_condition(_e38.elementwise_le(steps)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e40 = cost_3;
-                    cost_3 = (_e40 + STEP);
-                    let _e44 = k;
-                    let t_26 = (rt::Scalar(path_16.exit) * (_e44 / steps));
-                    let _e47 = self.v_path_gap(path_16, t_26);
-                    let _e48 = cost_3;
-                    cost_3 = (_e48 + HEIGHTS_READ);
-                    if rt::Scalar::into_branch_condition(_e47.elementwise_le(rt::Scalar(0f32))) {
-                        let _e54 = near_2;
-                        let _e55 = near_gap_1;
-                        let _e56 = cost_3;
-                        return <Found>::new(FOUND_BRACKET, _e54, t_26, _e55, _e47, _e56);
-                    }
-                    near_2 = t_26;
-                    near_gap_1 = _e47;
-                    let _e58 = k;
-                    k = (_e58 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e62 = near_2;
-        let _e63 = near_2;
-        let _e64 = near_gap_1;
-        let _e65 = near_gap_1;
-        let _e66 = cost_3;
-        return <Found>::new(FOUND_MISS, _e62, _e63, _e64, _e65, _e66);
+        return <Found>::new(FOUND_ABOVE, t_14, (t_14 + span_2), c_3.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
-        path_17: Path,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        path_31: Path,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_17, rt::into(params_11)))
+        rt::into(self.v_search_cells(path_31, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_17: Path,
-        params_11: rt::Vec4<f32>,
+        path_31: Path,
+        params_22: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_6: rt::Vec2<f32>;
-        let mut t_9: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_4: rt::Vec3<u32> = NO_COST;
+        let mut cell_7: rt::Vec2<f32>;
+        let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_17);
+        let _e2 = self.v_grid_of(path_31);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_6 = _e4;
-        let limit = params_11.x().cast_elem_as_u32();
+        cell_7 = _e4;
+        let limit_1 = params_22.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e13 = cost_4.x();
-                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit)) {
+                let _e13 = cost_11.x();
+                if rt::Scalar::into_branch_condition(_e13.elementwise_lt(limit_1)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e15 = cost_4;
-                    cost_4 = (_e15 + STEP);
-                    let _e18 = cell_6;
+                    let _e15 = cost_11;
+                    cost_11 = (_e15 + STEP);
+                    let _e18 = cell_7;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_1 = _e19.x().min(_e19.y()).min(rt::Scalar(path_17.exit));
-                    let _e25 = cell_6;
-                    let _e26 = t_9;
-                    let _e27 = self.v_cell_gap(path_17, _e2, _e25, _e26);
-                    let _e28 = cost_4;
-                    cost_4 = (_e28 + HEIGHTS_READ);
-                    let _e31 = t_9;
-                    let span_4 = (end_1 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_9;
-                    let _e37 = cost_4.x();
-                    let _e40 = cost_4;
-                    let _e41 = self.v_found_in_cell(_e27, _e35, span_4, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
+                    let end_1 = _e19.x().min(_e19.y()).min(rt::Scalar(path_31.exit));
+                    let _e25 = cell_7;
+                    let _e26 = t_15;
+                    let _e27 = self.v_cell_gap(path_31, _e2, _e25, _e26);
+                    let _e28 = cost_11;
+                    cost_11 = (_e28 + HEIGHTS_READ);
+                    let _e31 = t_15;
+                    let span_5 = (end_1 - _e31).max(rt::Scalar(0f32));
+                    let _e35 = t_15;
+                    let _e37 = cost_11.x();
+                    let _e40 = cost_11;
+                    let _e41 = self.v_found_in_cell(_e27, _e35, span_5, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_17.exit))) {
-                        let _e48 = t_9;
-                        let _e52 = cost_4;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_17.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_31.exit))) {
+                        let _e48 = t_15;
+                        let _e52 = cost_11;
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_31.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
-                    let _e54 = cell_6;
+                    let _e54 = cell_7;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
-                    cell_6 = _e55;
-                    let _e56 = t_9;
-                    t_9 = _e56.max(end_1);
+                    cell_7 = _e55;
+                    let _e56 = t_15;
+                    t_15 = _e56.max(end_1);
                 }
             }
         }
-        let _e59 = t_9;
-        let _e61 = cost_4;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_17.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        let _e59 = t_15;
+        let _e61 = cost_11;
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
-        cell_7: impl rt::Into<rt::Scalar<i32>>,
+        cell_8: impl rt::Into<rt::Scalar<i32>>,
         n_3: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_7), rt::into(n_3)))
+        rt::into(self.v_image_of(rt::into(cell_8), rt::into(n_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
-        cell_7: rt::Scalar<i32>,
+        cell_8: rt::Scalar<i32>,
         n_3: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_10: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(cell_7.elementwise_ge(rt::Scalar(0i32))) {
-            local_10 = cell_7.elementwise_lt(n_3);
+        if rt::Scalar::into_branch_condition(cell_8.elementwise_ge(rt::Scalar(0i32))) {
+            local_16 = cell_8.elementwise_lt(n_3);
         } else {
-            local_10 = rt::Scalar(false);
+            local_16 = rt::Scalar(false);
         }
-        let _e8 = local_10;
+        let _e8 = local_16;
         if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(cell_7, rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_8, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_7.clamp(rt::Scalar(0i32), (n_3 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_8.clamp(rt::Scalar(0i32), (n_3 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_7 % n_3) + n_3) % n_3), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_8 % n_3) + n_3) % n_3), rt::Scalar(0i32));
         }
         let period_1 = (rt::Scalar(2i32) * n_3);
-        let folded_1 = (((cell_7 % period_1) + period_1) % period_1);
+        let folded_1 = (((cell_8 % period_1) + period_1) % period_1);
         if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_3)) {
             return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
         }
@@ -2809,290 +3619,290 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_18: Path,
-        cell_8: impl rt::Into<rt::Vec2<i32>>,
+        path_32: Path,
+        cell_9: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_18, rt::into(cell_8), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_32, rt::into(cell_9), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_18: Path,
-        cell_8: rt::Vec2<i32>,
+        path_32: Path,
+        cell_9: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_11: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_18.level));
-        let _e7 = self.v_image_of(cell_8.x(), _e4.x());
-        let _e10 = self.v_image_of(cell_8.y(), _e4.y());
+        let _e4 = self.v_height_texels(rt::Scalar(path_32.level));
+        let _e7 = self.v_image_of(cell_9.x(), _e4.x());
+        let _e10 = self.v_image_of(cell_9.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_11 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_17 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_11 = rt::Scalar(true);
+            local_17 = rt::Scalar(true);
         }
-        let _e21 = local_11;
+        let _e21 = local_17;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_18, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_18.level).cast_elem_as_i32());
-        let right = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
+        let _e29 = self.v_search_texel(path_32, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_32.level).cast_elem_as_i32());
+        let right_1 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
-        return _e29.w().select(_e29.z(), right).select(_e29.y().select(_e29.x(), right), down);
+        return _e29.w().select(_e29.z(), right_1).select(_e29.y().select(_e29.x(), right_1), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_19: Path,
+        path_33: Path,
         texels_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_19, rt::into(texels_1)))
+        rt::into(self.v_map_read(path_33, rt::into(texels_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_map_read(
         &self,
-        path_19: Path,
+        path_33: Path,
         texels_1: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_19.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_33.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_1 * _e14));
     }
     pub(crate) fn stays_above(
         &self,
         above_1: impl rt::Into<rt::Vec3<f32>>,
-        slope: impl rt::Into<rt::Scalar<f32>>,
+        slope_1: impl rt::Into<rt::Scalar<f32>>,
         left: impl rt::Into<rt::Scalar<f32>>,
         speed: impl rt::Into<rt::Scalar<f32>>,
         lost: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_above(rt::into(above_1), rt::into(slope), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_3)))
+        rt::into(self.v_stays_above(rt::into(above_1), rt::into(slope_1), rt::into(left), rt::into(speed), rt::into(lost), rt::into(span_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_above(
         &self,
         above_1: rt::Vec3<f32>,
-        slope: rt::Scalar<f32>,
+        slope_1: rt::Scalar<f32>,
         left: rt::Scalar<f32>,
         speed: rt::Scalar<f32>,
         lost: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let rise = (slope * speed.abs());
-        let gap_2 = ((above_1.x() + (slope * left)) - lost);
-        if rt::Scalar::into_branch_condition(gap_2.elementwise_le(rt::Scalar(0f32))) {
+        let rise_2 = (slope_1 * speed.abs());
+        let gap_1 = ((above_1.x() + (slope_1 * left)) - lost);
+        if rt::Scalar::into_branch_condition(gap_1.elementwise_le(rt::Scalar(0f32))) {
             return rt::Scalar(0f32);
         }
-        let closing = ((rise - above_1.y()) + (rt::Scalar(0.0000009536743f32) * (rise + above_1.y().abs())));
+        let closing_2 = ((rise_2 - above_1.y()) + (rt::Scalar(0.0000009536743f32) * (rise_2 + above_1.y().abs())));
         if rt::Scalar::into_branch_condition(above_1.z().elementwise_ne(rt::Scalar(0f32))) {
-            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_2, (rt::Scalar(0f32) - closing), above_1.z()), span_3);
+            let _e30 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(gap_1, (rt::Scalar(0f32) - closing_2), above_1.z()), span_3);
             return _e30;
         }
-        if rt::Scalar::into_branch_condition(closing.elementwise_gt(rt::Scalar(0f32))) {
-            return (gap_2 / closing);
+        if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
+            return (gap_1 / closing_2);
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
     pub(crate) fn search_frustum(
         &self,
-        path_20: Path,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        path_34: Path,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_20, rt::into(params_12)))
+        rt::into(self.v_search_frustum(path_34, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_20: Path,
-        params_12: rt::Vec4<f32>,
+        path_34: Path,
+        params_23: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_9: rt::Vec2<f32>;
-        let mut t_10: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_5: rt::Vec3<u32> = NO_COST;
+        let mut cell_10: rt::Vec2<f32>;
+        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
-        let mut slope_1: rt::Scalar<f32>;
-        let mut local_12: rt::Scalar<bool>;
+        let mut slope_2: rt::Scalar<f32>;
+        let mut local_18: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_20);
-        let forward_2 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_34);
+        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_9 = _e9;
-        let limit_1 = params_12.x().cast_elem_as_u32();
+        cell_10 = _e9;
+        let limit_2 = params_23.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = cost_5.x();
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_1)) {
+                let _e18 = cost_12.x();
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_2)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e20 = cost_5;
-                    cost_5 = (_e20 + STEP);
-                    let _e24 = cost_5.x();
+                    let _e20 = cost_12;
+                    cost_12 = (_e20 + STEP);
+                    let _e24 = cost_12.x();
                     let first_3 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_9;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_20.level));
-                    let _e31 = cost_5;
-                    cost_5 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_9;
+                    let _e27 = cell_10;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_34.level));
+                    let _e31 = cost_12;
+                    cost_12 = (_e31 + HEIGHTS_READ);
+                    let _e34 = cell_10;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_2 = _e35.x().min(_e35.y()).min(rt::Scalar(path_20.exit));
-                    let _e41 = t_10;
-                    let span_5 = (end_2 - _e41).max(rt::Scalar(0f32));
-                    let top_5 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_10;
-                    let _e53 = self.v_path_height(path_20, _e52);
-                    let _e55 = t_10;
-                    let _e56 = self.v_path_slope(path_20, _e55);
-                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e53 - top_5), _e56, path_20.h.z());
-                    let _e63 = t_10;
-                    let _e67 = t_10;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_20.h.x().abs() + (_e63 * (path_20.h.y().abs() + (_e67 * path_20.h.z().abs())))));
-                    let _e77 = t_10;
+                    let end_2 = _e35.x().min(_e35.y()).min(rt::Scalar(path_34.exit));
+                    let _e41 = t_16;
+                    let span_6 = (end_2 - _e41).max(rt::Scalar(0f32));
+                    let top_6 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
+                    let _e52 = t_16;
+                    let _e53 = self.v_path_height(path_34, _e52);
+                    let _e55 = t_16;
+                    let _e56 = self.v_path_slope(path_34, _e55);
+                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_34.h.z());
+                    let _e63 = t_16;
+                    let _e67 = t_16;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_34.h.x().abs() + (_e63 * (path_34.h.y().abs() + (_e67 * path_34.h.z().abs())))));
+                    let _e77 = t_16;
                     next_1 = _e77.max(end_2);
-                    slope_1 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_4, span_5);
+                    slope_2 = rt::Scalar(-1f32);
+                    let _e82 = self.v_least_at(above_4, span_6);
                     let _e83 = self.v_quadratic(above_4, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_12 = above_4.x().elementwise_gt(of_heights);
+                        local_18 = above_4.x().elementwise_gt(of_heights);
                     } else {
-                        local_12 = rt::Scalar(false);
+                        local_18 = rt::Scalar(false);
                     }
-                    let _e90 = local_12;
+                    let _e90 = local_18;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_20.exit))) {
-                            let _e93 = cell_9;
-                            let _e95 = self.v_frustum_slope(path_20, _e93.cast_elem_as_i32(), forward_2);
-                            slope_1 = _e95;
-                            let _e96 = slope_1;
+                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_34.exit))) {
+                            let _e93 = cell_10;
+                            let _e95 = self.v_frustum_slope(path_34, _e93.cast_elem_as_i32(), forward_3);
+                            slope_2 = _e95;
+                            let _e96 = slope_2;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
-                                let _e99 = cost_5;
-                                let _e101 = self.v_map_read(path_20, rt::Scalar(1u32));
-                                cost_5 = (_e99 + _e101);
+                                let _e99 = cost_12;
+                                let _e101 = self.v_map_read(path_34, rt::Scalar(1u32));
+                                cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
-                        let _e103 = cell_9;
-                        let _e104 = t_10;
-                        let _e105 = self.v_gap_to(path_20, _e2, _e103, _e30, _e104);
-                        let _e106 = t_10;
-                        let _e107 = cost_5;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_5, first_3, _e107);
+                        let _e103 = cell_10;
+                        let _e104 = t_16;
+                        let _e105 = self.v_gap_to(path_34, _e2, _e103, _e30, _e104);
+                        let _e106 = t_16;
+                        let _e107 = cost_12;
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_6, first_3, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
                     }
-                    let _e112 = slope_1;
+                    let _e112 = slope_2;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e116 = cell_9;
-                        let _e119 = t_10;
-                        let at_45 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_1 = at_45.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_45), forward_2);
-                        let _e131 = t_10;
+                        let _e116 = cell_10;
+                        let _e119 = t_16;
+                        let at_51 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_2 = at_51.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_51), forward_3);
+                        let _e131 = t_16;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
-                        let _e139 = slope_1;
+                        let _e139 = slope_2;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
-                        let _e145 = t_10;
-                        let rest_2 = (rt::Scalar(path_20.exit) - _e145);
-                        let _e147 = slope_1;
-                        let _e152 = self.v_stays_above(above_4, _e147, left_1.x(), _e2.step.x(), lost_1.x(), rest_2);
-                        let _e153 = slope_1;
-                        let _e158 = self.v_stays_above(above_4, _e153, left_1.y(), _e2.step.y(), lost_1.y(), rest_2);
+                        let _e145 = t_16;
+                        let rest_2 = (rt::Scalar(path_34.exit) - _e145);
+                        let _e147 = slope_2;
+                        let _e152 = self.v_stays_above(above_4, _e147, left_2.x(), _e2.step.x(), lost_1.x(), rest_2);
+                        let _e153 = slope_2;
+                        let _e158 = self.v_stays_above(above_4, _e153, left_2.y(), _e2.step.y(), lost_1.y(), rest_2);
                         let _e159 = next_1;
-                        let _e160 = t_10;
+                        let _e160 = t_16;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_20.exit))) {
-                        let _e168 = t_10;
-                        let _e170 = cost_5;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_34.exit))) {
+                        let _e168 = t_16;
+                        let _e170 = cost_12;
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
-                    let _e174 = slope_1;
+                    let _e174 = slope_2;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e177 = cell_9;
+                        let _e177 = cell_10;
                         let _e178 = next_1;
-                        let _e179 = self.v_cell_after(_e2, _e177, _e35, forward_2, _e178);
-                        cell_9 = _e179;
+                        let _e179 = self.v_cell_after(_e2, _e177, _e35, forward_3, _e178);
+                        cell_10 = _e179;
                     } else {
-                        let _e180 = cell_9;
+                        let _e180 = cell_10;
                         let _e181 = self.v_cell_next(_e2, _e180, _e35);
-                        cell_9 = _e181;
+                        cell_10 = _e181;
                     }
                     let _e182 = next_1;
-                    t_10 = _e182;
+                    t_16 = _e182;
                 }
             }
         }
-        let _e184 = t_10;
-        let _e186 = cost_5;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_20.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        let _e184 = t_16;
+        let _e186 = cost_12;
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_19)))
+    pub(crate) fn nearest_corner(&self, at_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_19: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_19.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_20.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_21: Path,
+        path_35: Path,
         grid_6: Grid,
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
-        slope_2: impl rt::Into<rt::Scalar<f32>>,
-        t_11: impl rt::Into<rt::Scalar<f32>>,
+        slope_3: impl rt::Into<rt::Scalar<f32>>,
+        t_17: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_21, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_2), rt::into(t_11)))
+        rt::into(self.v_stays_inside(path_35, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_3), rt::into(t_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_21: Path,
+        path_35: Path,
         grid_6: Grid,
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
-        slope_2: rt::Scalar<f32>,
-        t_11: rt::Scalar<f32>,
+        slope_3: rt::Scalar<f32>,
+        t_17: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_13: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
         let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_3 = (rt::Scalar(path_21.exit) - t_11);
-        let _e8 = self.v_path_height(path_21, t_11);
+        let rest_3 = (rt::Scalar(path_35.exit) - t_17);
+        let _e8 = self.v_path_height(path_35, t_17);
         let height_3 = (_e8 - apex);
-        let terms = (path_21.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_21.exit)) * path_21.h.z().abs()));
-        let _e21 = self.v_path_slope(path_21, t_11);
-        let rise_1 = ((_e21 + (path_21.h.z().min(rt::Scalar(0f32)) * rest_3)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let terms = (path_35.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_35.exit)) * path_35.h.z().abs()));
+        let _e21 = self.v_path_slope(path_35, t_17);
+        let rise_3 = ((_e21 + (path_35.h.z().min(rt::Scalar(0f32)) * rest_3)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_3;
-        if rt::Scalar::into_branch_condition(rise_1.elementwise_lt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_3 / (rt::Scalar(0f32) - rise_1)));
+            most = _e34.min((height_3 / (rt::Scalar(0f32) - rise_3)));
         }
         let _e39 = most;
-        let end_3 = (t_11 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_21.level));
+        let end_3 = (t_17 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_35.level));
         let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_21.h.x().abs() + (end_3 * (path_21.h.y().abs() + (end_3 * path_21.h.z().abs())))));
-        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_2) * (far_5.x() + far_5.y())));
-        let gap_3 = (height_3 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_21.level));
-        let aside_1 = (((grid_6.origin - offset) + (grid_6.step * t_11)) / _e85);
-        let c_5 = (((slope_2 * aside_1.length()) - gap_3) * ((slope_2 * aside_1.length()) + gap_3));
-        if rt::Scalar::into_branch_condition((!gap_3.elementwise_le(rt::Scalar(0f32)))) {
-            local_13 = c_5.elementwise_ge(rt::Scalar(0f32));
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_35.h.x().abs() + (end_3 * (path_35.h.y().abs() + (end_3 * path_35.h.z().abs())))));
+        let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_5.x() + far_5.y())));
+        let gap_2 = (height_3 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_35.level));
+        let aside_1 = (((grid_6.origin - offset) + (grid_6.step * t_17)) / _e85);
+        let c_5 = (((slope_3 * aside_1.length()) - gap_2) * ((slope_3 * aside_1.length()) + gap_2));
+        if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
+            local_19 = c_5.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_13 = rt::Scalar(true);
+            local_19 = rt::Scalar(true);
         }
-        let _e102 = local_13;
+        let _e102 = local_19;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_4 = (((slope_2 * slope_2) * aside_1.dot(path_21.duv)) - (gap_3 * rise_1));
-        let a_6 = (((slope_2 * slope_2) * path_21.duv.dot(path_21.duv)) - (rise_1 * rise_1));
+        let b_4 = (((slope_3 * slope_3) * aside_1.dot(path_35.duv)) - (gap_2 * rise_3));
+        let a_6 = (((slope_3 * slope_3) * path_35.duv.dot(path_35.duv)) - (rise_3 * rise_3));
         let discriminant_1 = ((b_4 * b_4) - (a_6 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
@@ -3109,7 +3919,7 @@ impl<'g> Resources<'g> {
         leave_4 = _e135.min(_e136);
         let _e139 = leave_4;
         let _e145 = leave_4;
-        if rt::Scalar::into_branch_condition(((slope_2 * (aside_1 + (path_21.duv * _e139)).length()) + lost_2).elementwise_le((height_3 + (rise_1 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_3 * (aside_1 + (path_35.duv * _e139)).length()) + lost_2).elementwise_le((height_3 + (rise_3 * _e145)))) {
             let _e149 = leave_4;
             return _e149;
         }
@@ -3117,144 +3927,144 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_22: Path,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        path_36: Path,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_22, rt::into(params_13)))
+        rt::into(self.v_search_cone(path_36, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_22: Path,
-        params_13: rt::Vec4<f32>,
+        path_36: Path,
+        params_24: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_10: rt::Vec2<f32>;
-        let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_6: rt::Vec3<u32> = NO_COST;
+        let mut cell_11: rt::Vec2<f32>;
+        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_22);
-        let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_36);
+        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_10 = _e9;
-        let limit_2 = params_13.x().cast_elem_as_u32();
+        cell_11 = _e9;
+        let limit_3 = params_24.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = cost_6.x();
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_2)) {
+                let _e18 = cost_13.x();
+                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(limit_3)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e20 = cost_6;
-                    cost_6 = (_e20 + STEP);
-                    let _e24 = cost_6.x();
+                    let _e20 = cost_13;
+                    cost_13 = (_e20 + STEP);
+                    let _e24 = cost_13.x();
                     let first_4 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_10;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_22.level));
-                    let _e31 = cost_6;
-                    cost_6 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_10;
+                    let _e27 = cell_11;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_36.level));
+                    let _e31 = cost_13;
+                    cost_13 = (_e31 + HEIGHTS_READ);
+                    let _e34 = cell_11;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_22.exit));
-                    let _e41 = t_12;
-                    let span_6 = (end_4 - _e41).max(rt::Scalar(0f32));
-                    let _e46 = cell_10;
-                    let _e49 = t_12;
-                    let at_46 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_46);
+                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_36.exit));
+                    let _e41 = t_18;
+                    let span_7 = (end_4 - _e41).max(rt::Scalar(0f32));
+                    let _e46 = cell_11;
+                    let _e49 = t_18;
+                    let at_52 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_52);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_12;
+                    let _e54 = t_18;
                     next_2 = _e54;
-                    let _e56 = t_12;
-                    let _e57 = self.v_path_height(path_22, _e56);
+                    let _e56 = t_18;
+                    let _e57 = self.v_path_height(path_36, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
-                        let _e59 = cell_10;
+                        let _e59 = cell_11;
                         let texel_6 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_22, texel_6);
-                        let _e62 = cost_6;
-                        let _e64 = self.v_map_read(path_22, rt::Scalar(1u32));
-                        cost_6 = (_e62 + _e64);
+                        let _e61 = self.v_cone_slope(path_36, texel_6);
+                        let _e62 = cost_13;
+                        let _e64 = self.v_map_read(path_36, rt::Scalar(1u32));
+                        cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_12;
-                            let _e69 = t_12;
-                            let _e70 = self.v_stays_inside(path_22, _e2, texel_6, _e53, _e61, _e69);
+                            let _e68 = t_18;
+                            let _e69 = t_18;
+                            let _e70 = self.v_stays_inside(path_36, _e2, texel_6, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
                     let _e72 = next_2;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_4)) {
-                        let _e74 = cell_10;
-                        let _e75 = t_12;
-                        let _e76 = self.v_gap_to(path_22, _e2, _e74, _e30, _e75);
-                        let _e77 = t_12;
-                        let _e78 = cost_6;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_6, first_4, _e78);
+                        let _e74 = cell_11;
+                        let _e75 = t_18;
+                        let _e76 = self.v_gap_to(path_36, _e2, _e74, _e30, _e75);
+                        let _e77 = t_18;
+                        let _e78 = cost_13;
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_7, first_4, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
-                        let _e83 = t_12;
+                        let _e83 = t_18;
                         next_2 = _e83.max(end_4);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_22.exit))) {
-                        let _e89 = t_12;
-                        let _e91 = cost_6;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_36.exit))) {
+                        let _e89 = t_18;
+                        let _e91 = cost_13;
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
-                    let _e95 = cell_10;
+                    let _e95 = cell_11;
                     let _e96 = next_2;
-                    let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_3, _e96);
-                    cell_10 = _e97;
+                    let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
+                    cell_11 = _e97;
                     let _e98 = next_2;
-                    t_12 = _e98;
+                    t_18 = _e98;
                 }
             }
         }
-        let _e100 = t_12;
-        let _e102 = cost_6;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_22.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        let _e100 = t_18;
+        let _e102 = cost_13;
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
-        cell_11: impl rt::Into<rt::Scalar<i32>>,
+        cell_12: impl rt::Into<rt::Scalar<i32>>,
         image: impl rt::Into<rt::Vec2<i32>>,
         n_4: impl rt::Into<rt::Scalar<i32>>,
-        level_15: impl rt::Into<rt::Scalar<u32>>,
+        level_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_11), rt::into(image), rt::into(n_4), rt::into(level_15)))
+        rt::into(self.v_node_extent(rt::into(cell_12), rt::into(image), rt::into(n_4), rt::into(level_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
-        cell_11: rt::Scalar<i32>,
+        cell_12: rt::Scalar<i32>,
         image: rt::Vec2<i32>,
         n_4: rt::Scalar<i32>,
-        level_15: rt::Scalar<u32>,
+        level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_14: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
 
-        let first_5 = ((image.x() >> level_15) << level_15);
-        let side_1 = (rt::Scalar(1i32) << level_15);
+        let first_5 = ((image.x() >> level_16) << level_16);
+        let side_1 = (rt::Scalar(1i32) << level_16);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low = (cell_11 - (image.x() - first_5));
+            let low = (cell_12 - (image.x() - first_5));
             return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_4 - first_5))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high = ((cell_11 + (image.x() - first_5)) + rt::Scalar(1i32));
+            let high = ((cell_12 + (image.x() - first_5)) + rt::Scalar(1i32));
             return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_4 - rt::Scalar(1i32)) - first_5))), high);
         }
-        if rt::Scalar::into_branch_condition(level_15.elementwise_gt(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_14 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_20 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_14 = rt::Scalar(false);
+            local_20 = rt::Scalar(false);
         }
-        let _e43 = local_14;
+        let _e43 = local_20;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_11.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_11.elementwise_ge(n_4)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_12.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_12.elementwise_ge(n_4)));
         }
-        return <rt::Vec2<i32>>::from_scalars(cell_11, (cell_11 + rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars(cell_12, (cell_12 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
@@ -3281,31 +4091,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_23: Path,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        path_37: Path,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_23, rt::into(params_14)))
+        rt::into(self.v_search_pyramid(path_37, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_23: Path,
-        params_14: rt::Vec4<f32>,
+        path_37: Path,
+        params_25: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut level_16: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_12: rt::Vec2<i32>;
+        let mut level_17: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut cell_13: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_13: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_7: rt::Vec3<u32> = NO_COST;
-        let mut local_15: rt::Scalar<bool>;
-        let mut local_16: rt::Scalar<bool>;
-        let mut local_17: rt::Scalar<bool>;
-        let mut local_18: rt::Scalar<bool>;
+        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_14: rt::Vec3<u32> = NO_COST;
+        let mut local_21: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_23);
-        let _e4 = self.v_height_texels(rt::Scalar(path_23.level));
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_23.exit));
+        let _e2 = self.v_grid_of(path_37);
+        let _e4 = self.v_height_texels(rt::Scalar(path_37.level));
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_37.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -3316,33 +4126,33 @@ impl<'g> Resources<'g> {
                 {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
-                    let _e28 = level_16;
+                    let _e28 = level_17;
                     if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long)) {
-                        let _e33 = level_16;
-                        level_16 = (_e33 + rt::Scalar(1u32));
+                        let _e33 = level_17;
+                        level_17 = (_e33 + rt::Scalar(1u32));
                     }
                 }
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_12 = _e37.cast_elem_as_i32();
-        let limit_3 = params_14.x().cast_elem_as_u32();
+        cell_13 = _e37.cast_elem_as_i32();
+        let limit_4 = params_25.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e51 = cost_7.x();
-                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_3)) {
+                let _e51 = cost_14.x();
+                if rt::Scalar::into_branch_condition(_e51.elementwise_lt(limit_4)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e53 = cost_7;
-                    cost_7 = (_e53 + STEP);
-                    let _e57 = cell_12.x();
+                    let _e53 = cost_14;
+                    cost_14 = (_e53 + STEP);
+                    let _e57 = cell_13.x();
                     let _e59 = self.v_image_of(_e57, _e4.x());
-                    let _e61 = cell_12.y();
+                    let _e61 = cell_13.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
                     let place_7 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
-                    let _e67 = level_16;
+                    let _e67 = level_17;
                     let above_level = (_e67 + rt::Scalar(1u32));
                     let over = <rt::Vec2<i32>>::from_scalars((place_7.x() >> above_level), (place_7.y() >> above_level));
                     let _e76 = parent.x();
@@ -3350,149 +4160,149 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over.x()))) {
                             let _e89 = parent.y();
-                            local_16 = _e89.elementwise_ne(over.y());
+                            local_22 = _e89.elementwise_ne(over.y());
                         } else {
-                            local_16 = rt::Scalar(true);
+                            local_22 = rt::Scalar(true);
                         }
-                        let _e93 = local_16;
-                        local_15 = _e93;
+                        let _e93 = local_22;
+                        local_21 = _e93;
                     } else {
-                        local_15 = rt::Scalar(false);
+                        local_21 = rt::Scalar(false);
                     }
-                    let left_2 = local_15;
-                    if rt::Scalar::into_branch_condition(left_2) {
-                        let _e98 = level_16;
+                    let left_3 = local_21;
+                    if rt::Scalar::into_branch_condition(left_3) {
+                        let _e98 = level_17;
                         let _e99 = top;
-                        local_17 = _e98.elementwise_lt(_e99);
+                        local_23 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_17 = rt::Scalar(false);
+                        local_23 = rt::Scalar(false);
                     }
-                    let _e102 = local_17;
+                    let _e102 = local_23;
                     if rt::Scalar::into_branch_condition(_e102) {
-                        level_16 = above_level;
+                        level_17 = above_level;
                     }
-                    let _e104 = cell_12.x();
-                    let _e106 = level_16;
+                    let _e104 = cell_13.x();
+                    let _e106 = level_17;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
-                    let _e109 = cell_12.y();
-                    let _e111 = level_16;
+                    let _e109 = cell_13.y();
+                    let _e111 = level_17;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_5 = _e117.min(_e122).min(rt::Scalar(path_23.exit));
-                    let _e126 = t_13;
-                    let span_7 = (end_5 - _e126).max(rt::Scalar(0f32));
+                    let end_5 = _e117.min(_e122).min(rt::Scalar(path_37.exit));
+                    let _e126 = t_19;
+                    let span_8 = (end_5 - _e126).max(rt::Scalar(0f32));
                     let low_1 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_2 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
-                    let _e140 = level_16;
+                    let _e140 = level_17;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e143 = cost_7;
-                        cost_7 = (_e143 + HEIGHTS_READ);
-                        let _e146 = cell_12;
-                        let _e148 = cell_12;
-                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_23.level));
-                        let _e151 = t_13;
-                        let _e152 = self.v_gap_to(path_23, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
-                        let _e153 = t_13;
-                        let _e154 = t_13;
-                        let _e157 = cost_7;
-                        let _e158 = self.v_found_in_cell(_e152, _e153, span_7, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
+                        let _e143 = cost_14;
+                        cost_14 = (_e143 + HEIGHTS_READ);
+                        let _e146 = cell_13;
+                        let _e148 = cell_13;
+                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_37.level));
+                        let _e151 = t_19;
+                        let _e152 = self.v_gap_to(path_37, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
+                        let _e153 = t_19;
+                        let _e154 = t_19;
+                        let _e157 = cost_14;
+                        let _e158 = self.v_found_in_cell(_e152, _e153, span_8, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e158;
                         }
                     } else {
-                        let _e162 = cost_7;
-                        let _e164 = self.v_map_read(path_23, rt::Scalar(1u32));
-                        cost_7 = (_e162 + _e164);
-                        let _e167 = level_16;
-                        let _e170 = level_16;
+                        let _e162 = cost_14;
+                        let _e164 = self.v_map_read(path_37, rt::Scalar(1u32));
+                        cost_14 = (_e162 + _e164);
+                        let _e167 = level_17;
+                        let _e170 = level_17;
                         let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e167), (place_7.y() >> _e170));
-                        let _e174 = level_16;
-                        let _e180 = self.v_search_texel(path_23, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_23.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e174 = level_17;
+                        let _e180 = self.v_search_texel(path_37, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_37.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
-                        let _e182 = t_13;
-                        let furthest = (_e182 + span_7);
-                        let rounded = (path_23.h.x().abs() + (furthest * (path_23.h.y().abs() + (furthest * path_23.h.z().abs()))));
-                        let _e197 = t_13;
-                        let _e198 = self.v_path_height(path_23, _e197);
-                        let _e203 = t_13;
-                        let _e204 = self.v_path_slope(path_23, _e203);
-                        let gap_4 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_23.h.z());
-                        if rt::Scalar::into_branch_condition((!gap_4.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e214 = self.v_least_at(gap_4, span_7);
-                            let _e215 = self.v_quadratic(gap_4, _e214);
-                            local_18 = _e215.elementwise_le(rt::Scalar(0f32));
+                        let _e182 = t_19;
+                        let furthest = (_e182 + span_8);
+                        let rounded = (path_37.h.x().abs() + (furthest * (path_37.h.y().abs() + (furthest * path_37.h.z().abs()))));
+                        let _e197 = t_19;
+                        let _e198 = self.v_path_height(path_37, _e197);
+                        let _e203 = t_19;
+                        let _e204 = self.v_path_slope(path_37, _e203);
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_37.h.z());
+                        if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
+                            let _e214 = self.v_least_at(gap_3, span_8);
+                            let _e215 = self.v_quadratic(gap_3, _e214);
+                            local_24 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_18 = rt::Scalar(true);
+                            local_24 = rt::Scalar(true);
                         }
-                        let _e219 = local_18;
+                        let _e219 = local_24;
                         if rt::Scalar::into_branch_condition(_e219) {
-                            if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e223 = t_13;
-                                let _e224 = self.v_first_root(gap_4, span_7);
-                                t_13 = (_e223 + _e224.min(span_7));
+                            if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
+                                let _e223 = t_19;
+                                let _e224 = self.v_first_root(gap_3, span_8);
+                                t_19 = (_e223 + _e224.min(span_8));
                             }
-                            let _e229 = t_13;
+                            let _e229 = t_19;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_12 = _e232.cast_elem_as_i32().clamp(low_1, last_2);
-                            let _e235 = level_16;
-                            level_16 = (_e235 - rt::Scalar(1u32));
+                            cell_13 = _e232.cast_elem_as_i32().clamp(low_1, last_2);
+                            let _e235 = level_17;
+                            level_17 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_23.exit))) {
-                        let _e244 = t_13;
-                        let _e246 = cost_7;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_37.exit))) {
+                        let _e244 = t_19;
+                        let _e246 = cost_14;
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
                     let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
-                    cell_12 = _e254.cast_elem_as_i32().clamp(low_1, last_2);
+                    cell_13 = _e254.cast_elem_as_i32().clamp(low_1, last_2);
                     if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_5)) {
-                        cell_12.set_x((low_1.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                        cell_13.set_x((low_1.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
                     if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_5)) {
-                        cell_12.set_y((low_1.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                        cell_13.set_y((low_1.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    let _e280 = level_16;
-                    let _e285 = level_16;
+                    let _e280 = level_17;
+                    let _e285 = level_17;
                     parent = <rt::Vec2<i32>>::from_scalars((place_7.x() >> (_e280 + rt::Scalar(1u32))), (place_7.y() >> (_e285 + rt::Scalar(1u32))));
-                    let _e290 = t_13;
-                    t_13 = _e290.max(end_5);
+                    let _e290 = t_19;
+                    t_19 = _e290.max(end_5);
                 }
             }
         }
-        let _e293 = t_13;
-        let _e295 = cost_7;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_23.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        let _e293 = t_19;
+        let _e295 = cost_14;
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
         texel_2: impl rt::Into<rt::Scalar<i32>>,
         n_5: impl rt::Into<rt::Scalar<i32>>,
-        level_17: impl rt::Into<rt::Scalar<u32>>,
+        level_18: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_17)))
+        rt::into(self.v_texel_extent(rt::into(texel_2), rt::into(n_5), rt::into(level_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_texel_extent(
         &self,
         texel_2: rt::Scalar<i32>,
         n_5: rt::Scalar<i32>,
-        level_17: rt::Scalar<u32>,
+        level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_19: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
-        let first_6 = ((_e3 >> level_17) << level_17);
-        let last_3 = (first_6 + (rt::Scalar(1i32) << level_17)).min(n_5);
+        let first_6 = ((_e3 >> level_18) << level_18);
+        let last_3 = (first_6 + (rt::Scalar(1i32) << level_18)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_19 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_25 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_19 = rt::Scalar(true);
+            local_25 = rt::Scalar(true);
         }
-        let _e20 = local_19;
+        let _e20 = local_25;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_6), ((texel_2 - _e3) + last_3));
         }
@@ -3509,131 +4319,131 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_24: Path,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        path_38: Path,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_24, rt::into(params_15)))
+        rt::into(self.v_search_pyramid_texels(path_38, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_24: Path,
-        params_15: rt::Vec4<f32>,
+        path_38: Path,
+        params_26: rt::Vec4<f32>,
     ) -> Found {
-        let mut level_18: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_14: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_8: rt::Vec3<u32> = NO_COST;
+        let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_24.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_24.level));
-        let origin_2 = (path_24.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_24.level));
-        let step_1 = (path_24.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_38.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_38.level));
+        let origin_2 = (path_38.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_38.level));
+        let step_1 = (path_38.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = level_18;
+                let _e14 = level_19;
                 if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e14).elementwise_lt(_e3.x().max(_e3.y()))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = level_18;
-                    level_18 = (_e21 + rt::Scalar(1u32));
+                    let _e21 = level_19;
+                    level_19 = (_e21 + rt::Scalar(1u32));
                 }
             }
         }
         let _e24 = self.v_cell_of(origin_2);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_4 = params_15.x().cast_elem_as_u32();
-        let _e35 = level_18;
-        finest_1 = params_15.y().cast_elem_as_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_24.ray).elementwise_eq(RAY_SHADOW)) {
+        let limit_5 = params_26.x().cast_elem_as_u32();
+        let _e35 = level_19;
+        finest_1 = params_26.y().cast_elem_as_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_38.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e43 = cost_8.x();
-                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_4)) {
+                let _e43 = cost_15.x();
+                if rt::Scalar::into_branch_condition(_e43.elementwise_lt(limit_5)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e45 = cost_8;
-                    cost_8 = (_e45 + STEP);
+                    let _e45 = cost_15;
+                    cost_15 = (_e45 + STEP);
                     let _e49 = texel_3.x();
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
                     let place_8 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
-                    let _e59 = level_18;
+                    let _e59 = level_19;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
-                        let _e62 = cost_8;
-                        cost_8 = (_e62 + HEIGHT_READ);
+                        let _e62 = cost_15;
+                        cost_15 = (_e62 + HEIGHT_READ);
                         let _e67 = rt::texture::Read::read_texel((&self.height_map), place_8, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
-                        let _e70 = level_18;
-                        let _e73 = level_18;
+                        let _e70 = level_19;
+                        let _e73 = level_19;
                         let node_1 = <rt::Vec2<i32>>::from_scalars((place_8.x() >> _e70), (place_8.y() >> _e73));
-                        let _e76 = cost_8;
-                        let _e78 = self.v_map_read(path_24, rt::Scalar(1u32));
-                        cost_8 = (_e76 + _e78);
-                        let _e81 = level_18;
-                        let _e85 = self.v_search_texel(path_24, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e76 = cost_15;
+                        let _e78 = self.v_map_read(path_38, rt::Scalar(1u32));
+                        cost_15 = (_e76 + _e78);
+                        let _e81 = level_19;
+                        let _e85 = self.v_search_texel(path_38, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
-                    let _e90 = level_18;
+                    let _e90 = level_19;
                     let _e91 = self.v_texel_extent(_e88, _e3.x(), _e90);
                     let _e93 = texel_3.y();
-                    let _e95 = level_18;
+                    let _e95 = level_19;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e96);
                     let leave_5 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_14;
-                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_24.exit)).max(_e109);
-                    let _e111 = t_14;
-                    let _e112 = self.v_path_height(path_24, _e111);
+                    let _e109 = t_20;
+                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_38.exit)).max(_e109);
+                    let _e111 = t_20;
+                    let _e112 = self.v_path_height(path_38, _e111);
                     let _e113 = highest;
-                    let _e115 = t_14;
-                    let _e116 = self.v_path_slope(path_24, _e115);
-                    let gap_5 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_24.h.z());
+                    let _e115 = t_20;
+                    let _e116 = self.v_path_slope(path_38, _e115);
+                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_38.h.z());
                     sinks = rt::Scalar(0f32);
-                    if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_14;
-                        let _e127 = self.v_first_root(gap_5, (end_6 - _e125));
+                    if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
+                        let _e125 = t_20;
+                        let _e127 = self.v_first_root(gap_4, (end_6 - _e125));
                         sinks = _e127;
                     }
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_4 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_14;
+                        let _e141 = t_20;
                         let _e142 = sinks;
-                        t_14 = (_e141 + _e142);
-                        let _e144 = level_18;
+                        t_20 = (_e141 + _e142);
+                        let _e144 = level_19;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_14;
-                            let _e149 = cost_8;
+                            let _e148 = t_20;
+                            let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
-                        let _e154 = level_18;
-                        level_18 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_14;
+                        let _e154 = level_19;
+                        level_19 = (_e154 - rt::Scalar(1u32));
+                        let _e157 = t_20;
                         let _e160 = self.v_cell_of((origin_2 + (step_1 * _e157)));
                         texel_3 = _e160.cast_elem_as_i32().clamp(low_2, last_4);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_24.exit))) {
-                            let _e166 = t_14;
-                            let _e168 = cost_8;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_38.exit))) {
+                            let _e166 = t_20;
+                            let _e168 = cost_15;
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
                         let _e174 = self.v_cell_of((origin_2 + (step_1 * end_6)));
                         texel_3 = _e174.cast_elem_as_i32().clamp(low_2, last_4);
@@ -3643,790 +4453,1012 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_6)) {
                             texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e96.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_14 = end_6;
+                        t_20 = end_6;
                     }
                 }
             }
         }
-        let _e200 = t_14;
-        let _e202 = cost_8;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_24.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        let _e200 = t_20;
+        let _e202 = cost_15;
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
         grid_7: Grid,
-        cell_13: impl rt::Into<rt::Vec2<f32>>,
+        cell_14: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_7, rt::into(cell_13), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_7, rt::into(cell_14), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_leaves_window(
         &self,
         grid_7: Grid,
-        cell_13: rt::Vec2<f32>,
+        cell_14: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_7, (cell_13 - wide_1));
-        let _e7 = self.v_cell_leave(grid_7, (cell_13 + wide_1));
+        let _e5 = self.v_cell_leave(grid_7, (cell_14 - wide_1));
+        let _e7 = self.v_cell_leave(grid_7, (cell_14 + wide_1));
         let leave_6 = _e5.select(_e7, grid_7.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_6.x().min(leave_6.y());
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_25: Path,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        path_39: Path,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_25, rt::into(params_16)))
+        rt::into(self.v_search_dilation_erosion(path_39, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_25: Path,
-        params_16: rt::Vec4<f32>,
+        path_39: Path,
+        params_27: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_14: rt::Vec2<f32>;
-        let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_15: rt::Vec2<f32>;
+        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_9: rt::Vec3<u32> = NO_COST;
+        let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_20: rt::Scalar<bool>;
-        let mut local_21: rt::Scalar<bool>;
-        let mut local_22: rt::Scalar<bool>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_25);
-        let _e4 = self.v_height_texels(rt::Scalar(path_25.level));
-        let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_39);
+        let _e4 = self.v_height_texels(rt::Scalar(path_39.level));
+        let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_14 = _e11;
-        let limit_5 = params_16.x().cast_elem_as_u32();
+        cell_15 = _e11;
+        let limit_6 = params_27.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e22 = cost_9.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_5)) {
+                let _e22 = cost_16.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_6)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = cost_9;
-                    cost_9 = (_e24 + STEP);
-                    let _e27 = cell_14;
+                    let _e24 = cost_16;
+                    cost_16 = (_e24 + STEP);
+                    let _e27 = cell_15;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_7 = _e28.x().min(_e28.y()).min(rt::Scalar(path_25.exit));
-                    let _e34 = t_15;
-                    let span_8 = (end_7 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_15;
+                    let end_7 = _e28.x().min(_e28.y()).min(rt::Scalar(path_39.exit));
+                    let _e34 = t_21;
+                    let span_9 = (end_7 - _e34).max(rt::Scalar(0f32));
+                    let _e38 = t_21;
                     next_3 = _e38;
-                    looks = params_16.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e45 = cell_14.x();
+                    looks = params_27.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e45 = cell_15.x();
                     let _e48 = self.v_image_of(_e45.cast_elem_as_i32(), _e4.x());
-                    let _e50 = cell_14.y();
+                    let _e50 = cell_15.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_20 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_26 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_20 = rt::Scalar(true);
+                        local_26 = rt::Scalar(true);
                     }
-                    let _e64 = local_20;
+                    let _e64 = local_26;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_25, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_25.level).cast_elem_as_i32());
-                        let _e73 = cost_9;
-                        let _e75 = self.v_map_read(path_25, rt::Scalar(1u32));
-                        cost_9 = (_e73 + _e75);
-                        let _e77 = cell_14;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_16.z());
-                        let _e82 = t_15;
-                        let reach = (_e79.min(rt::Scalar(path_25.exit)) - _e82).max(rt::Scalar(0f32));
-                        let _e86 = t_15;
+                        let _e72 = self.v_search_texel(path_39, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_39.level).cast_elem_as_i32());
+                        let _e73 = cost_16;
+                        let _e75 = self.v_map_read(path_39, rt::Scalar(1u32));
+                        cost_16 = (_e73 + _e75);
+                        let _e77 = cell_15;
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_27.z());
+                        let _e82 = t_21;
+                        let reach = (_e79.min(rt::Scalar(path_39.exit)) - _e82).max(rt::Scalar(0f32));
+                        let _e86 = t_21;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_25.h.x().abs() + (furthest_1 * (path_25.h.y().abs() + (furthest_1 * path_25.h.z().abs()))));
-                        let _e101 = t_15;
-                        let _e102 = self.v_path_height(path_25, _e101);
-                        let _e108 = t_15;
-                        let _e109 = self.v_path_slope(path_25, _e108);
-                        let gap_6 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_25.h.z());
-                        if rt::Scalar::into_branch_condition(gap_6.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e116 = t_15;
+                        let rounded_1 = (path_39.h.x().abs() + (furthest_1 * (path_39.h.y().abs() + (furthest_1 * path_39.h.z().abs()))));
+                        let _e101 = t_21;
+                        let _e102 = self.v_path_height(path_39, _e101);
+                        let _e108 = t_21;
+                        let _e109 = self.v_path_slope(path_39, _e108);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_39.h.z());
+                        if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
+                            let _e116 = t_21;
                             safe_ = _e116;
-                            let _e117 = t_15;
+                            let _e117 = t_21;
                             next_3 = (_e117 + reach);
-                            let _e119 = self.v_least_at(gap_6, reach);
-                            let _e120 = self.v_quadratic(gap_6, _e119);
+                            let _e119 = self.v_least_at(gap_5, reach);
+                            let _e120 = self.v_quadratic(gap_5, _e119);
                             if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                                let _e123 = t_15;
-                                let _e124 = self.v_first_root(gap_6, reach);
+                                let _e123 = t_21;
+                                let _e124 = self.v_first_root(gap_5, reach);
                                 next_3 = (_e123 + _e124.min(reach));
                             }
                         }
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_21 = _e131.elementwise_lt(end_7);
+                            local_27 = _e131.elementwise_lt(end_7);
                         } else {
-                            local_21 = rt::Scalar(false);
+                            local_27 = rt::Scalar(false);
                         }
-                        let _e134 = local_21;
+                        let _e134 = local_27;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_25, end_7);
-                            local_22 = _e137.elementwise_lt(_e72.x());
+                            let _e137 = self.v_path_height(path_39, end_7);
+                            local_28 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_22 = rt::Scalar(false);
+                            local_28 = rt::Scalar(false);
                         }
-                        let _e141 = local_22;
+                        let _e141 = local_28;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
-                            let _e143 = cost_9;
-                            let _e144 = self.v_bracket_between(path_25, _e142, end_7, _e143);
+                            let _e143 = cost_16;
+                            let _e144 = self.v_bracket_between(path_39, _e142, end_7, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_7))) {
-                        let _e150 = t_15;
-                        local_23 = (!end_7.elementwise_gt(_e150));
+                        let _e150 = t_21;
+                        local_29 = (!end_7.elementwise_gt(_e150));
                     } else {
-                        local_23 = rt::Scalar(true);
+                        local_29 = rt::Scalar(true);
                     }
-                    let _e154 = local_23;
+                    let _e154 = local_29;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
-                            let _e156 = cost_9;
-                            cost_9 = (_e156 + HEIGHTS_READ);
-                            let _e159 = cell_14;
-                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_25.level));
-                            let _e163 = cell_14;
-                            let _e164 = t_15;
-                            let _e165 = self.v_gap_to(path_25, _e2, _e163, _e162, _e164);
-                            let _e166 = t_15;
-                            let _e167 = t_15;
-                            let _e170 = cost_9;
-                            let _e171 = self.v_found_in_cell(_e165, _e166, span_8, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
+                            let _e156 = cost_16;
+                            cost_16 = (_e156 + HEIGHTS_READ);
+                            let _e159 = cell_15;
+                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_39.level));
+                            let _e163 = cell_15;
+                            let _e164 = t_21;
+                            let _e165 = self.v_gap_to(path_39, _e2, _e163, _e162, _e164);
+                            let _e166 = t_21;
+                            let _e167 = t_21;
+                            let _e170 = cost_16;
+                            let _e171 = self.v_found_in_cell(_e165, _e166, span_9, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
                         }
-                        let _e175 = t_15;
+                        let _e175 = t_21;
                         next_3 = _e175.max(end_7);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_25.exit))) {
-                        let _e181 = t_15;
-                        let _e183 = cost_9;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_39.exit))) {
+                        let _e181 = t_21;
+                        let _e183 = cost_16;
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
-                    let _e187 = cell_14;
+                    let _e187 = cell_15;
                     let _e188 = next_3;
-                    let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_4, _e188);
-                    cell_14 = _e189;
+                    let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
+                    cell_15 = _e189;
                     let _e190 = next_3;
-                    t_15 = _e190;
+                    t_21 = _e190;
                 }
             }
         }
-        let _e192 = t_15;
-        let _e194 = cost_9;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_25.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        let _e192 = t_21;
+        let _e194 = cost_16;
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_26: Path,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        path_40: Path,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_26, rt::into(params_17)))
+        rt::into(self.v_search_sphere(path_40, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_26: Path,
-        params_17: rt::Vec4<f32>,
+        path_40: Path,
+        params_28: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_15: rt::Vec2<f32>;
-        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_10: rt::Vec3<u32> = NO_COST;
+        let mut cell_16: rt::Vec2<f32>;
+        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_26);
-        let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_26, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_26, rt::Scalar(path_26.exit));
+        let _e2 = self.v_grid_of(path_40);
+        let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e9 = self.v_path_slope(path_40, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_40, rt::Scalar(path_40.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_26.duv, climb_1).length();
-        let speed_1 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_6 = (path_26.uv.abs() + (path_26.duv.abs() * rt::Scalar(path_26.exit)));
-        let height_terms = (path_26.h.x().abs() + (rt::Scalar(path_26.exit) * (path_26.h.y().abs() + (rt::Scalar(path_26.exit) * path_26.h.z().abs()))));
+        let fastest = <rt::Vec3<f32>>::new_21(path_40.duv, climb_1).length();
+        let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
+        let far_6 = (path_40.uv.abs() + (path_40.duv.abs() * rt::Scalar(path_40.exit)));
+        let height_terms = (path_40.h.x().abs() + (rt::Scalar(path_40.exit) * (path_40.h.y().abs() + (rt::Scalar(path_40.exit) * path_40.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_15 = _e52;
-        let limit_6 = params_17.x().cast_elem_as_u32();
+        cell_16 = _e52;
+        let limit_7 = params_28.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e61 = cost_10.x();
-                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_6)) {
+                let _e61 = cost_17.x();
+                if rt::Scalar::into_branch_condition(_e61.elementwise_lt(limit_7)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e63 = cost_10;
-                    cost_10 = (_e63 + STEP);
-                    let _e66 = cell_15;
+                    let _e63 = cost_17;
+                    cost_17 = (_e63 + STEP);
+                    let _e66 = cell_16;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_8 = _e67.x().min(_e67.y()).min(rt::Scalar(path_26.exit));
-                    let _e73 = t_16;
-                    let span_9 = (end_8 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_16;
-                    let _e78 = self.v_path_uv(path_26, _e77);
-                    let _e79 = t_16;
-                    let _e80 = self.v_path_height(path_26, _e79);
-                    let _e82 = self.v_distance_at(path_26, _e78, _e80, params_17.z());
+                    let end_8 = _e67.x().min(_e67.y()).min(rt::Scalar(path_40.exit));
+                    let _e73 = t_22;
+                    let span_10 = (end_8 - _e73).max(rt::Scalar(0f32));
+                    let _e77 = t_22;
+                    let _e78 = self.v_path_uv(path_40, _e77);
+                    let _e79 = t_22;
+                    let _e80 = self.v_path_height(path_40, _e79);
+                    let _e82 = self.v_distance_at(path_40, _e78, _e80, params_28.z());
                     let free_1 = (_e82 - lost_3);
-                    let _e84 = cost_10;
-                    let _e86 = self.v_map_read(path_26, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_26, rt::Scalar(4u32));
-                    cost_10 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_16;
+                    let _e84 = cost_17;
+                    let _e86 = self.v_map_read(path_40, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_40, rt::Scalar(4u32));
+                    cost_17 = ((_e84 + _e86) + _e89);
+                    let _e91 = t_22;
                     next_4 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_16;
-                        next_4 = (_e95 + (free_1 / speed_1));
+                        let _e95 = t_22;
+                        next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_17.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_28.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
-                        let _e102 = t_16;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_26.exit))))) {
-                            let _e110 = t_16;
-                            let _e112 = cost_10;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                        let _e102 = t_22;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_40.exit))))) {
+                            let _e110 = t_22;
+                            let _e112 = cost_17;
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_8))) {
-                            let _e121 = t_16;
-                            local_24 = (!end_8.elementwise_gt(_e121));
+                            let _e121 = t_22;
+                            local_30 = (!end_8.elementwise_gt(_e121));
                         } else {
-                            local_24 = rt::Scalar(true);
+                            local_30 = rt::Scalar(true);
                         }
-                        let _e125 = local_24;
+                        let _e125 = local_30;
                         if rt::Scalar::into_branch_condition(_e125) {
-                            let _e126 = cost_10;
-                            cost_10 = (_e126 + HEIGHTS_READ);
-                            let _e129 = cell_15;
-                            let _e130 = cell_15;
-                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_26.level));
-                            let _e134 = t_16;
-                            let _e135 = self.v_gap_to(path_26, _e2, _e129, _e133, _e134);
-                            let _e136 = t_16;
-                            let _e137 = t_16;
-                            let _e140 = cost_10;
-                            let _e141 = self.v_found_in_cell(_e135, _e136, span_9, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
+                            let _e126 = cost_17;
+                            cost_17 = (_e126 + HEIGHTS_READ);
+                            let _e129 = cell_16;
+                            let _e130 = cell_16;
+                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_40.level));
+                            let _e134 = t_22;
+                            let _e135 = self.v_gap_to(path_40, _e2, _e129, _e133, _e134);
+                            let _e136 = t_22;
+                            let _e137 = t_22;
+                            let _e140 = cost_17;
+                            let _e141 = self.v_found_in_cell(_e135, _e136, span_10, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
-                            let _e145 = t_16;
+                            let _e145 = t_22;
                             next_4 = _e145.max(end_8);
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_26.exit))) {
-                        let _e151 = t_16;
-                        let _e153 = cost_10;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_40.exit))) {
+                        let _e151 = t_22;
+                        let _e153 = cost_17;
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
-                    let _e157 = cell_15;
+                    let _e157 = cell_16;
                     let _e158 = next_4;
-                    let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_5, _e158);
-                    cell_15 = _e159;
+                    let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
+                    cell_16 = _e159;
                     let _e160 = next_4;
-                    t_16 = _e160;
+                    t_22 = _e160;
                 }
             }
         }
-        let _e162 = t_16;
-        let _e164 = cost_10;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_26.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        let _e162 = t_22;
+        let _e164 = cost_17;
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_27: Path,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        path_41: Path,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_27, rt::into(params_18)))
+        rt::into(self.v_search_cone_moved(path_41, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_27: Path,
-        params_18: rt::Vec4<f32>,
+        path_41: Path,
+        params_29: rt::Vec4<f32>,
     ) -> Found {
-        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_3: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_2: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_11: rt::Vec3<u32> = NO_COST;
-        let mut k_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_25: rt::Scalar<bool>;
+        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_18: rt::Vec3<u32> = NO_COST;
+        let mut k_8: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_31: rt::Scalar<bool>;
 
-        let aside_2 = path_27.duv.length();
+        let aside_2 = path_41.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_1;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_18.x())) {
+                let _e14 = k_8;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_29.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = cost_11;
-                    cost_11 = (_e17 + STEP);
-                    let _e20 = t_17;
-                    let _e21 = self.v_path_gap(path_27, _e20);
-                    let _e22 = cost_11;
-                    cost_11 = (_e22 + HEIGHTS_READ);
+                    let _e17 = cost_18;
+                    cost_18 = (_e17 + STEP);
+                    let _e20 = t_23;
+                    let _e21 = self.v_path_gap(path_41, _e20);
+                    let _e22 = cost_18;
+                    cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_17;
+                        let _e27 = t_23;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_25 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_31 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_25 = rt::Scalar(false);
+                            local_31 = rt::Scalar(false);
                         }
-                        let _e35 = local_25;
+                        let _e35 = local_31;
                         if rt::Scalar::into_branch_condition(_e35) {
-                            let _e37 = cost_11;
+                            let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
-                        let _e42 = near_3;
-                        let _e43 = t_17;
-                        let _e44 = near_gap_2;
-                        let _e45 = cost_11;
+                        let _e42 = near_5;
+                        let _e43 = t_23;
+                        let _e44 = near_gap_3;
+                        let _e45 = cost_18;
                         return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_17;
-                    near_3 = _e47;
-                    near_gap_2 = _e21;
-                    let _e48 = t_17;
-                    let _e49 = self.v_path_uv(path_27, _e48);
-                    let _e51 = self.v_search_texel_between(path_27, _e49, rt::Scalar(0i32));
+                    let _e47 = t_23;
+                    near_5 = _e47;
+                    near_gap_3 = _e21;
+                    let _e48 = t_23;
+                    let _e49 = self.v_path_uv(path_41, _e48);
+                    let _e51 = self.v_search_texel_between(path_41, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
-                    let _e54 = cost_11;
-                    let _e56 = self.v_map_read(path_27, rt::Scalar(4u32));
-                    cost_11 = (_e54 + _e56);
+                    let _e54 = cost_18;
+                    let _e56 = self.v_map_read(path_41, rt::Scalar(4u32));
+                    cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_17;
-                    let rest_4 = (rt::Scalar(path_27.exit) - _e61);
-                    let _e63 = t_17;
-                    let _e64 = self.v_path_slope(path_27, _e63);
-                    let rise_2 = (_e64 + (path_27.h.z().min(rt::Scalar(0f32)) * rest_4));
-                    let terms_1 = (path_27.h.x().abs() + (rt::Scalar(path_27.exit) * (path_27.h.y().abs() + (rt::Scalar(path_27.exit) * path_27.h.z().abs()))));
-                    let far_7 = (((path_27.uv.abs() + (path_27.duv.abs() * rt::Scalar(path_27.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e61 = t_23;
+                    let rest_4 = (rt::Scalar(path_41.exit) - _e61);
+                    let _e63 = t_23;
+                    let _e64 = self.v_path_slope(path_41, _e63);
+                    let rise_4 = (_e64 + (path_41.h.z().min(rt::Scalar(0f32)) * rest_4));
+                    let terms_1 = (path_41.h.x().abs() + (rt::Scalar(path_41.exit) * (path_41.h.y().abs() + (rt::Scalar(path_41.exit) * path_41.h.z().abs()))));
+                    let far_7 = (((path_41.uv.abs() + (path_41.duv.abs() * rt::Scalar(path_41.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
-                    let nearing = ((_e53 * aside_2) - rise_2);
-                    let closing_1 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
-                    if rt::Scalar::into_branch_condition(closing_1.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_17;
-                        let _e114 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                    let nearing = ((_e53 * aside_2) - rise_4);
+                    let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
+                    if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
+                        let _e112 = t_23;
+                        let _e114 = cost_18;
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_17;
-                    t_17 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_1));
-                    let _e124 = t_17;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_27.exit))) {
-                        let _e128 = near_3;
-                        let _e130 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_27.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                    let _e118 = t_23;
+                    t_23 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_23;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_41.exit))) {
+                        let _e128 = near_5;
+                        let _e130 = cost_18;
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_1;
-                    k_1 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_8;
+                    k_8 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e138 = t_17;
-        let _e140 = t_17;
-        let _e141 = self.v_path_height(path_27, _e140);
-        let _e142 = cost_11;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_27.exit), _e141, rt::Scalar(0f32), _e142);
+        let _e138 = t_23;
+        let _e140 = t_23;
+        let _e141 = self.v_path_height(path_41, _e140);
+        let _e142 = cost_18;
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_41.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_28: Path,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        path_42: Path,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_28, rt::into(params_19)))
+        rt::into(self.v_search_relaxed_cone(path_42, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_28: Path,
-        params_19: rt::Vec4<f32>,
+        path_42: Path,
+        params_30: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_16: rt::Vec2<f32>;
-        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_12: rt::Vec3<u32> = NO_COST;
-        let mut local_26: rt::Scalar<bool>;
+        let mut cell_17: rt::Vec2<f32>;
+        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_19: rt::Vec3<u32> = NO_COST;
+        let mut local_32: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_28);
-        let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_3 = path_28.duv.length();
-        let _e11 = self.v_path_slope(path_28, rt::Scalar(0f32));
-        let terms_2 = (path_28.h.x().abs() + (rt::Scalar(path_28.exit) * path_28.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_28.level));
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_28.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let _e2 = self.v_grid_of(path_42);
+        let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let aside_3 = path_42.duv.length();
+        let _e11 = self.v_path_slope(path_42, rt::Scalar(0f32));
+        let terms_2 = (path_42.h.x().abs() + (rt::Scalar(path_42.exit) * path_42.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_42.level));
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_42.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_16 = _e36;
-        let limit_7 = params_19.x().cast_elem_as_u32();
+        cell_17 = _e36;
+        let limit_8 = params_30.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e49 = cost_12.x();
-                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_7)) {
+                let _e49 = cost_19.x();
+                if rt::Scalar::into_branch_condition(_e49.elementwise_lt(limit_8)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e51 = cost_12;
-                    cost_12 = (_e51 + STEP);
-                    let _e54 = cell_16;
+                    let _e51 = cost_19;
+                    cost_19 = (_e51 + STEP);
+                    let _e54 = cell_17;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_9 = _e55.x().min(_e55.y()).min(rt::Scalar(path_28.exit));
-                    let _e61 = t_18;
-                    let span_10 = (end_9 - _e61).max(rt::Scalar(0f32));
-                    let _e65 = cell_16;
-                    let _e66 = cell_16;
-                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_28.level));
-                    let _e70 = t_18;
-                    let _e71 = self.v_gap_to(path_28, _e2, _e65, _e69, _e70);
-                    let _e72 = cost_12;
-                    cost_12 = (_e72 + HEIGHTS_READ);
+                    let end_9 = _e55.x().min(_e55.y()).min(rt::Scalar(path_42.exit));
+                    let _e61 = t_24;
+                    let span_11 = (end_9 - _e61).max(rt::Scalar(0f32));
+                    let _e65 = cell_17;
+                    let _e66 = cell_17;
+                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_42.level));
+                    let _e70 = t_24;
+                    let _e71 = self.v_gap_to(path_42, _e2, _e65, _e69, _e70);
+                    let _e72 = cost_19;
+                    cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e78 = near_4;
-                        let _e79 = t_18;
+                        let _e78 = near_6;
+                        let _e79 = t_24;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
-                            let _e83 = near_gap_3;
-                            local_26 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            let _e83 = near_gap_4;
+                            local_32 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_26 = rt::Scalar(false);
+                            local_32 = rt::Scalar(false);
                         }
-                        let _e87 = local_26;
+                        let _e87 = local_32;
                         if rt::Scalar::into_branch_condition(_e87) {
-                            let _e88 = near_4;
-                            let _e89 = t_18;
-                            let _e90 = near_gap_3;
-                            let _e92 = cost_12;
-                            let _e93 = self.v_entered_once(path_28, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e88 = near_6;
+                            let _e89 = t_24;
+                            let _e90 = near_gap_4;
+                            let _e92 = cost_19;
+                            let _e93 = self.v_entered_once(path_42, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_18;
-                        let _e95 = t_18;
-                        let _e98 = cost_12;
-                        let _e99 = self.v_found_in_cell(_e71, _e94, span_10, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
+                        let _e94 = t_24;
+                        let _e95 = t_24;
+                        let _e98 = cost_19;
+                        let _e99 = self.v_found_in_cell(_e71, _e94, span_11, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_18;
+                    let _e100 = t_24;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_19.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = t_18;
-                        let _e108 = t_18;
-                        let _e111 = cost_12;
-                        let _e112 = self.v_found_in_cell(_e71, _e107, span_10, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
+                    if rt::Scalar::into_branch_condition(params_30.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e107 = t_24;
+                        let _e108 = t_24;
+                        let _e111 = cost_19;
+                        let _e112 = self.v_found_in_cell(_e71, _e107, span_11, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
-                        let _e116 = t_18;
+                        let _e116 = t_24;
                         start_1 = _e116.max(end_9);
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_28.exit))) {
-                        let _e123 = t_18;
-                        let _e125 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_42.exit))) {
+                        let _e123 = t_24;
+                        let _e125 = cost_19;
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
-                    near_4 = _e129;
+                    near_6 = _e129;
                     let _e130 = gap;
-                    near_gap_3 = _e130;
-                    let _e131 = cell_16;
-                    let _e133 = cell_16;
+                    near_gap_4 = _e130;
+                    let _e131 = cell_17;
+                    let _e133 = cell_17;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_28, (_e131 + _e139));
-                    let _e142 = cost_12;
-                    let _e144 = self.v_map_read(path_28, rt::Scalar(1u32));
-                    cost_12 = (_e142 + _e144);
+                    let _e141 = self.v_cone_slope(path_42, (_e131 + _e139));
+                    let _e142 = cost_19;
+                    let _e144 = self.v_map_read(path_42, rt::Scalar(1u32));
+                    cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_ge(rt::Scalar(0f32))) {
                         let nearing_1 = ((_e141 * aside_3) - _e11);
-                        let closing_2 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
+                        let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e155 = gap;
                         let room = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_8.x() + far_8.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
-                        if rt::Scalar::into_branch_condition(closing_2.elementwise_gt(rt::Scalar(0f32))) {
+                        if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e167 = start_1;
-                            next_5 = (_e167 + (room.max(rt::Scalar(0f32)) / closing_2));
+                            next_5 = (_e167 + (room.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_19.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_30.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
-                        let _e178 = t_18;
-                        local_27 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_28.exit))));
+                        let _e178 = t_24;
+                        local_33 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_42.exit))));
                     } else {
-                        local_27 = rt::Scalar(false);
+                        local_33 = rt::Scalar(false);
                     }
-                    let _e186 = local_27;
+                    let _e186 = local_33;
                     if rt::Scalar::into_branch_condition(_e186) {
-                        let _e188 = t_18;
+                        let _e188 = t_24;
                         let _e190 = gap;
-                        let _e191 = cost_12;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_28.exit), _e190, rt::Scalar(0f32), _e191);
+                        let _e191 = cost_19;
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_42.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_28.exit))) {
-                        let _e198 = self.v_path_gap(path_28, rt::Scalar(path_28.exit));
-                        let _e199 = cost_12;
-                        cost_12 = (_e199 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_42.exit))) {
+                        let _e198 = self.v_path_gap(path_42, rt::Scalar(path_42.exit));
+                        let _e199 = cost_19;
+                        cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
-                            let _e207 = cost_12;
-                            let _e208 = self.v_entered_once(path_28, _e2, _e204, rt::Scalar(path_28.exit), _e206, _e198, _e207);
+                            let _e207 = cost_19;
+                            let _e208 = self.v_entered_once(path_42, _e2, _e204, rt::Scalar(path_42.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
-                        let _e212 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        let _e212 = cost_19;
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
-                    let _e216 = cell_16;
+                    let _e216 = cell_17;
                     let _e217 = next_5;
-                    let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_6, _e217);
-                    cell_16 = _e218;
+                    let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
+                    cell_17 = _e218;
                     let _e219 = next_5;
-                    t_18 = _e219;
+                    t_24 = _e219;
                 }
             }
         }
-        let _e221 = t_18;
-        let _e223 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_28.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        let _e221 = t_24;
+        let _e223 = cost_19;
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_29: Path,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        path_43: Path,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_29, rt::into(params_20)))
+        rt::into(self.v_search_relaxed_cone_resting(path_43, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_29: Path,
-        params_20: rt::Vec4<f32>,
+        path_43: Path,
+        params_31: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_17: rt::Vec2<f32>;
-        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut cost_13: rt::Vec3<u32> = NO_COST;
-        let mut local_28: rt::Scalar<bool>;
+        let mut cell_18: rt::Vec2<f32>;
+        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cost_20: rt::Vec3<u32> = NO_COST;
+        let mut local_34: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_29);
-        let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
+        let _e2 = self.v_grid_of(path_43);
+        let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_17 = _e9;
-        let limit_8 = params_20.x().cast_elem_as_u32();
+        cell_18 = _e9;
+        let limit_9 = params_31.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
-                let _e22 = cost_13.x();
-                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_8)) {
+                let _e22 = cost_20.x();
+                if rt::Scalar::into_branch_condition(_e22.elementwise_lt(limit_9)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = cost_13;
-                    cost_13 = (_e24 + STEP);
-                    let _e27 = cell_17;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_29.level));
-                    let _e31 = cost_13;
-                    cost_13 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_17;
+                    let _e24 = cost_20;
+                    cost_20 = (_e24 + STEP);
+                    let _e27 = cell_18;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_43.level));
+                    let _e31 = cost_20;
+                    cost_20 = (_e31 + HEIGHTS_READ);
+                    let _e34 = cell_18;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_29.exit));
-                    let _e41 = t_19;
-                    let span_11 = (end_10 - _e41).max(rt::Scalar(0f32));
-                    let _e45 = cell_17;
-                    let _e46 = t_19;
-                    let _e47 = self.v_gap_to(path_29, _e2, _e45, _e30, _e46);
+                    let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_43.exit));
+                    let _e41 = t_25;
+                    let span_12 = (end_10 - _e41).max(rt::Scalar(0f32));
+                    let _e45 = cell_18;
+                    let _e46 = t_25;
+                    let _e47 = self.v_gap_to(path_43, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e51 = near_5;
-                        let _e52 = t_19;
+                        let _e51 = near_7;
+                        let _e52 = t_25;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
-                            let _e56 = near_gap_4;
-                            local_28 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            let _e56 = near_gap_5;
+                            local_34 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_28 = rt::Scalar(false);
+                            local_34 = rt::Scalar(false);
                         }
-                        let _e60 = local_28;
+                        let _e60 = local_34;
                         if rt::Scalar::into_branch_condition(_e60) {
-                            let _e61 = near_5;
-                            let _e62 = t_19;
-                            let _e63 = near_gap_4;
-                            let _e65 = cost_13;
-                            let _e66 = self.v_entered_once(path_29, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e61 = near_7;
+                            let _e62 = t_25;
+                            let _e63 = near_gap_5;
+                            let _e65 = cost_20;
+                            let _e66 = self.v_entered_once(path_43, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_19;
-                        let _e68 = t_19;
-                        let _e71 = cost_13;
-                        let _e72 = self.v_found_in_cell(_e47, _e67, span_11, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
+                        let _e67 = t_25;
+                        let _e68 = t_25;
+                        let _e71 = cost_20;
+                        let _e72 = self.v_found_in_cell(_e47, _e67, span_12, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = t_19;
-                    let _e74 = t_19;
-                    let _e77 = cost_13;
-                    let _e78 = self.v_found_in_cell(_e47, _e73, span_11, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
+                    let _e73 = t_25;
+                    let _e74 = t_25;
+                    let _e77 = cost_20;
+                    let _e78 = self.v_found_in_cell(_e47, _e73, span_12, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
-                    let _e82 = t_19;
+                    let _e82 = t_25;
                     let start_2 = _e82.max(end_10);
-                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_29.exit))) {
-                        let _e87 = t_19;
-                        let _e89 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_43.exit))) {
+                        let _e87 = t_25;
+                        let _e89 = cost_20;
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
-                    near_5 = start_2;
-                    near_gap_4 = rt::Scalar(_e78.far_gap);
-                    let _e95 = cell_17;
+                    near_7 = start_2;
+                    near_gap_5 = rt::Scalar(_e78.far_gap);
+                    let _e95 = cell_18;
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_2)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_2;
-                    let _e103 = self.v_path_height(path_29, start_2);
+                    let _e103 = self.v_path_height(path_43, start_2);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
-                        let _e105 = cell_17;
+                        let _e105 = cell_18;
                         let texel_7 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_29, texel_7);
-                        let _e108 = cost_13;
-                        let _e110 = self.v_map_read(path_29, rt::Scalar(1u32));
-                        cost_13 = (_e108 + _e110);
+                        let _e107 = self.v_cone_slope(path_43, texel_7);
+                        let _e108 = cost_20;
+                        let _e110 = self.v_map_read(path_43, rt::Scalar(1u32));
+                        cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_29, _e2, texel_7, _e101, _e107, start_2);
+                            let _e114 = self.v_stays_inside(path_43, _e2, texel_7, _e101, _e107, start_2);
                             next_6 = (start_2 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_29.exit))) {
-                        let _e120 = self.v_path_gap(path_29, rt::Scalar(path_29.exit));
-                        let _e121 = cost_13;
-                        cost_13 = (_e121 + HEIGHTS_READ);
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_43.exit))) {
+                        let _e120 = self.v_path_gap(path_43, rt::Scalar(path_43.exit));
+                        let _e121 = cost_20;
+                        cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                            let _e127 = near_gap_4;
-                            let _e128 = cost_13;
-                            let _e129 = self.v_entered_once(path_29, _e2, start_2, rt::Scalar(path_29.exit), _e127, _e120, _e128);
+                            let _e127 = near_gap_5;
+                            let _e128 = cost_20;
+                            let _e129 = self.v_entered_once(path_43, _e2, start_2, rt::Scalar(path_43.exit), _e127, _e120, _e128);
                             return _e129;
                         }
-                        let _e132 = cost_13;
-                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        let _e132 = cost_20;
+                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
-                    let _e136 = cell_17;
+                    let _e136 = cell_18;
                     let _e137 = next_6;
-                    let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_7, _e137);
-                    cell_17 = _e138;
+                    let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
+                    cell_18 = _e138;
                     let _e139 = next_6;
-                    t_19 = _e139;
+                    t_25 = _e139;
                 }
             }
         }
-        let _e141 = t_19;
-        let _e143 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        let _e141 = t_25;
+        let _e143 = cost_20;
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn shadow_search_stage(&self, path_30: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_30))
+    pub(crate) fn search_stage(&self, path_44: Path) -> Found {
+        rt::into(self.v_search_stage(path_44))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_30: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
+    fn v_search_stage(&self, path_44: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
-                let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_30, _e10);
+                let _e10 = self.surface_settings.choices[2usize].params;
+                let _e11 = self.v_search_none(path_44, _e10);
                 return _e11;
             }
             1u32 => {
-                let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_30, _e16);
+                let _e16 = self.surface_settings.choices[2usize].params;
+                let _e17 = self.v_search_linear(path_44, _e16);
                 return _e17;
             }
             2u32 => {
-                let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_30, _e22);
+                let _e22 = self.surface_settings.choices[2usize].params;
+                let _e23 = self.v_search_cells(path_44, _e22);
                 return _e23;
             }
             3u32 => {
-                let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_30, _e28);
+                let _e28 = self.surface_settings.choices[2usize].params;
+                let _e29 = self.v_search_frustum(path_44, _e28);
                 return _e29;
             }
             4u32 => {
-                let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_30, _e34);
+                let _e34 = self.surface_settings.choices[2usize].params;
+                let _e35 = self.v_search_cone(path_44, _e34);
                 return _e35;
             }
             5u32 => {
-                let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_30, _e40);
+                let _e40 = self.surface_settings.choices[2usize].params;
+                let _e41 = self.v_search_pyramid(path_44, _e40);
                 return _e41;
             }
             6u32 => {
-                let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_30, _e46);
+                let _e46 = self.surface_settings.choices[2usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_44, _e46);
                 return _e47;
             }
             7u32 => {
-                let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_30, _e52);
+                let _e52 = self.surface_settings.choices[2usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_44, _e52);
                 return _e53;
             }
             8u32 => {
-                let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_30, _e58);
+                let _e58 = self.surface_settings.choices[2usize].params;
+                let _e59 = self.v_search_sphere(path_44, _e58);
                 return _e59;
             }
             9u32 => {
-                let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_30, _e64);
+                let _e64 = self.surface_settings.choices[2usize].params;
+                let _e65 = self.v_search_cone_moved(path_44, _e64);
                 return _e65;
             }
             10u32 => {
-                let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_30, _e70);
+                let _e70 = self.surface_settings.choices[2usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_44, _e70);
                 return _e71;
             }
             _ => {
-                let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_30, _e76);
+                let _e76 = self.surface_settings.choices[2usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_44, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_20: Entered, hit_8: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_20, hit_8, light_4))
+    pub(crate) fn trace(&self, path_45: Path) -> Hit {
+        rt::into(self.v_trace(path_45))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_20: Entered, hit_8: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_20, hit_8, light_4);
+    fn v_trace(&self, path_45: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_45);
+        let _e2 = self.v_refine_stage(path_45, _e1);
+        return _e2;
+    }
+    pub(crate) fn key_of(&self, pixel_15: PixelIn, path_46: Path, hit_7: Hit) -> f32 {
+        rt::into(self.v_key_of(pixel_15, path_46, hit_7))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_key_of(&self, pixel_15: PixelIn, path_46: Path, hit_7: Hit) -> rt::Scalar<f32> {
+        let depth = ((rt::Scalar(path_46.start) + rt::Scalar(hit_7.t)) / pixel_15.direction.length());
+        let _e11 = rt::Scalar(self.frame.near);
+        let _e14 = rt::Scalar(self.frame.near);
+        return (_e11 / (_e14 + depth.max(rt::Scalar(0f32))));
+    }
+    pub(crate) fn first_hit(&self, pixel_16: PixelIn, at_21: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_16, at_21))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_first_hit(&self, pixel_16: PixelIn, at_21: Entered) -> FirstHit {
+        let mut cost_21: rt::Vec3<u32> = NO_COST;
+        let mut k_9: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut hit_8: Hit;
+
+        'naga_break: loop {
+            'naga_continue: {
+                let _e6 = k_9;
+                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_21.segments))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e9 = k_9;
+                    let _e10 = self.v_segment_of(pixel_16, at_21, _e9);
+                    if rt::Scalar::into_branch_condition(rt::Scalar(_e10.exit).elementwise_gt(rt::Scalar(0f32))) {
+                        let _e14 = self.v_trace(_e10);
+                        hit_8 = _e14;
+                        let _e16 = cost_21;
+                        let _e18 = hit_8.cost;
+                        cost_21 = (_e16 + _e18);
+                        let _e21 = rt::Scalar(hit_8.found);
+                        if rt::Scalar::into_branch_condition(_e21.elementwise_eq(rt::Scalar(1u32))) {
+                            let _e25 = cost_21;
+                            hit_8.cost = _e25;
+                            let _e26 = hit_8;
+                            let _e27 = k_9;
+                            let _e28 = hit_8;
+                            let _e29 = self.v_key_of(pixel_16, _e10, _e28);
+                            return <FirstHit>::new(_e26, _e27, _e29);
+                        }
+                    }
+                    let _e31 = k_9;
+                    k_9 = (_e31 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e34 = cost_21;
+        let _e35 = self.v_miss(_e34);
+        return <FirstHit>::new(_e35, rt::Scalar(0u32), rt::Scalar(0f32));
+    }
+    pub(crate) fn near_uv(&self, uv_12: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_12)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_near_uv(&self, uv_12: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        let _e3 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
+            return (uv_12 - uv_12.floor());
+        }
+        let _e10 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
+            return (uv_12 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_12).floor()));
+        }
+        return uv_12;
+    }
+    pub(crate) fn from_hit(&self, at_22: Entered, hit_9: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_22, hit_9, light_1))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_from_hit(&self, at_22: Entered, hit_9: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_22, light_1.direction);
+        let _e6 = self.v_near_uv(hit_9.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_22.level));
+        let h_2 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_2, rt::Scalar(0f32), rt::Scalar(0f32), at_22.metric, RAY_SHADOW, rt::Scalar(at_22.level), rt::Scalar(0f32), rt::Scalar(1f32));
+    }
+    pub(crate) fn way_out(&self, path_47: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_47, light_2))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_way_out(&self, path_47: Path, light_2: Toward) -> rt::Scalar<f32> {
+        let mut way: rt::Scalar<f32>;
+        let mut interval_2: rt::Vec2<f32>;
+
+        way = ((rt::Scalar(1f32) - path_47.h.x()) / path_47.h.y()).min(rt::Scalar(light_2.distance));
+        let _e14 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
+            let _e21 = way;
+            let _e24 = self.v_inside_unit(path_47.uv.x(), path_47.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            interval_2 = _e24;
+            let _e30 = interval_2;
+            let _e31 = self.v_inside_unit(path_47.uv.y(), path_47.duv.y(), _e30);
+            interval_2 = _e31;
+            let _e33 = interval_2.y();
+            way = _e33;
+        }
+        let _e34 = way;
+        return _e34;
+    }
+    pub(crate) fn light_ray(&self, at_23: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_23, hit_10, light_3))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_light_ray(&self, at_23: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
+        let mut local_35: rt::Scalar<bool>;
+
+        let _e3 = self.v_from_hit(at_23, hit_10, light_3);
+        if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
+        }
+        let _e11 = self.v_way_out(_e3, light_3);
+        if rt::Scalar::into_branch_condition((!_e11.elementwise_gt(rt::Scalar(0f32)))) {
+            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
+        }
+        let _e17 = self.v_grid_of(_e3);
+        let _e19 = self.v_cell_of(_e17.origin);
+        let _e20 = self.v_cell_leave(_e17, _e19);
+        let end_11 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
+        let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
+        let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
+            local_35 = (_e31.y() + (_e31.z() * end_11)).elementwise_lt(rt::Scalar(0f32));
+        } else {
+            local_35 = rt::Scalar(true);
+        }
+        let _e45 = local_35;
+        if rt::Scalar::into_branch_condition(_e45) {
+            return <LightRay>::new(LIGHT_RAY_DARK, _e3);
+        }
+        if rt::Scalar::into_branch_condition(end_11.elementwise_ge(_e11)) {
+            return <LightRay>::new(LIGHT_RAY_LIT, _e3);
+        }
+        let _e51 = self.v_path_uv(_e3, end_11);
+        let gap_6 = (end_11 * (_e31.y() + (_e31.z() * end_11)));
+        let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
+        let h_3 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_6) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_51 = <Path>::new(_e51, _e3.duv, h_3, (_e11 - end_11), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_11, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_51);
+    }
+    pub(crate) fn shadow_search_stage(&self, path_48: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_48))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shadow_search_stage(&self, path_48: Path) -> Found {
+        let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
+        match rt::Scalar::into_inner(_e5) {
+            0u32 => {
+                let _e10 = self.surface_settings.choices[6usize].params;
+                let _e11 = self.v_search_none(path_48, _e10);
+                return _e11;
+            }
+            1u32 => {
+                let _e16 = self.surface_settings.choices[6usize].params;
+                let _e17 = self.v_search_linear(path_48, _e16);
+                return _e17;
+            }
+            2u32 => {
+                let _e22 = self.surface_settings.choices[6usize].params;
+                let _e23 = self.v_search_cells(path_48, _e22);
+                return _e23;
+            }
+            3u32 => {
+                let _e28 = self.surface_settings.choices[6usize].params;
+                let _e29 = self.v_search_frustum(path_48, _e28);
+                return _e29;
+            }
+            4u32 => {
+                let _e34 = self.surface_settings.choices[6usize].params;
+                let _e35 = self.v_search_cone(path_48, _e34);
+                return _e35;
+            }
+            5u32 => {
+                let _e40 = self.surface_settings.choices[6usize].params;
+                let _e41 = self.v_search_pyramid(path_48, _e40);
+                return _e41;
+            }
+            6u32 => {
+                let _e46 = self.surface_settings.choices[6usize].params;
+                let _e47 = self.v_search_pyramid_texels(path_48, _e46);
+                return _e47;
+            }
+            7u32 => {
+                let _e52 = self.surface_settings.choices[6usize].params;
+                let _e53 = self.v_search_dilation_erosion(path_48, _e52);
+                return _e53;
+            }
+            8u32 => {
+                let _e58 = self.surface_settings.choices[6usize].params;
+                let _e59 = self.v_search_sphere(path_48, _e58);
+                return _e59;
+            }
+            9u32 => {
+                let _e64 = self.surface_settings.choices[6usize].params;
+                let _e65 = self.v_search_cone_moved(path_48, _e64);
+                return _e65;
+            }
+            10u32 => {
+                let _e70 = self.surface_settings.choices[6usize].params;
+                let _e71 = self.v_search_relaxed_cone(path_48, _e70);
+                return _e71;
+            }
+            _ => {
+                let _e76 = self.surface_settings.choices[6usize].params;
+                let _e77 = self.v_search_relaxed_cone_resting(path_48, _e76);
+                return _e77;
+            }
+        }
+    }
+    pub(crate) fn free_way(&self, at_24: Entered, hit_11: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_24, hit_11, light_4))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_free_way(&self, at_24: Entered, hit_11: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_24, hit_11, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -4436,118 +5468,12 @@ impl<'g> Resources<'g> {
         let _e13 = self.v_shadow_search_stage(_e3.path);
         return rt::Scalar(0f32).select(rt::Scalar(1f32), rt::Scalar(_e13.status).elementwise_eq(FOUND_MISS));
     }
-    pub(crate) fn has_interval(&self, found: Found) -> bool {
-        rt::into(self.v_has_interval(found))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_has_interval(&self, found: Found) -> rt::Scalar<bool> {
-        let mut local_29: rt::Scalar<bool>;
-        let mut local_30: rt::Scalar<bool>;
-        let mut local_31: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found.far).elementwise_gt(rt::Scalar(found.near))) {
-            if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-                local_30 = rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_30 = rt::Scalar(true);
-            }
-            let _e16 = local_30;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_31 = rt::Scalar(found.status).elementwise_eq(FOUND_ABOVE);
-            } else {
-                local_31 = rt::Scalar(true);
-            }
-            let _e24 = local_31;
-            local_29 = _e24;
-        } else {
-            local_29 = rt::Scalar(false);
-        }
-        let _e26 = local_29;
-        return _e26;
-    }
     pub(crate) fn has_table(&self, levels: Levels) -> bool {
         rt::into(self.v_has_table(levels))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_table(&self, levels: Levels) -> rt::Scalar<bool> {
         return rt::Scalar(levels.fine).elementwise_ge(SEEN_FIRST_LEVEL);
-    }
-    pub(crate) fn height_and_slope(
-        &self,
-        uv_12: impl rt::Into<rt::Vec2<f32>>,
-        level_19: impl rt::Into<rt::Scalar<u32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_12), rt::into(level_19)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_height_and_slope(
-        &self,
-        uv_12: rt::Vec2<f32>,
-        level_19: rt::Scalar<u32>,
-    ) -> rt::Vec3<f32> {
-        let _e2 = self.v_height_size(level_19);
-        let point_6 = ((uv_12 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_6);
-        let f_1 = (point_6 - _e8);
-        let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_19);
-        let top_6 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
-        let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
-        let left_3 = (_e11.x() + ((_e11.z() - _e11.x()) * f_1.y()));
-        let right_1 = (_e11.y() + ((_e11.w() - _e11.y()) * f_1.y()));
-        return <rt::Vec3<f32>>::from_scalars((top_6 + ((bottom_2 - top_6) * f_1.y())), ((right_1 - left_3) * _e2.x()), ((bottom_2 - top_6) * _e2.y()));
-    }
-    pub(crate) fn miss(&self, cost_14: impl rt::Into<rt::Vec3<u32>>) -> Hit {
-        rt::into(self.v_miss(rt::into(cost_14)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_miss(&self, cost_14: rt::Vec3<u32>) -> Hit {
-        return <Hit>::new(rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), cost_14);
-    }
-    pub(crate) fn hit_on_path(
-        &self,
-        path_31: Path,
-        t_20: impl rt::Into<rt::Scalar<f32>>,
-        exhausted: impl rt::Into<rt::Scalar<u32>>,
-        cost_15: impl rt::Into<rt::Vec3<u32>>,
-    ) -> Hit {
-        rt::into(self.v_hit_on_path(path_31, rt::into(t_20), rt::into(exhausted), rt::into(cost_15)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_on_path(
-        &self,
-        path_31: Path,
-        t_20: rt::Scalar<f32>,
-        exhausted: rt::Scalar<u32>,
-        cost_15: rt::Vec3<u32>,
-    ) -> Hit {
-        let mut local_32: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(t_20.elementwise_gt(rt::Scalar(path_31.exit))) {
-            let _e9 = self.v_path_height(path_31, rt::Scalar(path_31.exit));
-            local_32 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
-        } else {
-            local_32 = rt::Scalar(false);
-        }
-        let _e13 = local_32;
-        if rt::Scalar::into_branch_condition(_e13) {
-            let _e14 = self.v_miss(cost_15);
-            return _e14;
-        }
-        let inside_1 = t_20.clamp(rt::Scalar(0f32), rt::Scalar(path_31.exit));
-        let _e19 = self.v_path_uv(path_31, inside_1);
-        let _e20 = self.v_path_height(path_31, inside_1);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_1, cost_15);
-    }
-    pub(crate) fn hit_position(&self, at_21: Entered, hit_9: Hit) -> rt::Vec3<f32> {
-        rt::into(self.v_hit_position(at_21, hit_9))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_hit_position(&self, at_21: Entered, hit_9: Hit) -> rt::Vec3<f32> {
-        let aside_4 = (hit_9.uv - at_21.uv);
-        let _e17 = rt::Scalar(self.surface_settings.bias_m);
-        let _e20 = rt::Scalar(self.surface_settings.scale_m);
-        let _e24 = self.v_height_at(hit_9.uv, rt::Scalar(at_21.path.level));
-        return (((at_21.point + (at_21.tangent * aside_4.x())) + (at_21.bitangent * aside_4.y())) + (at_21.normal * (_e17 + (_e20 * _e24))));
     }
     pub(crate) fn mean_of_five(
         &self,
@@ -4595,39 +5521,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_22: Entered,
+        at_25: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_22, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_25, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_22: Entered,
+        at_25: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_22.tangent.normalize();
-        let along_v_2 = at_22.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_22.normal.dot(v));
+        let along_u_2 = at_25.tangent.normalize();
+        let along_v_2 = at_25.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_25.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_23: Entered,
+        at_26: Entered,
         uv_13: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_23, rt::into(uv_13), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_26, rt::into(uv_13), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_23: Entered,
+        at_26: Entered,
         uv_13: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_23, uv_13);
-            let _e6 = self.v_to_tangent_space(at_23, _e5);
+            let _e5 = self.v_finest_normal(at_26, uv_13);
+            let _e6 = self.v_to_tangent_space(at_26, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -4638,8 +5564,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_23.tangent.normalize().dot(at_23.tangent)) / at_23.tangent.dot(at_23.tangent));
-        let y_1 = ((tile.y() * at_23.bitangent.normalize().dot(at_23.bitangent)) / at_23.bitangent.dot(at_23.bitangent));
+        let x_2 = ((tile.x() * at_26.tangent.normalize().dot(at_26.tangent)) / at_26.tangent.dot(at_26.tangent));
+        let y_1 = ((tile.y() * at_26.bitangent.normalize().dot(at_26.bitangent)) / at_26.bitangent.dot(at_26.bitangent));
         let _e44 = self.v_normal_at(uv_13, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_13, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
@@ -4656,16 +5582,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_24: Entered,
+        at_27: Entered,
         normals: Normals,
         view_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_24, normals, rt::into(view_6)))
+        rt::into(self.v_seen_normals(at_27, normals, rt::into(view_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_24: Entered,
+        at_27: Entered,
         normals: Normals,
         view_6: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -4685,55 +5611,55 @@ impl<'g> Resources<'g> {
         let along_4 = (with_x / rt::Vec3::splat_from_scalar(a_7.max((with_x.length() / most_3))));
         let rest_5 = (with_y - (along_4 * b_5));
         let across_3 = (rest_5 / rt::Vec3::splat_from_scalar(d_1.max((rest_5.length() / most_3))));
-        let _e77 = self.v_to_tangent_space(at_24, view_6);
-        let middle_4 = (_e77.z() - _e77.xy().dot(slope_6));
-        let _e91 = self.v_facing_four(middle_4, (-((_e77.x() * a_7) + (_e77.y() * b_5))), (-(_e77.y() * d_1)));
-        let one = middle_4.max(rt::Scalar(0f32));
+        let _e77 = self.v_to_tangent_space(at_27, view_6);
+        let middle_5 = (_e77.z() - _e77.xy().dot(slope_6));
+        let _e91 = self.v_facing_four(middle_5, (-((_e77.x() * a_7) + (_e77.y() * b_5))), (-(_e77.y() * d_1)));
+        let one = middle_5.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_5 = ((along_4 * ((_e91.x() - _e91.y()) / all)) + (across_3 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_24, (first_7.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
+        let aside_4 = ((along_4 * ((_e91.x() - _e91.y()) / all)) + (across_3 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_27, (first_7.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
         return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_7.xyz(), along_4, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_7, b_5), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_25: Entered) -> f32 {
-        rt::into(self.v_table_part(at_25))
+    pub(crate) fn table_part(&self, at_28: Entered) -> f32 {
+        rt::into(self.v_table_part(at_28))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_table_part(&self, at_25: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_28: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_25.fade) * ((rt::Scalar(at_25.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_28.fade) * ((rt::Scalar(at_28.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_26: Entered,
+        at_29: Entered,
         seen: SeenNormals,
         table: SeenTable,
-        part_2: impl rt::Into<rt::Scalar<f32>>,
+        part_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_26, seen, table, rt::into(part_2)))
+        rt::into(self.v_with_table(at_29, seen, table, rt::into(part_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_with_table(
         &self,
-        at_26: Entered,
+        at_29: Entered,
         seen: SeenNormals,
         table: SeenTable,
-        part_2: rt::Scalar<f32>,
+        part_3: rt::Scalar<f32>,
     ) -> SeenNormals {
         let mut told: SeenNormals;
 
         told = seen;
-        let before_1 = (seen.normal * rt::Scalar(seen.length));
-        let _e9 = self.v_from_tangent_space(at_26, table.mean);
-        let mean_3 = (before_1 + ((_e9 - before_1) * part_2));
+        let before_2 = (seen.normal * rt::Scalar(seen.length));
+        let _e9 = self.v_from_tangent_space(at_29, table.mean);
+        let mean_3 = (before_2 + ((_e9 - before_2) * part_3));
         told.normal = mean_3.normalize();
         rt::Scalar(told.length) = mean_3.length().min(rt::Scalar(1f32));
-        rt::Scalar(told.table_part) = part_2;
+        rt::Scalar(told.table_part) = part_3;
         told.table = table;
         let _e21 = told;
         return _e21;
@@ -4772,18 +5698,18 @@ impl<'g> Resources<'g> {
         &self,
         a_1: SeenTexel,
         b_1: SeenTexel,
-        part_3: impl rt::Into<rt::Scalar<f32>>,
+        part_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_1, b_1, rt::into(part_3)))
+        rt::into(self.v_seen_between(a_1, b_1, rt::into(part_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_between(
         &self,
         a_1: SeenTexel,
         b_1: SeenTexel,
-        part_3: rt::Scalar<f32>,
+        part_4: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_1.first + ((b_1.first - a_1.first) * part_3)), (a_1.second + ((b_1.second - a_1.second) * part_3)));
+        return <SeenTexel>::new((a_1.first + ((b_1.first - a_1.first) * part_4)), (a_1.second + ((b_1.second - a_1.second) * part_4)));
     }
     pub(crate) fn seen_texel(
         &self,
@@ -4834,91 +5760,91 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_27: Entered,
+        at_30: Entered,
         uv_16: impl rt::Into<rt::Vec2<f32>>,
         view_7: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_27, rt::into(uv_16), rt::into(view_7), levels_2))
+        rt::into(self.v_table_of(at_30, rt::into(uv_16), rt::into(view_7), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_27: Entered,
+        at_30: Entered,
         uv_16: rt::Vec2<f32>,
         view_7: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_27, view_7);
+        let _e4 = self.v_climb(at_30, view_7);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
-        let toward_6 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
-        let up = (toward_6.z() / toward_6.length());
+        let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
+        let up = (toward_5.z() / toward_5.length());
         let elevation_3 = ((up * rt::Scalar(4f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(3f32));
-        let _e29 = self.v_turn_of(toward_6.xy());
+        let _e29 = self.v_turn_of(toward_5.xy());
         let azimuth_3 = (_e29 * rt::Scalar(8f32));
         let a0_ = (azimuth_3.floor().cast_elem_as_i32() % rt::Scalar(8i32));
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().cast_elem_as_i32();
-        let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
+        let e1_ = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_4 = (azimuth_3 - azimuth_3.floor());
         let _e48 = self.v_seen_in_levels(uv_16, a0_, e0_, levels_2);
         let _e49 = self.v_seen_in_levels(uv_16, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_4);
-        let _e51 = self.v_seen_in_levels(uv_16, a0_, e1_1, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_16, a1_, e1_1, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_16, a0_, e1_, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_16, a1_, e1_, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_4);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_27.tangent.normalize().dot(at_27.tangent)) / at_27.tangent.dot(at_27.tangent));
-        let y_4 = ((tile_1.y() * at_27.bitangent.normalize().dot(at_27.bitangent)) / at_27.bitangent.dot(at_27.bitangent));
+        let x_5 = ((tile_1.x() * at_30.tangent.normalize().dot(at_30.tangent)) / at_30.tangent.dot(at_30.tangent));
+        let y_4 = ((tile_1.y() * at_30.bitangent.normalize().dot(at_30.bitangent)) / at_30.bitangent.dot(at_30.bitangent));
         let mean_4 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_4.x() * x_5), (mean_4.y() * y_4), mean_4.z());
-        let squared_2 = (mean_4.dot(mean_4) / flatter_1.dot(flatter_1));
+        let squared_3 = (mean_4.dot(mean_4) / flatter_1.dot(flatter_1));
         let upright_2 = ((rt::Scalar(1f32) - _e56.first.w()) - _e56.second.y()).max(rt::Scalar(0f32));
-        return <SeenTable>::new((flatter_1 * squared_2.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_5) * x_5), ((_e56.second.y() * y_4) * y_4), upright_2) * squared_2), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_5) * y_4), (_e56.second.z() * x_5), (_e56.second.w() * y_4)) * squared_2));
+        return <SeenTable>::new((flatter_1 * squared_3.sqrt()), (<rt::Vec3<f32>>::from_scalars(((_e56.first.w() * x_5) * x_5), ((_e56.second.y() * y_4) * y_4), upright_2) * squared_3), (<rt::Vec3<f32>>::from_scalars(((_e56.second.x() * x_5) * y_4), (_e56.second.z() * x_5), (_e56.second.w() * y_4)) * squared_3));
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_28: Entered,
+        at_31: Entered,
         uv_17: impl rt::Into<rt::Vec2<f32>>,
         view_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_28, rt::into(uv_17), rt::into(view_8)))
+        rt::into(self.v_mesostructure_normals(at_31, rt::into(uv_17), rt::into(view_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_28: Entered,
+        at_31: Entered,
         uv_17: rt::Vec2<f32>,
         view_8: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
-        let upright_3 = at_28.normal.dot(view_8);
+        let upright_3 = at_31.normal.dot(view_8);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_2 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_28.fade)));
+        let width_2 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_31.fade)));
         let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_2 = ((rt::Scalar(at_28.footprint) * _e15) * width_2);
+        let texels_2 = ((rt::Scalar(at_31.footprint) * _e15) * width_2);
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_2, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_33 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_36 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_33 = rt::Scalar(false);
+            local_36 = rt::Scalar(false);
         }
-        let _e32 = local_33;
+        let _e32 = local_36;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_28, uv_17);
+            let _e33 = self.v_finest_normal(at_31, uv_17);
             let _e34 = self.v_one_seen(_e33);
             return _e34;
         }
-        let _e36 = self.v_normals_of_level(at_28, uv_17, rt::Scalar(_e21.fine));
+        let _e36 = self.v_normals_of_level(at_31, uv_17, rt::Scalar(_e21.fine));
         first_1 = _e36.first;
         second = _e36.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e47 = self.v_normals_of_level(at_28, uv_17, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+            let _e47 = self.v_normals_of_level(at_31, uv_17, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
             let _e48 = first_1;
             let _e50 = first_1;
             first_1 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
@@ -4928,15 +5854,15 @@ impl<'g> Resources<'g> {
         }
         let _e62 = first_1;
         let _e63 = second;
-        let _e65 = self.v_seen_normals(at_28, <Normals>::new(_e62, _e63), view_8);
-        let _e66 = self.v_table_part(at_28);
+        let _e65 = self.v_seen_normals(at_31, <Normals>::new(_e62, _e63), view_8);
+        let _e66 = self.v_table_part(at_31);
         if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
             let _e72 = rt::Scalar(self.surface_settings.height_levels);
-            let _e73 = self.v_levels_of(rt::Scalar(at_28.footprint), _e72);
+            let _e73 = self.v_levels_of(rt::Scalar(at_31.footprint), _e72);
             let _e74 = self.v_has_table(_e73);
             if rt::Scalar::into_branch_condition(_e74) {
-                let _e75 = self.v_table_of(at_28, uv_17, view_8, _e73);
-                let _e76 = self.v_with_table(at_28, _e65, _e75, _e66);
+                let _e75 = self.v_table_of(at_31, uv_17, view_8, _e73);
+                let _e76 = self.v_with_table(at_31, _e65, _e75, _e66);
                 return _e76;
             }
         }
@@ -4944,843 +5870,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_29: Entered,
-        hit_10: Hit,
+        at_32: Entered,
+        hit_12: Hit,
         light_5: Toward,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_29, hit_10, light_5, rt::into(params_21)))
+        rt::into(self.v_shadow_ray(at_32, hit_12, light_5, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_29: Entered,
-        hit_10: Hit,
+        at_32: Entered,
+        hit_12: Hit,
         light_5: Toward,
-        params_21: rt::Vec4<f32>,
+        params_32: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_29, hit_10, light_5);
+        let _e4 = self.v_free_way(at_32, hit_12, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_30: Entered,
-        hit_11: Hit,
+        at_33: Entered,
+        hit_13: Hit,
         light_6: Toward,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_30, hit_11, light_6, rt::into(params_22)))
+        rt::into(self.v_shadow_none(at_33, hit_13, light_6, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_30: Entered,
-        hit_11: Hit,
+        at_33: Entered,
+        hit_13: Hit,
         light_6: Toward,
-        params_22: rt::Vec4<f32>,
+        params_33: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
-    pub(crate) fn starting_point(&self, path_32: Path, found_1: Found) -> f32 {
-        rt::into(self.v_starting_point(path_32, found_1))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_32: Path, found_1: Found) -> rt::Scalar<f32> {
-        let mut local_34: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_32.base);
-        }
-        if rt::Scalar::into_branch_condition((!rt::Scalar(found_1.status).elementwise_eq(FOUND_BRACKET))) {
-            local_34 = rt::Scalar(found_1.status).elementwise_eq(FOUND_BELOW);
-        } else {
-            local_34 = rt::Scalar(true);
-        }
-        let _e16 = local_34;
-        if rt::Scalar::into_branch_condition(_e16) {
-            return rt::Scalar(found_1.far);
-        }
-        return rt::Scalar(found_1.near);
-    }
-    pub(crate) fn refine_none(
-        &self,
-        path_33: Path,
-        found_2: Found,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_none(path_33, found_2, rt::into(params_23)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_none(
-        &self,
-        path_33: Path,
-        found_2: Found,
-        params_23: rt::Vec4<f32>,
-    ) -> Hit {
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(found_2.cost);
-            return _e7;
-        }
-        let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_33, found_2);
-        let _e16 = self.v_hit_on_path(path_33, _e14, exhausted_1, found_2.cost);
-        return _e16;
-    }
-    pub(crate) fn refine_offset(
-        &self,
-        path_34: Path,
-        found_3: Found,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_offset(path_34, found_3, rt::into(params_24)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset(
-        &self,
-        path_34: Path,
-        found_3: Found,
-        params_24: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_21: rt::Scalar<f32>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_3.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(found_3.cost);
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_34, found_3);
-        let _e9 = self.v_path_uv(path_34, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_34.level));
-        let _e12 = self.v_path_slope(path_34, _e8);
-        t_21 = _e8;
-        if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_34, _e8);
-            t_21 = (_e8 + ((_e11 - _e16) / _e12));
-        }
-        let _e20 = t_21;
-        let _e30 = self.v_hit_on_path(path_34, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED)), (found_3.cost + HEIGHTS_READ));
-        return _e30;
-    }
-    pub(crate) fn refine_offset_limited(
-        &self,
-        path_35: Path,
-        found_4: Found,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_35, found_4, rt::into(params_25)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_offset_limited(
-        &self,
-        path_35: Path,
-        found_4: Found,
-        params_25: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut hit_12: Hit;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(found_4.cost);
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_35, found_4);
-        let _e9 = self.v_path_uv(path_35, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_35.level));
-        let _e12 = self.v_path_height(path_35, _e8);
-        let rise_m = ((_e11 - _e12) * path_35.metric.w());
-        let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_35, (_e8 - rise_m), exhausted_2, (found_4.cost + HEIGHTS_READ));
-        hit_12 = _e27;
-        let _e30 = rt::Scalar(hit_12.found);
-        if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
-            rt::Scalar(hit_12.height) = _e11;
-        }
-        let _e34 = hit_12;
-        return _e34;
-    }
-    pub(crate) fn normal_z(
-        &self,
-        path_36: Path,
-        slope_3: impl rt::Into<rt::Vec2<f32>>,
-    ) -> f32 {
-        rt::into(self.v_normal_z(path_36, rt::into(slope_3)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_normal_z(
-        &self,
-        path_36: Path,
-        slope_3: rt::Vec2<f32>,
-    ) -> rt::Scalar<f32> {
-        let m = path_36.metric;
-        let area_3 = ((m.x() * m.z()) - (m.y() * m.y()));
-        let squared_3 = (((((slope_3.x() * slope_3.x()) * m.z()) - (((rt::Scalar(2f32) * slope_3.x()) * slope_3.y()) * m.y())) + ((slope_3.y() * slope_3.y()) * m.x())) / area_3);
-        return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_3)).sqrt());
-    }
-    pub(crate) fn refine_slope(
-        &self,
-        path_37: Path,
-        found_5: Found,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_slope(path_37, found_5, rt::into(params_26)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope(
-        &self,
-        path_37: Path,
-        found_5: Found,
-        params_26: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_22: rt::Scalar<f32>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(found_5.cost);
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_37, found_5);
-        let _e9 = self.v_path_uv(path_37, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_37.level));
-        let _e13 = self.v_path_height(path_37, _e8);
-        let rise_3 = (_e11.x() - _e13);
-        t_22 = _e8;
-        if rt::Scalar::into_branch_condition(params_26.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_37, _e8);
-            let closing_3 = (_e19 - ((_e11.y() * path_37.duv.x()) + (_e11.z() * path_37.duv.y())));
-            if rt::Scalar::into_branch_condition(closing_3.elementwise_lt(rt::Scalar(0f32))) {
-                t_22 = (_e8 + (rise_3 / closing_3));
-            }
-        } else {
-            let _e40 = self.v_normal_z(path_37, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_22 = (_e8 - ((rise_3 * path_37.metric.w()) * _e40));
-        }
-        let _e43 = t_22;
-        let _e53 = self.v_hit_on_path(path_37, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), (found_5.cost + HEIGHTS_READ));
-        return _e53;
-    }
-    pub(crate) fn refine_slope_iterative(
-        &self,
-        path_38: Path,
-        found_6: Found,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_38, found_6, rt::into(params_27)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_slope_iterative(
-        &self,
-        path_38: Path,
-        found_6: Found,
-        params_27: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_23: rt::Scalar<f32>;
-        let mut cost_16: rt::Vec3<u32>;
-        let mut k_2: rt::Scalar<f32> = rt::Scalar(0f32);
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_6.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(found_6.cost);
-            return _e7;
-        }
-        let _e8 = self.v_starting_point(path_38, found_6);
-        t_23 = _e8;
-        cost_16 = found_6.cost;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e14 = k_2;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_27.x())) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e17 = cost_16;
-                    cost_16 = (_e17 + STEP);
-                    let _e20 = t_23;
-                    let _e21 = self.v_path_uv(path_38, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_38.level));
-                    let _e24 = cost_16;
-                    cost_16 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_23;
-                    let _e29 = self.v_path_height(path_38, _e28);
-                    let rise_4 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_27.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_23;
-                        let _e35 = self.v_path_slope(path_38, _e34);
-                        let closing_4 = (_e35 - ((_e23.y() * path_38.duv.x()) + (_e23.z() * path_38.duv.y())));
-                        if rt::Scalar::into_branch_condition(closing_4.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_23;
-                            t_23 = (_e48 + (rise_4 / closing_4));
-                        }
-                    } else {
-                        let _e51 = t_23;
-                        let _e58 = self.v_normal_z(path_38, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_23 = (_e51 - ((rise_4 * path_38.metric.w()) * _e58));
-                    }
-                    let _e61 = t_23;
-                    t_23 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_38.exit));
-                    let _e65 = k_2;
-                    k_2 = (_e65 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e68 = t_23;
-        let _e75 = cost_16;
-        let _e76 = self.v_hit_on_path(path_38, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_6.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
-        return _e76;
-    }
-    pub(crate) fn refine_binary(
-        &self,
-        path_39: Path,
-        found_7: Found,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_binary(path_39, found_7, rt::into(params_28)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_binary(
-        &self,
-        path_39: Path,
-        found_7: Found,
-        params_28: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut near_6: rt::Scalar<f32>;
-        let mut far_2: rt::Scalar<f32>;
-        let mut cost_17: rt::Vec3<u32>;
-        let mut local_35: rt::Scalar<bool>;
-        let mut crossed: rt::Scalar<bool>;
-        let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
-
-        let _e3 = self.v_has_interval(found_7);
-        if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_39, found_7, params_28);
-            return _e5;
-        }
-        near_6 = rt::Scalar(found_7.near);
-        far_2 = rt::Scalar(found_7.far);
-        cost_17 = found_7.cost;
-        if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
-            let _e18 = far_2;
-            let _e19 = self.v_path_height(path_39, _e18);
-            local_35 = _e19.elementwise_le(rt::Scalar(0.000001f32));
-        } else {
-            local_35 = rt::Scalar(true);
-        }
-        let _e23 = local_35;
-        crossed = _e23;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e27 = k_3;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_28.x())) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e30 = cost_17;
-                    cost_17 = (_e30 + STEP);
-                    let _e33 = near_6;
-                    let _e34 = far_2;
-                    let middle_5 = (rt::Scalar(0.5f32) * (_e33 + _e34));
-                    let _e38 = cost_17;
-                    cost_17 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_39, middle_5);
-                    if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_2 = middle_5;
-                        crossed = rt::Scalar(true);
-                    } else {
-                        near_6 = middle_5;
-                    }
-                    let _e45 = k_3;
-                    k_3 = (_e45 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e48 = crossed;
-        if rt::Scalar::into_branch_condition((!_e48)) {
-            let _e50 = cost_17;
-            let _e51 = self.v_miss(_e50);
-            return _e51;
-        }
-        let _e52 = near_6;
-        let _e53 = far_2;
-        let _e58 = cost_17;
-        let _e59 = self.v_hit_on_path(path_39, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
-        return _e59;
-    }
-    pub(crate) fn refine_secant(
-        &self,
-        path_40: Path,
-        found_8: Found,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_secant(path_40, found_8, rt::into(params_29)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_secant(
-        &self,
-        path_40: Path,
-        found_8: Found,
-        params_29: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut near_7: rt::Scalar<f32>;
-        let mut far_3: rt::Scalar<f32>;
-        let mut near_gap_5: rt::Scalar<f32>;
-        let mut far_gap_1: rt::Scalar<f32>;
-        let mut cost_18: rt::Vec3<u32>;
-        let mut t_24: rt::Scalar<f32>;
-        let mut k_4: rt::Scalar<f32> = rt::Scalar(1f32);
-
-        let _e3 = self.v_has_interval(found_8);
-        if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_40, found_8, params_29);
-            return _e5;
-        }
-        near_7 = rt::Scalar(found_8.near);
-        far_3 = rt::Scalar(found_8.far);
-        near_gap_5 = rt::Scalar(found_8.near_gap);
-        far_gap_1 = rt::Scalar(found_8.far_gap);
-        cost_18 = found_8.cost;
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
-            let _e19 = near_7;
-            let _e20 = self.v_path_gap(path_40, _e19);
-            near_gap_5 = _e20;
-            let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_40, _e21);
-            far_gap_1 = _e22;
-            let _e23 = cost_18;
-            cost_18 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
-            let _e28 = far_gap_1;
-            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
-                let _e31 = cost_18;
-                let _e32 = self.v_miss(_e31);
-                return _e32;
-            }
-        }
-        let _e33 = far_3;
-        t_24 = _e33;
-        'naga_break: loop {
-            'naga_continue: {
-                let _e37 = k_4;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_29.x())) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e40 = cost_18;
-                    cost_18 = (_e40 + STEP);
-                    let _e43 = near_gap_5;
-                    let _e44 = far_gap_1;
-                    let drop = (_e43 - _e44);
-                    if rt::Scalar::into_branch_condition((!drop.elementwise_gt(rt::Scalar(0f32)))) {
-                        break 'naga_break;
-                    }
-                    let _e49 = near_7;
-                    let _e50 = far_3;
-                    let _e51 = near_7;
-                    let _e53 = near_gap_5;
-                    t_24 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_4;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_29.x())) {
-                        let _e60 = t_24;
-                        let _e61 = self.v_path_gap(path_40, _e60);
-                        let _e62 = cost_18;
-                        cost_18 = (_e62 + HEIGHTS_READ);
-                        if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
-                            let _e67 = t_24;
-                            far_3 = _e67;
-                            far_gap_1 = _e61;
-                        } else {
-                            let _e68 = t_24;
-                            near_7 = _e68;
-                            near_gap_5 = _e61;
-                        }
-                    }
-                    let _e69 = k_4;
-                    k_4 = (_e69 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e72 = t_24;
-        let _e74 = cost_18;
-        let _e75 = self.v_hit_on_path(path_40, _e72, rt::Scalar(0u32), _e74);
-        return _e75;
-    }
-    pub(crate) fn refine_true_secant(
-        &self,
-        path_41: Path,
-        found_9: Found,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_41, found_9, rt::into(params_30)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_true_secant(
-        &self,
-        path_41: Path,
-        found_9: Found,
-        params_30: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut before: rt::Scalar<f32>;
-        let mut last: rt::Scalar<f32>;
-        let mut before_gap: rt::Scalar<f32>;
-        let mut last_gap: rt::Scalar<f32>;
-        let mut cost_19: rt::Vec3<u32>;
-        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
-
-        let _e3 = self.v_has_interval(found_9);
-        if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_41, found_9, params_30);
-            return _e5;
-        }
-        before = rt::Scalar(found_9.near);
-        last = rt::Scalar(found_9.far);
-        before_gap = rt::Scalar(found_9.near_gap);
-        last_gap = rt::Scalar(found_9.far_gap);
-        cost_19 = found_9.cost;
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
-            let _e19 = before;
-            let _e20 = self.v_path_gap(path_41, _e19);
-            before_gap = _e20;
-            let _e21 = last;
-            let _e22 = self.v_path_gap(path_41, _e21);
-            last_gap = _e22;
-            let _e23 = cost_19;
-            cost_19 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
-            let _e28 = last_gap;
-            if rt::Scalar::into_branch_condition(_e28.elementwise_gt(rt::Scalar(0f32))) {
-                let _e31 = cost_19;
-                let _e32 = self.v_miss(_e31);
-                return _e32;
-            }
-        }
-        'naga_break: loop {
-            'naga_continue: {
-                let _e35 = k_5;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_30.x())) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e38 = cost_19;
-                    cost_19 = (_e38 + STEP);
-                    let _e41 = before_gap;
-                    let _e42 = last_gap;
-                    let change = (_e41 - _e42);
-                    if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
-                        break 'naga_break;
-                    }
-                    let _e46 = last;
-                    let _e47 = last;
-                    let _e48 = before;
-                    let _e50 = last_gap;
-                    let t_27 = (_e46 + ((_e47 - _e48) * (_e50 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
-                    let _e57 = last;
-                    before = _e57;
-                    let _e58 = last_gap;
-                    before_gap = _e58;
-                    last = t_27;
-                    let _e59 = k_5;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_30.x())) {
-                        let _e62 = self.v_path_gap(path_41, t_27);
-                        last_gap = _e62;
-                        let _e63 = cost_19;
-                        cost_19 = (_e63 + HEIGHTS_READ);
-                    }
-                    let _e66 = k_5;
-                    k_5 = (_e66 + rt::Scalar(1f32));
-                }
-            }
-        }
-        let _e69 = last;
-        let _e71 = cost_19;
-        let _e72 = self.v_hit_on_path(path_41, _e69, rt::Scalar(0u32), _e71);
-        return _e72;
-    }
-    pub(crate) fn refine_patch(
-        &self,
-        path_42: Path,
-        found_10: Found,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_patch(path_42, found_10, rt::into(params_31)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_patch(
-        &self,
-        path_42: Path,
-        found_10: Found,
-        params_31: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut t_25: rt::Scalar<f32>;
-        let mut cell_18: rt::Vec2<f32>;
-        let mut cost_20: rt::Vec3<u32>;
-        let mut local_36: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
-            let _e7 = self.v_miss(found_10.cost);
-            return _e7;
-        }
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_42, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
-            return _e14;
-        }
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_42, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
-            return _e21;
-        }
-        let _e22 = self.v_grid_of(path_42);
-        t_25 = rt::Scalar(found_10.near);
-        let _e27 = t_25;
-        let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_18 = _e30;
-        cost_20 = found_10.cost;
-        let _e35 = cost_20.x();
-        let limit_9 = (_e35 + params_31.x().cast_elem_as_u32());
-        'naga_break: loop {
-            'naga_continue: {
-                let _e40 = cost_20.x();
-                if rt::Scalar::into_branch_condition(_e40.elementwise_lt(limit_9)) {
-                } else {
-                    break 'naga_break;
-                }
-                {
-                    let _e42 = cost_20;
-                    cost_20 = (_e42 + STEP);
-                    let _e45 = cell_18;
-                    let _e46 = self.v_cell_leave(_e22, _e45);
-                    let end_11 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
-                    let _e52 = t_25;
-                    let span_12 = (end_11 - _e52).max(rt::Scalar(0f32));
-                    let _e56 = cell_18;
-                    let _e57 = t_25;
-                    let _e58 = self.v_cell_gap(path_42, _e22, _e56, _e57);
-                    let _e59 = cost_20;
-                    cost_20 = (_e59 + HEIGHTS_READ);
-                    if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_25;
-                        let _e67 = cost_20;
-                        let _e68 = self.v_hit_on_path(path_42, _e65, rt::Scalar(0u32), _e67);
-                        return _e68;
-                    }
-                    let _e69 = self.v_first_root(_e58, span_12);
-                    if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_25;
-                        let _e75 = cost_20;
-                        let _e76 = self.v_hit_on_path(path_42, (_e72 + _e69), rt::Scalar(0u32), _e75);
-                        return _e76;
-                    }
-                    if rt::Scalar::into_branch_condition(end_11.elementwise_ge(rt::Scalar(found_10.far))) {
-                        if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_36 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
-                        } else {
-                            local_36 = rt::Scalar(true);
-                        }
-                        let _e89 = local_36;
-                        if rt::Scalar::into_branch_condition(_e89) {
-                            let _e92 = cost_20;
-                            let _e93 = self.v_hit_on_path(path_42, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
-                            return _e93;
-                        }
-                        let _e94 = cost_20;
-                        let _e95 = self.v_miss(_e94);
-                        return _e95;
-                    }
-                    let _e96 = cell_18;
-                    let _e97 = self.v_cell_next(_e22, _e96, _e46);
-                    cell_18 = _e97;
-                    let _e98 = t_25;
-                    t_25 = _e98.max(end_11);
-                }
-            }
-        }
-        let _e100 = t_25;
-        let _e102 = cost_20;
-        let _e103 = self.v_hit_on_path(path_42, _e100, rt::Scalar(1u32), _e102);
-        return _e103;
-    }
-    pub(crate) fn refine_half_texel(
-        &self,
-        path_43: Path,
-        found_11: Found,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_43, found_11, rt::into(params_32)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_half_texel(
-        &self,
-        path_43: Path,
-        found_11: Found,
-        params_32: rt::Vec4<f32>,
-    ) -> Hit {
-        let mut part_4: rt::Scalar<f32> = rt::Scalar(0.5f32);
-
-        if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_43, found_11, params_32);
-            return _e6;
-        }
-        let _e9 = self.v_height_size(rt::Scalar(path_43.level));
-        let speed_2 = (path_43.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_2 * rt::Scalar(path_43.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_43, found_11, params_32);
-            return _e17;
-        }
-        let half = (rt::Scalar(0.5f32) / speed_2);
-        let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
-        let forward_8 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_43.exit));
-        let _e28 = self.v_path_gap(path_43, backward);
-        let before_2 = _e28.abs();
-        let _e30 = self.v_path_gap(path_43, forward_8);
-        let behind_1 = _e30.abs();
-        if rt::Scalar::into_branch_condition((before_2 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
-            part_4 = (before_2 / (before_2 + behind_1));
-        }
-        let cost_21 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
-        let _e45 = part_4;
-        let _e49 = self.v_hit_on_path(path_43, (backward + ((forward_8 - backward) * _e45)), rt::Scalar(0u32), cost_21);
-        return _e49;
-    }
-    pub(crate) fn refine_stage(&self, path_44: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_44, found_12))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_44: Path, found_12: Found) -> Hit {
-        let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
-        match rt::Scalar::into_inner(_e6) {
-            0u32 => {
-                let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_refine_none(path_44, found_12, _e11);
-                return _e12;
-            }
-            1u32 => {
-                let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_refine_offset(path_44, found_12, _e17);
-                return _e18;
-            }
-            2u32 => {
-                let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_refine_offset_limited(path_44, found_12, _e23);
-                return _e24;
-            }
-            3u32 => {
-                let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_refine_slope(path_44, found_12, _e29);
-                return _e30;
-            }
-            4u32 => {
-                let _e35 = self.surface_settings.choices[3usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_44, found_12, _e35);
-                return _e36;
-            }
-            5u32 => {
-                let _e41 = self.surface_settings.choices[3usize].params;
-                let _e42 = self.v_refine_binary(path_44, found_12, _e41);
-                return _e42;
-            }
-            6u32 => {
-                let _e47 = self.surface_settings.choices[3usize].params;
-                let _e48 = self.v_refine_secant(path_44, found_12, _e47);
-                return _e48;
-            }
-            7u32 => {
-                let _e53 = self.surface_settings.choices[3usize].params;
-                let _e54 = self.v_refine_true_secant(path_44, found_12, _e53);
-                return _e54;
-            }
-            8u32 => {
-                let _e59 = self.surface_settings.choices[3usize].params;
-                let _e60 = self.v_refine_patch(path_44, found_12, _e59);
-                return _e60;
-            }
-            _ => {
-                let _e65 = self.surface_settings.choices[3usize].params;
-                let _e66 = self.v_refine_half_texel(path_44, found_12, _e65);
-                return _e66;
-            }
-        }
-    }
-    pub(crate) fn search_stage(&self, path_45: Path) -> Found {
-        rt::into(self.v_search_stage(path_45))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_45: Path) -> Found {
-        let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
-        match rt::Scalar::into_inner(_e5) {
-            0u32 => {
-                let _e10 = self.surface_settings.choices[2usize].params;
-                let _e11 = self.v_search_none(path_45, _e10);
-                return _e11;
-            }
-            1u32 => {
-                let _e16 = self.surface_settings.choices[2usize].params;
-                let _e17 = self.v_search_linear(path_45, _e16);
-                return _e17;
-            }
-            2u32 => {
-                let _e22 = self.surface_settings.choices[2usize].params;
-                let _e23 = self.v_search_cells(path_45, _e22);
-                return _e23;
-            }
-            3u32 => {
-                let _e28 = self.surface_settings.choices[2usize].params;
-                let _e29 = self.v_search_frustum(path_45, _e28);
-                return _e29;
-            }
-            4u32 => {
-                let _e34 = self.surface_settings.choices[2usize].params;
-                let _e35 = self.v_search_cone(path_45, _e34);
-                return _e35;
-            }
-            5u32 => {
-                let _e40 = self.surface_settings.choices[2usize].params;
-                let _e41 = self.v_search_pyramid(path_45, _e40);
-                return _e41;
-            }
-            6u32 => {
-                let _e46 = self.surface_settings.choices[2usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_45, _e46);
-                return _e47;
-            }
-            7u32 => {
-                let _e52 = self.surface_settings.choices[2usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_45, _e52);
-                return _e53;
-            }
-            8u32 => {
-                let _e58 = self.surface_settings.choices[2usize].params;
-                let _e59 = self.v_search_sphere(path_45, _e58);
-                return _e59;
-            }
-            9u32 => {
-                let _e64 = self.surface_settings.choices[2usize].params;
-                let _e65 = self.v_search_cone_moved(path_45, _e64);
-                return _e65;
-            }
-            10u32 => {
-                let _e70 = self.surface_settings.choices[2usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_45, _e70);
-                return _e71;
-            }
-            _ => {
-                let _e76 = self.surface_settings.choices[2usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_45, _e76);
-                return _e77;
-            }
-        }
-    }
     pub(crate) fn shadow_entry(
         &self,
-        at_31: Entered,
-        hit_13: Hit,
+        at_34: Entered,
+        hit_14: Hit,
         light_7: Toward,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_31, hit_13, light_7, rt::into(params_33)))
+        rt::into(self.v_shadow_entry(at_34, hit_14, light_7, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_31: Entered,
-        hit_13: Hit,
+        at_34: Entered,
+        hit_14: Hit,
         light_7: Toward,
-        params_33: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_31, hit_13, light_7);
+        let _e4 = self.v_from_hit(at_34, hit_14, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -5791,15 +5935,15 @@ impl<'g> Resources<'g> {
         let _e16 = self.v_path_height(_e4, _e11);
         let _e17 = self.v_path_uv(_e4, _e11);
         let _e29 = self.v_base_height();
-        let down_1 = <Path>::new(_e17, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - _e29) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level));
-        let _e38 = self.v_search_stage(down_1);
-        let _e39 = self.v_refine_stage(down_1, _e38);
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e39.found).elementwise_eq(rt::Scalar(0u32))) {
+        let down_1 = <Path>::new(_e17, (<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)) - _e4.duv), <rt::Vec3<f32>>::from_scalars(_e16, (rt::Scalar(0f32) - _e4.h.y()), rt::Scalar(0f32)), _e11, ((_e16 - _e29) / _e4.h.y()), _e4.metric, RAY_VIEW, rt::Scalar(_e4.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        let _e40 = self.v_search_stage(down_1);
+        let _e41 = self.v_refine_stage(down_1, _e40);
+        if rt::Scalar::into_branch_condition(rt::Scalar(_e41.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(1f32);
         }
-        let _e49 = self.v_height_size(rt::Scalar(_e4.level));
-        let apart_1 = ((_e39.uv - _e4.uv).abs() * _e49);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_33.x()));
+        let _e51 = self.v_height_size(rt::Scalar(_e4.level));
+        let apart_1 = ((_e41.uv - _e4.uv).abs() * _e51);
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_34.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -5820,12 +5964,12 @@ impl<'g> Resources<'g> {
         let _e17 = x;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_14: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_14))
+    pub(crate) fn seed_of(&self, hit_15: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_15))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_seed_of(&self, hit_14: Hit) -> rt::Scalar<u32> {
-        let place_9 = ((hit_14.uv - hit_14.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+    fn v_seed_of(&self, hit_15: Hit) -> rt::Scalar<u32> {
+        let place_9 = ((hit_15.uv - hit_15.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
         let _e10 = self.v_mixed(place_9.y());
         let _e12 = self.v_mixed((place_9.x() ^ _e10));
         return _e12;
@@ -5869,69 +6013,69 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_6: impl rt::Into<rt::Scalar<u32>>,
+        k_10: impl rt::Into<rt::Scalar<u32>>,
         count_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_6), rt::into(count_1)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_10), rt::into(count_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_disc(
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_6: rt::Scalar<u32>,
+        k_10: rt::Scalar<u32>,
         count_1: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_6) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_10) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_6.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
+        let ring = ((k_10.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned(((k_6.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned(((k_10.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_10 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
-        let toward_7 = ((light_8.direction + (right_2 * place_10.x())) + (up_1 * place_10.y()));
-        let along_5 = toward_7.length();
-        return <Toward>::new((toward_7 / rt::Vec3::splat_from_scalar(along_5)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_5), rt::Scalar(0f32));
+        let toward_6 = ((light_8.direction + (right_2 * place_10.x())) + (up_1 * place_10.y()));
+        let along_5 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_5)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_5), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_32: Entered,
-        hit_15: Hit,
+        at_35: Entered,
+        hit_16: Hit,
         light_9: Toward,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_32, hit_15, light_9, rt::into(params_34)))
+        rt::into(self.v_shadow_soft(at_35, hit_16, light_9, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_32: Entered,
-        hit_15: Hit,
+        at_35: Entered,
+        hit_16: Hit,
         light_9: Toward,
-        params_34: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_7: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_11: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_3 = params_34.x().cast_elem_as_u32();
-        let _e6 = self.v_seed_of(hit_15);
+        let count_3 = params_35.x().cast_elem_as_u32();
+        let _e6 = self.v_seed_of(hit_16);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_7;
+                let _e11 = k_11;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_3)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_7;
+                    let _e14 = k_11;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_3);
-                    let _e16 = self.v_free_way(at_32, hit_15, _e15);
+                    let _e16 = self.v_free_way(at_35, hit_16, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_7;
-                    k_7 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_11;
+                    k_11 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -5940,49 +6084,49 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_33: Entered,
-        hit_16: Hit,
+        at_36: Entered,
+        hit_17: Hit,
         light_10: Toward,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_33, hit_16, light_10, rt::into(params_35)))
+        rt::into(self.v_shadow_heuristic(at_36, hit_17, light_10, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_33: Entered,
-        hit_16: Hit,
+        at_36: Entered,
+        hit_17: Hit,
         light_10: Toward,
-        params_35: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_33, hit_16, light_10);
+        let _e4 = self.v_from_hit(at_36, hit_17, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_8;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_35.x())) {
+                let _e16 = k_12;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_36.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_8;
-                    let part_7 = (_e19 / params_35.x());
+                    let _e19 = k_12;
+                    let part_7 = (_e19 / params_36.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_7 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_7)));
-                    let _e31 = k_8;
-                    k_8 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_12;
+                    k_12 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_35.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_36.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
@@ -6021,11 +6165,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
         let _e4 = self.v_texels_around(uv_18, _e3);
-        let k_18 = level_23.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_18);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_18);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_18);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_18);
+        let k_22 = level_23.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_22);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_22);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_22);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_22);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -6034,14 +6178,19 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_own_slope(&self, way_1: Path) -> rt::Scalar<f32> {
+        let mut level_24: Path;
+
         let _e1 = self.v_grid_of(way_1);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
         let end_12 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
-        let level_26 = <Path>::new(way_1.uv, way_1.duv, <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32)), end_12, rt::Scalar(0f32), way_1.metric, rt::Scalar(way_1.ray), rt::Scalar(way_1.level));
-        let _e24 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
-        let _e26 = self.v_gap_to(level_26, _e1, _e3, _e24, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e26.y().min((_e26.y() + (_e26.z() * end_12))));
+        level_24 = way_1;
+        level_24.h = <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
+        rt::Scalar(level_24.exit) = end_12;
+        let _e18 = level_24;
+        let _e21 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
+        let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
+        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_12))));
     }
     pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_part_above(rt::into(height_1)))
@@ -6054,42 +6203,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_34: Entered,
-        hit_17: Hit,
+        at_37: Entered,
+        hit_18: Hit,
         light_11: Toward,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_34, hit_17, light_11, rt::into(params_36)))
+        rt::into(self.v_shadow_horizon(at_37, hit_18, light_11, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_34: Entered,
-        hit_17: Hit,
+        at_37: Entered,
+        hit_18: Hit,
         light_11: Toward,
-        params_36: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_34, light_11.direction);
+        let _e5 = self.v_climb(at_37, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
         let along_6 = (_e5.xy() * map_1.tile_m);
         let _e13 = self.v_turn_of(along_6);
-        let azimuth_4 = (_e13 * params_36.x());
+        let azimuth_4 = (_e13 * params_37.x());
         let first_8 = azimuth_4.floor();
-        let count_4 = params_36.x().cast_elem_as_i32();
+        let count_4 = params_37.x().cast_elem_as_i32();
         let before_3 = (first_8.cast_elem_as_i32() % count_4);
         let part_8 = (azimuth_4 - first_8);
-        let _e25 = self.v_shadow_texel_between(hit_17.uv, before_3, rt::Scalar(at_34.path.level));
-        let low_3 = _e25.x();
-        let _e33 = self.v_shadow_texel_between(hit_17.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_34.path.level));
-        let sine = (low_3 + ((_e33.x() - low_3) * part_8));
+        let _e24 = self.v_shadow_texel_between(hit_18.uv, before_3, rt::Scalar(at_37.level));
+        let low_3 = _e24.x();
+        let _e31 = self.v_shadow_texel_between(hit_18.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_37.level));
+        let sine = (low_3 + ((_e31.x() - low_3) * part_8));
         let squared_4 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
         let far_9 = (squared_4 * along_6.dot(along_6)).sqrt();
-        let _e50 = self.v_from_hit(at_34, hit_17, light_11);
-        let _e51 = self.v_own_slope(_e50);
-        let _e54 = rt::Scalar(self.surface_settings.scale_m);
-        let near_8 = (_e51 * _e54);
+        let _e48 = self.v_from_hit(at_37, hit_18, light_11);
+        let _e49 = self.v_own_slope(_e48);
+        let _e52 = rt::Scalar(self.surface_settings.scale_m);
+        let near_8 = (_e49 * _e52);
         let horizon = far_9.max(near_8);
-        let up_2 = at_34.normal.dot(light_11.direction);
+        let up_2 = at_37.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
@@ -6098,49 +6247,49 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!beside.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
-        let _e88 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside * rt::Scalar(light_11.radius))));
-        return _e88;
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside * rt::Scalar(light_11.radius))));
+        return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_35: Entered,
-        hit_18: Hit,
+        at_38: Entered,
+        hit_19: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_35, hit_18, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_38, hit_19, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_35: Entered,
-        hit_18: Hit,
+        at_38: Entered,
+        hit_19: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e10 = self.v_shadow_texel_between(hit_18.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_35.path.level));
-        return (rt::Scalar(1f32) - _e10.z());
+        let _e9 = self.v_shadow_texel_between(hit_19.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_38.level));
+        return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_36: Entered,
-        hit_19: Hit,
+        at_39: Entered,
+        hit_20: Hit,
         light_12: Toward,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_36, hit_19, light_12, rt::into(params_37)))
+        rt::into(self.v_shadow_visibility(at_39, hit_20, light_12, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_36: Entered,
-        hit_19: Hit,
+        at_39: Entered,
+        hit_20: Hit,
         light_12: Toward,
-        params_37: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_36, light_12.direction);
+        let _e5 = self.v_climb(at_39, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -6149,115 +6298,107 @@ impl<'g> Resources<'g> {
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_4 = (_e5.z() * _e21);
         let squared_5 = ((height_4 * height_4) / (along_7.dot(along_7) + (height_4 * height_4)));
-        let azimuths = params_37.x().cast_elem_as_i32();
-        let elevations_1 = params_37.y().cast_elem_as_i32();
+        let azimuths = params_38.x().cast_elem_as_i32();
+        let elevations_1 = params_38.y().cast_elem_as_i32();
         let _e32 = self.v_turn_of(along_7);
-        let azimuth_5 = (_e32 * params_37.x());
-        let elevation_4 = ((squared_5 * params_37.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_37.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_37.z().elementwise_lt(rt::Scalar(2f32))) {
+        let azimuth_5 = (_e32 * params_38.x());
+        let elevation_4 = ((squared_5 * params_38.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_38.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_38.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_8 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_36, hit_19, a_8, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_39, hit_20, a_8, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
         let a1_1 = ((a0_1 + rt::Scalar(1i32)) % azimuths);
         let e0_1 = elevation_4.floor().cast_elem_as_i32();
-        let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
+        let e1_1 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_36, hit_19, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_36, hit_19, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_39, hit_20, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_39, hit_20, a0_1, e1_1, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_36, hit_19, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_39, hit_20, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_36, hit_19, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_39, hit_20, a1_1, e1_1, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_37: Entered, hit_20: Hit, light_13: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_37, hit_20, light_13))
+    pub(crate) fn shadow_stage(&self, at_40: Entered, hit_21: Hit, light_13: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_40, hit_21, light_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_37: Entered, hit_20: Hit, light_13: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_40: Entered, hit_21: Hit, light_13: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_37, hit_20, light_13, _e12);
+                let _e13 = self.v_shadow_ray(at_40, hit_21, light_13, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_37, hit_20, light_13, _e18);
+                let _e19 = self.v_shadow_none(at_40, hit_21, light_13, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_37, hit_20, light_13, _e24);
+                let _e25 = self.v_shadow_entry(at_40, hit_21, light_13, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_37, hit_20, light_13, _e30);
+                let _e31 = self.v_shadow_soft(at_40, hit_21, light_13, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_37, hit_20, light_13, _e36);
+                let _e37 = self.v_shadow_heuristic(at_40, hit_21, light_13, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_37, hit_20, light_13, _e42);
+                let _e43 = self.v_shadow_horizon(at_40, hit_21, light_13, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_37, hit_20, light_13, _e48);
+                let _e49 = self.v_shadow_visibility(at_40, hit_21, light_13, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_12: PixelIn, at_38: Entered, hit_21: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_12, at_38, hit_21))
+    pub(crate) fn mirrored_light(&self, pixel_17: PixelIn, at_41: Entered, hit_22: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_17, at_41, hit_22))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_12: PixelIn, at_38: Entered, hit_21: Hit) -> rt::Scalar<f32> {
-        let mut local_37: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_38.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_37 = rt::Scalar(hit_21.found).elementwise_eq(rt::Scalar(0u32));
-        } else {
-            local_37 = rt::Scalar(true);
-        }
-        let _e13 = local_37;
-        if rt::Scalar::into_branch_condition(_e13) {
+    fn v_mirrored_light(&self, pixel_17: PixelIn, at_41: Entered, hit_22: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_22.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_12.direction.normalize();
-        let up_3 = (down_2 - (at_38.normal * (rt::Scalar(2f32) * down_2.dot(at_38.normal))));
-        let _e31 = self.v_shadow_stage(at_38, hit_21, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
-        return _e31;
+        let down_2 = pixel_17.direction.normalize();
+        let up_3 = (down_2 - (at_41.normal * (rt::Scalar(2f32) * down_2.dot(at_41.normal))));
+        let _e23 = self.v_shadow_stage(at_41, hit_22, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        return _e23;
     }
-    pub(crate) fn pixel_direction(&self, pixel_13: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_13)))
+    pub(crate) fn pixel_direction(&self, pixel_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_direction(&self, pixel_13: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_18: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_13.x())) + (_e14.xyz() * pixel_13.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_18.x())) + (_e14.xyz() * pixel_18.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_14: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_14)))
+    pub(crate) fn pixel_eye(&self, pixel_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_eye(&self, pixel_14: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_19: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_14.x())) + (_e14.xyz() * pixel_14.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_19.x())) + (_e14.xyz() * pixel_19.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -6282,6 +6423,73 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_pixel_direction(point_1);
         return <PixelIn>::new(_e5, _e6, side, a_2, b_2, c_4);
     }
+    pub(crate) fn surface_plane_place(
+        &self,
+        pixel_20: PixelIn,
+        at_42: Entered,
+        path_49: Path,
+        hit_23: Hit,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_plane_place(pixel_20, at_42, path_49, hit_23, rt::into(params_39)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_plane_place(
+        &self,
+        pixel_20: PixelIn,
+        at_42: Entered,
+        path_49: Path,
+        hit_23: Hit,
+        params_39: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut placed: Entered;
+
+        let aside_5 = (hit_23.uv - at_42.uv);
+        let _e10 = rt::Scalar(self.surface_settings.bias_m);
+        let _e13 = rt::Scalar(self.surface_settings.scale_m);
+        let _e16 = self.v_height_at(hit_23.uv, rt::Scalar(at_42.level));
+        let height_5 = (_e10 + (_e13 * _e16));
+        placed = at_42;
+        placed.point = (((at_42.point + (at_42.tangent * aside_5.x())) + (at_42.bitangent * aside_5.y())) + (at_42.normal * height_5));
+        placed.uv = hit_23.uv;
+        let _e35 = placed;
+        return _e35;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_21: PixelIn, at_43: Entered, path_50: Path, hit_24: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_21, at_43, path_50, hit_24))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_21: PixelIn, at_43: Entered, path_50: Path, hit_24: Hit) -> Entered {
+        let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
+        match rt::Scalar::into_inner(_e8) {
+            _ => {
+                let _e13 = self.surface_settings.choices[0usize].params;
+                let _e14 = self.v_surface_plane_place(pixel_21, at_43, path_50, hit_24, _e13);
+                return _e14;
+            }
+        }
+    }
+    pub(crate) fn place_hit(
+        &self,
+        pixel_22: PixelIn,
+        at_44: Entered,
+        segment: impl rt::Into<rt::Scalar<u32>>,
+        hit_25: Hit,
+    ) -> Entered {
+        rt::into(self.v_place_hit(pixel_22, at_44, rt::into(segment), hit_25))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_place_hit(
+        &self,
+        pixel_22: PixelIn,
+        at_44: Entered,
+        segment: rt::Scalar<u32>,
+        hit_25: Hit,
+    ) -> Entered {
+        let _e4 = self.v_segment_of(pixel_22, at_44, segment);
+        let _e5 = self.v_surface_place_stage(pixel_22, at_44, _e4, hit_25);
+        return _e5;
+    }
     pub(crate) fn toward_light(
         &self,
         light_14: Light,
@@ -6296,47 +6504,46 @@ impl<'g> Resources<'g> {
         position: rt::Vec3<f32>,
     ) -> Toward {
         if rt::Scalar::into_branch_condition(light_14.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
-            let toward_8 = (light_14.place.xyz() - position);
-            let squared_6 = toward_8.dot(toward_8);
+            let toward_7 = (light_14.place.xyz() - position);
+            let squared_6 = toward_7.dot(toward_7);
             let distance_1 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_8.normalize(), falloff, distance_1, (light_14.color.w() / distance_1));
+            return <Toward>::new(toward_7.normalize(), falloff, distance_1, (light_14.color.w() / distance_1));
         }
         return <Toward>::new(light_14.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_14.color.w());
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_39: Entered,
-        hit_22: Hit,
+        at_45: Entered,
+        hit_26: Hit,
         number: impl rt::Into<rt::Scalar<u32>>,
-        k_9: impl rt::Into<rt::Scalar<u32>>,
+        k_13: impl rt::Into<rt::Scalar<u32>>,
         count_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_39, hit_22, rt::into(number), rt::into(k_9), rt::into(count_2)))
+        rt::into(self.v_ray_to_light(at_45, hit_26, rt::into(number), rt::into(k_13), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_39: Entered,
-        hit_22: Hit,
+        at_45: Entered,
+        hit_26: Hit,
         number: rt::Scalar<u32>,
-        k_9: rt::Scalar<u32>,
+        k_13: rt::Scalar<u32>,
         count_2: rt::Scalar<u32>,
     ) -> LightRay {
         let mut toward: Toward;
 
         let _e8 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e9 = self.v_hit_position(at_39, hit_22);
-        let _e10 = self.v_toward_light(_e8, _e9);
+        let _e10 = self.v_toward_light(_e8, at_45.point);
         toward = _e10;
         if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
             let _e14 = toward;
-            let _e15 = self.v_seed_of(hit_22);
-            let _e16 = self.v_point_of_disc(_e14, _e15, k_9, count_2);
+            let _e15 = self.v_seed_of(hit_26);
+            let _e16 = self.v_point_of_disc(_e14, _e15, k_13, count_2);
             toward = _e16;
         }
         let _e17 = toward;
-        let _e18 = self.v_light_ray(at_39, hit_22, _e17);
+        let _e18 = self.v_light_ray(at_45, hit_26, _e17);
         return _e18;
     }
     pub(crate) fn table_cosine(
@@ -6364,16 +6571,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_40: Entered,
+        at_46: Entered,
         seen_1: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_40, seen_1, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_46, seen_1, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_40: Entered,
+        at_46: Entered,
         seen_1: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -6382,7 +6589,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_1.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_40, toward_2);
+        let _e10 = self.v_to_tangent_space(at_46, toward_2);
         let middle_6 = seen_1.middle.dot(_e10);
         let _e17 = self.v_facing_four(middle_6, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
         let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_6.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
@@ -6460,9 +6667,9 @@ impl<'g> Resources<'g> {
         view_9: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_3), rt::into(color_7), rt::into(params_38)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_3), rt::into(color_7), rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -6473,7 +6680,7 @@ impl<'g> Resources<'g> {
         view_9: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -6530,161 +6737,125 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        position_1: impl rt::Into<rt::Vec3<f32>>,
-        at_41: Entered,
-        hit_23: Hit,
+        at_47: Entered,
+        hit_27: Hit,
         seen_2: SeenNormals,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(rt::into(position_1), at_41, hit_23, seen_2, rt::into(view_11), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_47, hit_27, seen_2, rt::into(view_11), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        position_1: rt::Vec3<f32>,
-        at_41: Entered,
-        hit_23: Hit,
+        at_47: Entered,
+        hit_27: Hit,
         seen_2: SeenNormals,
         view_11: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_15: rt::Vec3<f32>;
-        let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_14: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let _e9 = self.surface_settings.diffuse;
-        let _e14 = rt::Scalar(self.surface_settings.transmission);
-        let diffuse = ((_e9.xyz() * color_9) * (rt::Scalar(1f32) - _e14));
-        let _e21 = self.v_ambient_stage(at_41, hit_23, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
-        light_15 = _e21;
+        let _e8 = self.surface_settings.diffuse;
+        let _e13 = rt::Scalar(self.surface_settings.transmission);
+        let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
+        let _e20 = self.v_ambient_stage(at_47, hit_27, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
+        light_15 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e25 = k_10;
-                let _e28 = rt::Scalar(self.frame.light_count);
-                if rt::Scalar::into_branch_condition(_e25.elementwise_lt(_e28)) {
+                let _e24 = k_14;
+                let _e27 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e32 = k_10;
-                    let _e34 = self.frame.lights[rt::Scalar::into_array_index(_e32)];
-                    let _e35 = self.v_toward_light(_e34, position_1);
-                    let _e37 = self.v_seen_cosine(at_41, seen_2, _e35.direction);
+                    let _e31 = k_14;
+                    let _e33 = self.frame.lights[rt::Scalar::into_array_index(_e31)];
+                    let _e35 = self.v_toward_light(_e33, at_47.point);
+                    let _e37 = self.v_seen_cosine(at_47, seen_2, _e35.direction);
                     let _e41 = self.v_shade_stage(seen_2.normal, rt::Scalar(seen_2.length), _e37, view_11, _e35.direction, diffuse);
                     let _e42 = light_15;
-                    let _e45 = k_10;
+                    let _e45 = k_14;
                     let _e48 = self.frame.lights[rt::Scalar::into_array_index(_e45)].color;
-                    let _e52 = k_10;
+                    let _e52 = k_14;
                     light_15 = (_e42 + ((_e41 * _e48.xyz()) * (rt::Scalar(_e35.falloff) * visible[rt::Scalar::into_array_index(_e52)].x())));
-                    let _e58 = k_10;
-                    k_10 = (_e58 + rt::Scalar(1u32));
+                    let _e58 = k_14;
+                    k_14 = (_e58 + rt::Scalar(1u32));
                 }
             }
         }
         let _e61 = light_15;
         return _e61;
     }
-    pub(crate) fn shade_hit(&self, pixel_15: PixelIn, at_42: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_15, at_42, hit_24, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_23: PixelIn, at_48: Entered, hit_28: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_23, at_48, hit_28, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_15: PixelIn, at_42: Entered, hit_24: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        let mut local_38: rt::Scalar<bool>;
-
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_42.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_38 = rt::Scalar(hit_24.found).elementwise_eq(rt::Scalar(0u32));
-        } else {
-            local_38 = rt::Scalar(true);
+    fn v_shade_hit(&self, pixel_23: PixelIn, at_48: Entered, hit_28: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_28.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_28.cost.x(), hit_28.cost.y(), hit_28.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e14 = local_38;
-        if rt::Scalar::into_branch_condition(_e14) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
-        }
-        let _e51 = self.v_height_at(hit_24.uv, rt::Scalar(at_42.path.level));
-        let _e52 = self.v_hit_position(at_42, hit_24);
-        let view_12 = (pixel_15.origin - _e52).normalize();
-        let _e57 = self.v_mesostructure_normals(at_42, hit_24.uv, view_12);
-        let _e60 = self.v_color_or_white(hit_24.uv, rt::Scalar(at_42.footprint));
-        let _e61 = self.v_reflected_light(_e52, at_42, hit_24, _e57, view_12, _e60, visible_1);
-        let _e66 = self.frame.forward;
-        let depth = (_e52 - pixel_15.origin).dot(_e66.xyz());
-        let _e71 = self.v_height_size(rt::Scalar(0u32));
-        let _e77 = self.v_cell_of(((hit_24.uv * _e71) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e61, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_24.exhausted), hit_24.uv, _e51, _e52, _e57.normal, depth, rt::Scalar(hit_24.t), _e77.cast_elem_as_i32(), hit_24.cost.x(), hit_24.cost.y(), hit_24.cost.z(), visible_1[0usize].x(), rt::Scalar(at_42.path.level));
+        let _e42 = self.v_height_at(hit_28.uv, rt::Scalar(at_48.level));
+        let view_12 = (pixel_23.origin - at_48.point).normalize();
+        let _e48 = self.v_mesostructure_normals(at_48, hit_28.uv, view_12);
+        let _e51 = self.v_color_or_white(hit_28.uv, rt::Scalar(at_48.footprint));
+        let _e52 = self.v_reflected_light(at_48, hit_28, _e48, view_12, _e51, visible_1);
+        let _e58 = self.frame.forward;
+        let depth_1 = (at_48.point - pixel_23.origin).dot(_e58.xyz());
+        let _e63 = self.v_height_size(rt::Scalar(0u32));
+        let _e69 = self.v_cell_of(((hit_28.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_28.exhausted), hit_28.uv, _e42, at_48.point, _e48.normal, depth_1, rt::Scalar(hit_28.t), _e69.cast_elem_as_i32(), hit_28.cost.x(), hit_28.cost.y(), hit_28.cost.z(), visible_1[0usize].x(), rt::Scalar(at_48.level));
     }
-    pub(crate) fn trace(&self, path_46: Path) -> Hit {
-        rt::into(self.v_trace(path_46))
+    pub(crate) fn visible_lights(&self, at_49: Entered, hit_29: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_49, hit_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_46: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_46);
-        let _e2 = self.v_refine_stage(path_46, _e1);
-        return _e2;
-    }
-    pub(crate) fn visible_lights(&self, at_43: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_43, hit_25))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_43: Entered, hit_25: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_49: Entered, hit_29: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut local_39: rt::Scalar<bool>;
-        let mut k_11: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_15: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition((!rt::Scalar(at_43.valid).elementwise_eq(rt::Scalar(0u32)))) {
-            local_39 = rt::Scalar(hit_25.found).elementwise_eq(rt::Scalar(0u32));
-        } else {
-            local_39 = rt::Scalar(true);
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_29.found).elementwise_eq(rt::Scalar(0u32))) {
+            let _e7 = visible_2;
+            return _e7;
         }
-        let _e14 = local_39;
-        if rt::Scalar::into_branch_condition(_e14) {
-            let _e15 = visible_2;
-            return _e15;
-        }
-        let _e16 = self.v_hit_position(at_43, hit_25);
         'naga_break: loop {
             'naga_continue: {
-                let _e19 = k_11;
-                let _e22 = rt::Scalar(self.frame.light_count);
-                if rt::Scalar::into_branch_condition(_e19.elementwise_lt(_e22)) {
+                let _e10 = k_15;
+                let _e13 = rt::Scalar(self.frame.light_count);
+                if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e26 = k_11;
-                    let _e28 = self.frame.lights[rt::Scalar::into_array_index(_e26)];
-                    let _e29 = self.v_toward_light(_e28, _e16);
-                    let _e30 = self.v_shadow_stage(at_43, hit_25, _e29);
-                    let _e31 = k_11;
-                    visible_2[rt::Scalar::into_array_index(_e31)] = <rt::Vec4<f32>>::from_scalars(_e30, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e37 = k_11;
-                    k_11 = (_e37 + rt::Scalar(1u32));
+                    let _e17 = k_15;
+                    let _e19 = self.frame.lights[rt::Scalar::into_array_index(_e17)];
+                    let _e21 = self.v_toward_light(_e19, at_49.point);
+                    let _e22 = self.v_shadow_stage(at_49, hit_29, _e21);
+                    let _e23 = k_15;
+                    visible_2[rt::Scalar::into_array_index(_e23)] = <rt::Vec4<f32>>::from_scalars(_e22, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+                    let _e29 = k_15;
+                    k_15 = (_e29 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e40 = visible_2;
-        return _e40;
+        let _e32 = visible_2;
+        return _e32;
     }
-    pub(crate) fn shade_pixel(&self, pixel_16: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_16))
+    pub(crate) fn shade_pixel(&self, pixel_24: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_16: PixelIn) -> PixelOut {
-        let mut hit_26: Hit;
-
-        let _e1 = self.v_enter_relief(pixel_16);
-        let _e3 = self.v_miss(NO_COST);
-        hit_26 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(_e1.valid).elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_trace(_e1.path);
-            hit_26 = _e9;
-        }
-        let _e10 = hit_26;
-        let _e11 = hit_26;
-        let _e12 = self.v_visible_lights(_e1, _e11);
-        let _e13 = self.v_shade_hit(pixel_16, _e1, _e10, _e12);
-        return _e13;
+    fn v_shade_pixel(&self, pixel_24: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_24);
+        let _e2 = self.v_first_hit(pixel_24, _e1);
+        let _e5 = self.v_place_hit(pixel_24, _e1, rt::Scalar(_e2.segment), _e2.hit);
+        let _e8 = self.v_visible_lights(_e5, _e2.hit);
+        let _e9 = self.v_shade_hit(pixel_24, _e5, _e2.hit, _e8);
+        return _e9;
     }
 }
 

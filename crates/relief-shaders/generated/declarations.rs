@@ -9,6 +9,8 @@ pub const MODULES: &[Module] = &[
     Module { path: "shared/angle", head: r#"// Angles in turns, a turn being the whole circle, in plain arithmetic: the trigonometric functions of GPUs
 // differ from one to the next.
 "# },
+    Module { path: "shared/base", head: r#"// A pixel's base triangle, as a plane.
+"# },
     Module { path: "shared/cell", head: r#"// Ray against one dual cell, shared by the searches that visit cells and the patch refinement.
 //
 // In a cell the bilinear surface along the path is a quadratic: the gap between path and surface, with s
@@ -161,7 +163,8 @@ pub const MODULES: &[Module] = &[
     Module { path: "search/linear", head: r#"// Linear search: equal steps from the entry to the exit until one is below the surface.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4.3.1. `params.x` is the number of steps for a ray along the
-// normal, `params.y` how many times as many a grazing ray takes.
+// normal, `params.y` how many times as many a grazing ray takes. Of a way through the relief in several
+// segments each takes its share.
 "# },
     Module { path: "search/none", head: r#"// No search: the entry and the exit, with nothing known of what lies between.
 "# },
@@ -333,8 +336,8 @@ pub const MODULES: &[Module] = &[
     Module { path: "roots/resolve", head: r#"// After each sample of some rows: its colour is added to those before. The last one leaves the pixel's colour
 // in the records.
 "# },
-    Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first one traced is shaded once. Where
-// another surface was seen before, the nearer one is kept.
+    Module { path: "roots/shade", head: r#"// The second pass of a picture on the GPU: every pixel that the first one traced is shaded once. That one
+// leaves out what lies behind another surface.
 "# },
     Module { path: "roots/show", head: r#"// The picture for callers that show it: linear colours of the records of some rows, over the background.
 "# },
@@ -809,6 +812,27 @@ fn sine_of(turn: f32) -> f32 {
         text: r#"// The unit vector at an angle.
 fn turned(turn: f32) -> vec2f {
     return vec2f(sine_of(turn + 0.25), sine_of(turn));
+}"#,
+    },
+    Declaration {
+        module: "shared/base",
+        name: "plane_distance",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"// Where on the ray the triangle's plane is. `normal` is the triangle's, of any length.
+fn plane_distance(pixel: PixelIn, normal: vec3f) -> f32 {
+    return dot(normal, pixel.a.position - pixel.origin) / dot(normal, pixel.direction);
+}"#,
+    },
+    Declaration {
+        module: "shared/base",
+        name: "plane_normal",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"// The triangle's normal, of any length.
+fn plane_normal(pixel: PixelIn) -> vec3f {
+    let a = pixel.a.position;
+    return cross(pixel.b.position - a, pixel.c.position - a);
 }"#,
     },
     Declaration {
@@ -1308,7 +1332,7 @@ fn base_height() -> f32 {
         uses: &["Entered", "traced_scale_m"],
         text: r#"// Change of the texture coordinates, and of the normalised height, with a metre in a direction of the world.
 fn climb(at: Entered, direction: vec3f) -> vec3f {
-    let metric = at.path.metric;
+    let metric = at.metric;
     let td = dot(at.tangent, direction);
     let bd = dot(at.bitangent, direction);
     let area = metric.x * metric.z - metric.y * metric.y;
@@ -1426,27 +1450,6 @@ fn environment_in_lobe(direction: vec3f, deviation: f32) -> vec3f {
         text: r#"// The light that falls on a surface with that normal from all around: what a white one reflects of it.
 fn environment_on(normal: vec3f) -> vec3f {
     return environment_of_level(normal, surface_settings.environment_levels - 1u);
-}"#,
-    },
-    Declaration {
-        module: "shared/footprint",
-        name: "plane_distance",
-        sampling: None,
-        uses: &["PixelIn"],
-        text: r#"// Where on the ray the triangle's plane is. `normal` is the triangle's, of any length.
-fn plane_distance(pixel: PixelIn, normal: vec3f) -> f32 {
-    return dot(normal, pixel.a.position - pixel.origin) / dot(normal, pixel.direction);
-}"#,
-    },
-    Declaration {
-        module: "shared/footprint",
-        name: "plane_normal",
-        sampling: None,
-        uses: &["PixelIn"],
-        text: r#"// The triangle's normal, of any length.
-fn plane_normal(pixel: PixelIn) -> vec3f {
-    let a = pixel.a.position;
-    return cross(pixel.b.position - a, pixel.c.position - a);
 }"#,
     },
     Declaration {
@@ -1880,8 +1883,8 @@ fn near_uv(uv: vec2f) -> vec2f {
 fn from_hit(at: Entered, hit: Hit, light: Toward) -> Path {
     let change = climb(at, light.direction);
     let uv = near_uv(hit.uv);
-    let h = vec3f(height_at(uv, at.path.level), change.z, 0.0);
-    return Path(uv, change.xy, h, 0.0, 0.0, at.path.metric, RAY_SHADOW, at.path.level);
+    let h = vec3f(height_at(uv, at.level), change.z, 0.0);
+    return Path(uv, change.xy, h, 0.0, 0.0, at.metric, RAY_SHADOW, at.level, 0.0, 1.0);
 }"#,
     },
     Declaration {
@@ -1932,7 +1935,7 @@ fn light_ray(at: Entered, hit: Hit, light: Toward) -> LightRay {
     let start = path_uv(way, end);
     let gap = end * (c.y + c.z * end);
     let h = vec3f(height_at(start, way.level) + gap + ROUNDING, way.h.y, 0.0);
-    let path = Path(start, way.duv, h, exit - end, 0.0, way.metric, way.ray, way.level);
+    let path = Path(start, way.duv, h, exit - end, 0.0, way.metric, way.ray, way.level, end, 1.0);
     return LightRay(LIGHT_RAY_OPEN, path);
 }"#,
     },
@@ -2148,8 +2151,16 @@ fn finest_normal(at: Entered, uv: vec2f) -> vec3f {
         sampling: None,
         uses: &[],
         text: r#"// What is known of a traced pixel travels in integers: the triangle's number plus 1, negative for a back
-// face; the reads, with this bit set where the search was exhausted; the steps; the bytes.
+// face; the reads, with this bit set where the search was exhausted; the steps, and above so many bits the
+// number of the segment; the bytes.
 const EXHAUSTED_BIT = 1073741824i;"#,
+    },
+    Declaration {
+        module: "shared/numbered",
+        name: "STEPS_BITS",
+        sampling: None,
+        uses: &[],
+        text: r#"const STEPS_BITS = 25u;"#,
     },
     Declaration {
         module: "shared/numbered",
@@ -2161,6 +2172,7 @@ const EXHAUSTED_BIT = 1073741824i;"#,
 struct Traced {
     @location(0) hit: vec4f,
     @location(1) what: vec4i,
+    @builtin(frag_depth) key: f32,
 }"#,
     },
     Declaration {
@@ -2256,7 +2268,18 @@ fn flattened(path: Path, middle: f32, part: f32) -> Path {
     let exit = min(first_root(vec3f(max(h.x, 0.0), h.y, h.z), rest) * BELOW_FLOOR, rest);
     // A limit that is never reached: compilers would cancel what is added to `uv` here against `base` there.
     let base = clamp(path.base - start, 0.0 - NEVER, NEVER);
-    return Path(path_uv(path, start), path.duv, h, exit, base, path.metric, path.ray, path.level);
+    return Path(
+        path_uv(path, start),
+        path.duv,
+        h,
+        exit,
+        base,
+        path.metric,
+        path.ray,
+        path.level,
+        path.start + start,
+        path.share,
+    );
 }"#,
     },
     Declaration {
@@ -2334,22 +2357,34 @@ fn pixel_of(a: Corner, b: Corner, c: Corner, side: f32, point: vec2f) -> PixelIn
         module: "shared/pixel",
         name: "enter_relief",
         sampling: None,
-        uses: &["Entered", "PixelIn", "detail_stage", "flattened", "surface_settings", "surface_stage"],
+        uses: &["Entered", "PixelIn", "detail_stage", "surface_enter_stage"],
         text: r#"// The ray at the base surface, in the detail that it is seen in.
 fn enter_relief(pixel: PixelIn) -> Entered {
-    var at = surface_stage(pixel);
+    var at = surface_enter_stage(pixel);
     let detail = detail_stage(pixel, at);
-    at.path.level = detail.level;
+    at.level = detail.level;
     at.footprint = detail.footprint;
     at.fade = detail.fade;
-    if (detail.fade > 0.0) {
-        at.path = flattened(at.path, surface_settings.mean_height, detail.fade);
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "segment_of",
+        sampling: None,
+        uses: &["Entered", "Path", "PixelIn", "flattened", "surface_segment_stage", "surface_settings"],
+        text: r#"// A segment of the ray's way through the relief, by its number. One that ends where it begins, or before, is
+// none.
+fn segment_of(pixel: PixelIn, at: Entered, k: u32) -> Path {
+    var path = surface_segment_stage(pixel, at, k);
+    if (at.fade > 0.0) {
+        path = flattened(path, surface_settings.mean_height, at.fade);
         // Where the map ends, a ray may come in below the floor of the flatter relief.
-        if (!(at.path.h.x > 0.0)) {
-            at.valid = 0u;
+        if (!(path.h.x > 0.0)) {
+            path.exit = 0.0;
         }
     }
-    return at;
+    return path;
 }"#,
     },
     Declaration {
@@ -2360,6 +2395,52 @@ fn enter_relief(pixel: PixelIn) -> Entered {
         text: r#"// Search and refinement: the part that another tracer may take the place of.
 fn trace(path: Path) -> Hit {
     return refine_stage(path, search_stage(path));
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "first_hit",
+        sampling: None,
+        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "key_of", "miss", "segment_of", "trace"],
+        text: r#"// The first hit of a pixel's ray, segment after segment.
+fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
+    var cost = NO_COST;
+    var k = 0u;
+    while (k < at.segments) {
+        let path = segment_of(pixel, at, k);
+        if (path.exit > 0.0) {
+            var hit = trace(path);
+            cost = cost + hit.cost;
+            if (hit.found == 1u) {
+                hit.cost = cost;
+                return FirstHit(hit, k, key_of(pixel, path, hit));
+            }
+        }
+        k = k + 1u;
+    }
+    return FirstHit(miss(cost), 0u, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "key_of",
+        sampling: None,
+        uses: &["Hit", "Path", "PixelIn", "frame"],
+        text: r#"// What orders the hits of a pixel's ray: the greater, the nearer. It has as many bits for what is far away as
+// for what is near.
+fn key_of(pixel: PixelIn, path: Path, hit: Hit) -> f32 {
+    let depth = (path.start + hit.t) / length(pixel.direction);
+    return frame.near / (frame.near + max(depth, 0.0));
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "place_hit",
+        sampling: None,
+        uses: &["Entered", "Hit", "PixelIn", "segment_of", "surface_place_stage"],
+        text: r#"// A hit on the displaced surface: its place in the world, and the frame there.
+fn place_hit(pixel: PixelIn, at: Entered, segment: u32, hit: Hit) -> Entered {
+    return surface_place_stage(pixel, at, segment_of(pixel, at, segment), hit);
 }"#,
     },
     Declaration {
@@ -2387,7 +2468,6 @@ fn trace(path: Path) -> Hit {
         text: r#"// The light that a hit reflects along `view`, toward the eye, in linear RGB: of the light from all around,
 // and light by light what the shading makes of it, as far as it arrives.
 fn reflected_light(
-    position: vec3f,
     at: Entered,
     hit: Hit,
     seen: SeenNormals,
@@ -2400,7 +2480,7 @@ fn reflected_light(
     var light = ambient_stage(at, hit, seen.normal * seen.length, view, diffuse);
     var k = 0u;
     while (k < frame.light_count) {
-        let toward = toward_light(frame.lights[k], position);
+        let toward = toward_light(frame.lights[k], at.point);
         let cosine = seen_cosine(at, seen, toward.direction);
         let reflected = shade_stage(seen.normal, seen.length, cosine, view, toward.direction, diffuse);
         light = light + reflected * frame.lights[k].color.xyz * (toward.falloff * visible[k].x);
@@ -2411,25 +2491,13 @@ fn reflected_light(
     },
     Declaration {
         module: "shared/pixel",
-        name: "hit_position",
-        sampling: None,
-        uses: &["Entered", "Hit", "height_at", "surface_settings"],
-        text: r#"// A hit in the world: on the surface, whatever the height of the path there.
-fn hit_position(at: Entered, hit: Hit) -> vec3f {
-    let aside = hit.uv - at.uv;
-    return at.point + at.tangent * aside.x + at.bitangent * aside.y
-        + at.normal * (surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.path.level));
-}"#,
-    },
-    Declaration {
-        module: "shared/pixel",
         name: "ray_to_light",
         sampling: None,
-        uses: &["Entered", "Hit", "LightRay", "frame", "hit_position", "light_ray", "point_of_disc", "seed_of", "toward_light"],
-        text: r#"// The ray from a hit to the light of that number: to point `k` of `count` on its disc, or to its centre where
-// `count` is 0.
+        uses: &["Entered", "Hit", "LightRay", "frame", "light_ray", "point_of_disc", "seed_of", "toward_light"],
+        text: r#"// The ray from a placed hit to the light of that number: to point `k` of `count` on its disc, or to its
+// centre where `count` is 0.
 fn ray_to_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> LightRay {
-    var toward = toward_light(frame.lights[number], hit_position(at, hit));
+    var toward = toward_light(frame.lights[number], at.point);
     if (count > 0u) {
         toward = point_of_disc(toward, seed_of(hit), k, count);
     }
@@ -2440,17 +2508,16 @@ fn ray_to_light(at: Entered, hit: Hit, number: u32, k: u32, count: u32) -> Light
         module: "shared/pixel",
         name: "visible_lights",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "frame", "hit_position", "shadow_stage", "toward_light"],
-        text: r#"// The part of each light that arrives at a hit, from 0 to 1, as the first of four numbers.
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "frame", "shadow_stage", "toward_light"],
+        text: r#"// The part of each light that arrives at a placed hit, from 0 to 1, as the first of four numbers.
 fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
     var visible = array<vec4f, MAX_LIGHTS>();
-    if (at.valid == 0u || hit.found == 0u) {
+    if (hit.found == 0u) {
         return visible;
     }
-    let position = hit_position(at, hit);
     var k = 0u;
     while (k < frame.light_count) {
-        let part = shadow_stage(at, hit, toward_light(frame.lights[k], position));
+        let part = shadow_stage(at, hit, toward_light(frame.lights[k], at.point));
         visible[k] = vec4f(part, 0.0, 0.0, 0.0);
         k = k + 1u;
     }
@@ -2462,10 +2529,10 @@ fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
         name: "mirrored_light",
         sampling: None,
         uses: &["Entered", "Hit", "NEVER", "PixelIn", "Toward", "shadow_stage"],
-        text: r#"// The part of a light that arrives at a hit, for a light with a disc of some degrees whose direction is that
+        text: r#"// The part of a light that arrives at a placed hit, for a light with a disc of some degrees whose direction is that
 // of the pixel's ray after a mirror in the base surface: it is above the relief wherever the ray came from.
 fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
-    if (at.valid == 0u || hit.found == 0u) {
+    if (hit.found == 0u) {
         return 0.0;
     }
     let down = normalize(pixel.direction);
@@ -2477,10 +2544,10 @@ fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
         module: "shared/pixel",
         name: "shade_hit",
         sampling: None,
-        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "hit_position", "mesostructure_normals", "reflected_light"],
-        text: r#"// What a pixel shows of a hit, at which these parts of the lights arrive.
+        uses: &["Entered", "Hit", "MAX_LIGHTS", "PixelIn", "PixelOut", "cell_of", "color_or_white", "frame", "height_at", "height_size", "mesostructure_normals", "reflected_light"],
+        text: r#"// What a pixel shows of a placed hit, at which these parts of the lights arrive.
 fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LIGHTS>) -> PixelOut {
-    if (at.valid == 0u || hit.found == 0u) {
+    if (hit.found == 0u) {
         return PixelOut(
             vec4f(0.0, 0.0, 0.0, 0.0),
             0u,
@@ -2499,12 +2566,11 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
             0u,
         );
     }
-    let height = height_at(hit.uv, at.path.level);
-    let position = hit_position(at, hit);
-    let view = normalize(pixel.origin - position);
+    let height = height_at(hit.uv, at.level);
+    let view = normalize(pixel.origin - at.point);
     let seen = mesostructure_normals(at, hit.uv, view);
-    let color = reflected_light(position, at, hit, seen, view, color_or_white(hit.uv, at.footprint), visible);
-    let depth = dot(position - pixel.origin, frame.forward.xyz);
+    let color = reflected_light(at, hit, seen, view, color_or_white(hit.uv, at.footprint), visible);
+    let depth = dot(at.point - pixel.origin, frame.forward.xyz);
     let cell = cell_of(hit.uv * height_size(0u) - vec2f(0.5, 0.5));
     return PixelOut(
         vec4f(color, 1.0),
@@ -2512,7 +2578,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         hit.exhausted,
         hit.uv,
         height,
-        position,
+        at.point,
         seen.normal,
         depth,
         hit.t,
@@ -2521,7 +2587,7 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         hit.cost.y,
         hit.cost.z,
         visible[0].x,
-        at.path.level,
+        at.level,
     );
 }"#,
     },
@@ -2529,14 +2595,12 @@ fn shade_hit(pixel: PixelIn, at: Entered, hit: Hit, visible: array<vec4f, MAX_LI
         module: "shared/pixel",
         name: "shade_pixel",
         sampling: None,
-        uses: &["NO_COST", "PixelIn", "PixelOut", "enter_relief", "miss", "shade_hit", "trace", "visible_lights"],
+        uses: &["PixelIn", "PixelOut", "enter_relief", "first_hit", "place_hit", "shade_hit", "visible_lights"],
         text: r#"fn shade_pixel(pixel: PixelIn) -> PixelOut {
-    let at = enter_relief(pixel);
-    var hit = miss(NO_COST);
-    if (at.valid == 1u) {
-        hit = trace(at.path);
-    }
-    return shade_hit(pixel, at, hit, visible_lights(at, hit));
+    let base = enter_relief(pixel);
+    let first = first_hit(pixel, base);
+    let at = place_hit(pixel, base, first.segment, first.hit);
+    return shade_hit(pixel, at, first.hit, visible_lights(at, first.hit));
 }"#,
     },
     Declaration {
@@ -2591,14 +2655,15 @@ struct Record {
         name: "Probe",
         sampling: None,
         uses: &[],
-        text: r#"// Every stage's result for a ray.
+        text: r#"// Every stage's result for a ray, on the last segment that was traced.
 struct Probe {
-    valid: u32,
+    // Which one that was, counted from 1; 0 where none was.
+    segment: u32,
     entry: vec2f,
     duv: vec2f,
     exit: f32,
     base: f32,
-    slope: f32,
+    h: vec3f,
     status: u32,
     near: f32,
     far: f32,
@@ -2612,6 +2677,8 @@ struct Probe {
     bytes: u32,
     // The part of `mirrored_light` that arrives at the hit.
     lit: f32,
+    // What orders the hit among others of the ray.
+    key: f32,
 }"#,
     },
     Declaration {
@@ -3176,6 +3243,8 @@ struct Frame {
     ambient: vec4f,
     // The part of a pixel's width that a sample stands for.
     sample_width: f32,
+    // The depth in metres before which hits are ordered less finely than beyond it.
+    near: f32,
     // Linear RGB of pixels that show no surface.
     background: vec4f,
     lights: array<Light, MAX_LIGHTS>,
@@ -3374,6 +3443,11 @@ struct Path {
     ray: u32,
     // The level of detail of the maps that are read.
     level: u32,
+    // Metres along the pixel's ray, from its origin, to the entry.
+    start: f32,
+    // The part of the ray's whole way through the relief that this segment is: searches that spread a number
+    // of steps over the whole take as many of them.
+    share: f32,
 }"#,
     },
     Declaration {
@@ -3410,6 +3484,21 @@ struct Hit {
     },
     Declaration {
         module: "shared/types",
+        name: "FirstHit",
+        sampling: None,
+        uses: &["Hit"],
+        text: r#"// What a pixel's ray first meets of a triangle's relief.
+struct FirstHit {
+    hit: Hit,
+    // The segment that it lies on.
+    segment: u32,
+    // Orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at the
+    // eye.
+    key: f32,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
         name: "Corner",
         sampling: None,
         uses: &[],
@@ -3442,18 +3531,20 @@ struct PixelIn {
         module: "shared/types",
         name: "Entered",
         sampling: None,
-        uses: &["Path"],
-        text: r#"// The ray at the base surface, and its path from there.
+        uses: &[],
+        text: r#"// Where a ray is on a surface: at first on its base; on the displaced surface when a hit has been placed.
 struct Entered {
-    // 0 when the ray runs away from the surface and never enters the relief.
-    valid: u32,
-    path: Path,
-    // Base point, in the world and in texture space, and the frame there.
+    // How many segments the way through the relief has; 0 when the ray never enters it.
+    segments: u32,
+    // The point, in the world and in texture space, and the frame there.
     point: vec3f,
     uv: vec2f,
     tangent: vec3f,
     bitangent: vec3f,
     normal: vec3f,
+    // As in `Path`.
+    metric: vec4f,
+    level: u32,
     // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     // the finest level.
     footprint: f32,
@@ -3546,78 +3637,92 @@ struct PixelOut {
     },
     Declaration {
         module: "surface/plane",
-        name: "surface_plane",
+        name: "surface_plane_enter",
         sampling: None,
-        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "base_height", "inside_unit", "surface_settings", "traced_scale_m"],
-        text: r#"fn surface_plane(pixel: PixelIn, params: vec4f) -> Entered {
+        uses: &["Entered", "PixelIn", "plane_distance", "plane_normal", "surface_settings"],
+        text: r#"fn surface_plane_enter(pixel: PixelIn, params: vec4f) -> Entered {
     let a = pixel.a.position;
-    let e1 = pixel.b.position - a;
-    let e2 = pixel.c.position - a;
-    let n = cross(e1, e2);
+    let n = plane_normal(pixel);
     let nn = dot(n, n);
-    let toward = dot(n, pixel.direction);
-    let distance = dot(n, a - pixel.origin) / toward;
-    let point = pixel.origin + pixel.direction * distance;
+    let point = pixel.origin + pixel.direction * plane_distance(pixel, n);
     let from_a = point - a;
-    let wb = dot(cross(from_a, e2), n) / nn;
-    let wc = dot(cross(e1, from_a), n) / nn;
+    let wb = dot(cross(from_a, pixel.c.position - a), n) / nn;
+    let wc = dot(cross(pixel.b.position - a, from_a), n) / nn;
     let wa = 1.0 - wb - wc;
 
     let uv = pixel.a.uv * wa + pixel.b.uv * wb + pixel.c.uv * wc;
     let tangent = pixel.a.tangent * wa + pixel.b.tangent * wb + pixel.c.tangent * wc;
     let bitangent = pixel.a.bitangent * wa + pixel.b.bitangent * wb + pixel.c.bitangent * wc;
     let normal = normalize(pixel.a.normal * wa + pixel.b.normal * wb + pixel.c.normal * wc) * pixel.side;
-
-    // Equation 7 with the ray's unit direction: texture coordinates and height per metre.
-    let along = length(pixel.direction);
-    let direction = pixel.direction / along;
     let tt = dot(tangent, tangent);
     let tb = dot(tangent, bitangent);
     let bb = dot(bitangent, bitangent);
-    let td = dot(tangent, direction);
-    let bd = dot(bitangent, direction);
     let area = tt * bb - tb * tb;
-    let descent = 0.0 - dot(normal, direction);
-    var valid = 1u;
-    if (!(descent > 0.0) || !(area > 0.0)) {
-        valid = 0u;
-    }
-    let duv = vec2f(td * bb - bd * tb, bd * tt - td * tb) / area;
+    let metric = vec4f(tt, tb, bb, surface_settings.scale_m);
+    let segments = select(0u, 1u, area > 0.0 && dot(normal, pixel.direction) < 0.0);
+    return Entered(segments, point, uv, tangent, bitangent, normal, metric, 0u, 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "surface_plane_segment",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "base_height", "climb", "inside_unit", "plane_distance", "plane_normal", "surface_settings", "traced_scale_m"],
+        text: r#"fn surface_plane_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    // Equation 7 with the ray's unit direction: texture coordinates and height per metre.
+    let along = length(pixel.direction);
+    let direction = pixel.direction / along;
+    let duv = climb(at, direction).xy;
+    let descent = 0.0 - dot(at.normal, direction);
     let scale = traced_scale_m();
     let base_height = base_height();
     let slope = (0.0 - descent) / scale;
 
     // Metres along the ray, counted from the base: entry at height 1 but not behind the eye, exit at
     // height 0.
-    let eye = (0.0 - distance) * along;
+    let distance = plane_distance(pixel, plane_normal(pixel)) * along;
+    let eye = 0.0 - distance;
     let top = (base_height - 1.0) * scale / descent;
     var enter = max(top, eye);
     var leave = base_height * scale / descent;
     leave = leave + (leave - top) * (BELOW_FLOOR - 1.0);
     if (surface_settings.wrap == WRAP_CLAMP) {
-        var interval = inside_unit(uv.x, duv.x, vec2f(enter, leave));
-        interval = inside_unit(uv.y, duv.y, interval);
+        var interval = inside_unit(at.uv.x, duv.x, vec2f(enter, leave));
+        interval = inside_unit(at.uv.y, duv.y, interval);
         enter = interval.x;
         leave = interval.y;
-    }
-    if (!(leave > enter)) {
-        valid = 0u;
     }
     let entry_height = select(base_height + slope * enter, 1.0, enter == top);
     // Limits that it never reaches: where compilers may reorder arithmetic they would cancel `uv + duv enter`
     // against `duv base`, and methods that begin at the base would differ from machine to machine.
     let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
-    let path = Path(
-        uv + duv * enter,
+    return Path(
+        at.uv + duv * enter,
         duv,
         vec3f(entry_height, slope, 0.0),
         leave - enter,
         base,
-        vec4f(tt, tb, bb, surface_settings.scale_m),
+        at.metric,
         RAY_VIEW,
-        0u,
+        at.level,
+        distance + enter,
+        1.0,
     );
-    return Entered(valid, path, point, uv, tangent, bitangent, normal, 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "surface/plane",
+        name: "surface_plane_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "height_at", "surface_settings"],
+        text: r#"// On the surface, whatever the height of the path there, in the frame of the base point.
+fn surface_plane_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    let aside = hit.uv - at.uv;
+    let height = surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.level);
+    var placed = at;
+    placed.point = at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * height;
+    placed.uv = hit.uv;
+    return placed;
 }"#,
     },
     Declaration {
@@ -4007,7 +4112,7 @@ fn stays_above(above: vec3f, slope: f32, left: f32, speed: f32, lost: f32, span:
         text: r#"fn search_linear(path: Path, params: vec4f) -> Found {
     // Cosine between ray and normal: the descent of a metre of the ray.
     let cosine = clamp(abs(path.h.y) * path.metric.w, 0.0, 1.0);
-    let steps = max(1.0, ceil(params.x * mix(params.y, 1.0, cosine)));
+    let steps = max(1.0, ceil(params.x * mix(params.y, 1.0, cosine) * path.share));
     var near = 0.0;
     var near_gap = path_gap(path, 0.0);
     var cost = HEIGHTS_READ;
@@ -4848,6 +4953,8 @@ const LOBE = 8.0;"#,
         up.metric,
         RAY_VIEW,
         up.level,
+        0.0,
+        1.0,
     );
     let end = refine_stage(down, search_stage(down));
     if (end.found == 0u) {
@@ -4899,7 +5006,9 @@ fn own_slope(way: Path) -> f32 {
     let cell = cell_of(grid.origin);
     let leave = cell_leave(grid, cell);
     let end = max(min(leave.x, leave.y), 0.0);
-    let level = Path(way.uv, way.duv, vec3f(way.h.x, 0.0, 0.0), end, 0.0, way.metric, way.ray, way.level);
+    var level = way;
+    level.h = vec3f(way.h.x, 0.0, 0.0);
+    level.exit = end;
     let c = gap_to(level, grid, cell, height_cell(vec2i(cell), way.level), 0.0);
     return 0.0 - min(c.y, c.y + c.z * end);
 }"#,
@@ -4920,8 +5029,8 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
     let count = i32(params.x);
     let before = i32(first) % count;
     let part = azimuth - first;
-    let low = shadow_texel_between(hit.uv, before, at.path.level).x;
-    let sine = low + (shadow_texel_between(hit.uv, (before + 1) % count, at.path.level).x - low) * part;
+    let low = shadow_texel_between(hit.uv, before, at.level).x;
+    let sine = low + (shadow_texel_between(hit.uv, (before + 1) % count, at.level).x - low) * part;
     // In metres, both for a metre of the light's ray: how far the horizon rises, and how far the ray.
     let squared = sine * sine / max((1.0 - sine) * (1.0 + sine), LEAST_SQUARED_COSINE);
     let far = sqrt(squared * dot(along, along));
@@ -4982,7 +5091,7 @@ fn shadow_horizon(at: Entered, hit: Hit, light: Toward, params: vec4f) -> f32 {
         uses: &["Entered", "Hit", "shadow_texel_between"],
         text: r#"// The part of the texels around a hit that see nothing in a direction.
 fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i32) -> f32 {
-    return 1.0 - shadow_texel_between(hit.uv, azimuth * elevations + elevation, at.path.level).z;
+    return 1.0 - shadow_texel_between(hit.uv, azimuth * elevations + elevation, at.level).z;
 }"#,
     },
     Declaration {
@@ -5036,7 +5145,7 @@ fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i3
     color: vec3f,
     params: vec4f,
 ) -> vec3f {
-    let sky = from_tangent_space(at, ambient_texel_between(hit.uv, at.path.level).xyz);
+    let sky = from_tangent_space(at, ambient_texel_between(hit.uv, at.level).xyz);
     return frame.ambient.xyz * color * max(dot(normal, sky), 0.0);
 }"#,
     },
@@ -5053,7 +5162,7 @@ fn open_part(at: Entered, hit: Hit, azimuth: i32, elevation: i32, elevations: i3
     color: vec3f,
     params: vec4f,
 ) -> vec3f {
-    return frame.ambient.xyz * color * ambient_texel_between(hit.uv, at.path.level).x;
+    return frame.ambient.xyz * color * ambient_texel_between(hit.uv, at.level).x;
 }"#,
     },
     Declaration {
@@ -5133,47 +5242,57 @@ const LEAST = 0.000001;"#,
     color: vec3f,
     params: vec4f,
 ) -> vec3f {
-    return frame.ambient.xyz * color * ambient_texel_between(hit.uv, at.path.level).x;
+    return frame.ambient.xyz * color * ambient_texel_between(hit.uv, at.level).x;
 }"#,
     },
     Declaration {
         module: "roots/probe",
         name: "probe_main",
         sampling: None,
-        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "enter_relief", "mirrored_light", "pixels", "probes", "refine_stage", "search_stage"],
+        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "enter_relief", "key_of", "mirrored_light", "pixels", "place_hit", "probes", "refine_stage", "search_stage", "segment_of"],
         text: r#"@compute @workgroup_size(PROBE_GROUP)
 fn probe_main(@builtin(global_invocation_id) id: vec3u) {
     let index = id.y * PROBE_ROW + id.x;
     if (index >= arrayLength(&pixels)) {
         return;
     }
-    let at = enter_relief(pixels[index]);
-    if (at.valid == 0u) {
-        return;
+    let pixel = pixels[index];
+    let at = enter_relief(pixel);
+    // As `first_hit`, with what it does not tell.
+    var k = 0u;
+    while (k < at.segments) {
+        let path = segment_of(pixel, at, k);
+        k = k + 1u;
+        if (!(path.exit > 0.0)) {
+            continue;
+        }
+        let found = search_stage(path);
+        let hit = refine_stage(path, found);
+        probes[index] = Probe(
+            k,
+            path.uv,
+            path.duv,
+            path.exit,
+            path.base,
+            path.h,
+            found.status,
+            found.near,
+            found.far,
+            hit.found,
+            hit.exhausted,
+            hit.uv,
+            hit.height,
+            hit.t,
+            hit.cost.x,
+            hit.cost.y,
+            hit.cost.z,
+            mirrored_light(pixel, place_hit(pixel, at, k - 1u, hit), hit),
+            key_of(pixel, path, hit),
+        );
+        if (hit.found == 1u) {
+            return;
+        }
     }
-    let path = at.path;
-    let found = search_stage(path);
-    let hit = refine_stage(path, found);
-    probes[index] = Probe(
-        at.valid,
-        path.uv,
-        path.duv,
-        path.exit,
-        path.base,
-        path.h.y,
-        found.status,
-        found.near,
-        found.far,
-        hit.found,
-        hit.exhausted,
-        hit.uv,
-        hit.height,
-        hit.t,
-        hit.cost.x,
-        hit.cost.y,
-        hit.cost.z,
-        mirrored_light(pixels[index], at, hit),
-    );
 }"#,
     },
     Declaration {
@@ -5290,7 +5409,7 @@ fn resolve_main(@builtin(global_invocation_id) id: vec3u) {
         module: "roots/shade",
         name: "shade_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "enter_relief", "numbered_pixel", "pass_settings", "records", "shade_hit", "traced_hit", "traced_what", "visible_lights"],
+        uses: &["EXHAUSTED_BIT", "Hit", "Record", "SHADE_GROUP", "STEPS_BITS", "enter_relief", "numbered_pixel", "pass_settings", "place_hit", "records", "shade_hit", "traced_hit", "traced_what", "visible_lights"],
         text: r#"@compute @workgroup_size(SHADE_GROUP, SHADE_GROUP)
 fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let size = textureDimensions(traced_what);
@@ -5304,18 +5423,16 @@ fn shade_main(@builtin(global_invocation_id) id: vec3u) {
     let traced = textureLoad(traced_hit, vec2i(id.xy), 0);
     let exhausted = select(0u, 1u, what.y >= EXHAUSTED_BIT);
     let reads = u32(select(what.y, what.y - EXHAUSTED_BIT, exhausted == 1u));
-    let cost = vec3u(reads, u32(what.z), u32(what.w));
+    let segment = u32(what.z) >> STEPS_BITS;
+    let cost = vec3u(reads, u32(what.z) - (segment << STEPS_BITS), u32(what.w));
     let hit = Hit(1u, exhausted, traced.xy, traced.z, traced.w, cost);
     let side = select(-1.0, 1.0, what.x > 0);
     let row = pass_settings.first_row + id.y;
     let point = vec2f(vec2u(id.x, row)) + vec2f(0.5, 0.5) + pass_settings.offset;
     let pixel = numbered_pixel(u32(abs(what.x)) - 1u, side, point);
-    let at = enter_relief(pixel);
+    let at = place_hit(pixel, enter_relief(pixel), segment, hit);
     let out = shade_hit(pixel, at, hit, visible_lights(at, hit));
     let place = id.y * size.x + id.x;
-    if (records[place].hit != 0u && records[place].depth <= out.depth) {
-        return;
-    }
     records[place] = Record(
         out.color,
         out.position,
@@ -5389,25 +5506,22 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
         module: "roots/trace",
         name: "fragment_main",
         sampling: None,
-        uses: &["EXHAUSTED_BIT", "NO_COST", "Traced", "Varying", "enter_relief", "miss", "numbered_pixel", "pass_settings", "trace"],
+        uses: &["EXHAUSTED_BIT", "STEPS_BITS", "Traced", "Varying", "enter_relief", "first_hit", "numbered_pixel", "pass_settings"],
         text: r#"@fragment
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let side = select(-1.0, 1.0, front);
     let point = in.position.xy + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
-    let at = enter_relief(numbered_pixel(in.triangle, side, point));
-    // A discarded invocation may run on as a helper of its neighbours, and with a path that leads nowhere it
-    // would run to the end of its step limit: nothing is traced without a path.
-    var hit = miss(NO_COST);
-    if (at.valid == 1u) {
-        hit = trace(at.path);
-    }
+    let pixel = numbered_pixel(in.triangle, side, point);
+    let first = first_hit(pixel, enter_relief(pixel));
+    let hit = first.hit;
     if (hit.found == 0u) {
         discard;
     }
     let number = i32(in.triangle) + 1;
     let reads = i32(hit.cost.x) + select(0, EXHAUSTED_BIT, hit.exhausted == 1u);
-    let what = vec4i(select(-number, number, front), reads, i32(hit.cost.y), i32(hit.cost.z));
-    return Traced(vec4f(hit.uv, hit.height, hit.t), what);
+    let steps = i32(hit.cost.y + (first.segment << STEPS_BITS));
+    let what = vec4i(select(-number, number, front), reads, steps, i32(hit.cost.z));
+    return Traced(vec4f(hit.uv, hit.height, hit.t), what, first.key);
 }"#,
     },
 ];

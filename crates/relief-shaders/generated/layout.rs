@@ -34,6 +34,7 @@ impl Shared for Frame {
         self.down.write(&mut bytes[160..]);
         self.ambient.write(&mut bytes[176..]);
         self.sample_width.write(&mut bytes[192..]);
+        self.near.write(&mut bytes[196..]);
         self.background.write(&mut bytes[208..]);
         self.lights.write(&mut bytes[224..]);
         self.light_count.write(&mut bytes[480..]);
@@ -51,6 +52,7 @@ impl Shared for Frame {
             down: Shared::read(&bytes[160..]),
             ambient: Shared::read(&bytes[176..]),
             sample_width: Shared::read(&bytes[192..]),
+            near: Shared::read(&bytes[196..]),
             background: Shared::read(&bytes[208..]),
             lights: Shared::read(&bytes[224..]),
             light_count: Shared::read(&bytes[480..]),
@@ -336,14 +338,15 @@ impl Shared for PixelIn {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-/// Every stage's result for a ray.
+/// Every stage's result for a ray, on the last segment that was traced.
 pub struct Probe {
-    pub valid: u32,
+    /// Which one that was, counted from 1; 0 where none was.
+    pub segment: u32,
     pub entry: rt::Vec2<f32>,
     pub duv: rt::Vec2<f32>,
     pub exit: f32,
     pub base: f32,
-    pub slope: f32,
+    pub h: rt::Vec3<f32>,
     pub status: u32,
     pub near: f32,
     pub far: f32,
@@ -357,52 +360,56 @@ pub struct Probe {
     pub bytes: u32,
     /// The part of `mirrored_light` that arrives at the hit.
     pub lit: f32,
+    /// What orders the hit among others of the ray.
+    pub key: f32,
 }
 
 impl Shared for Probe {
-    const SIZE: usize = 88;
+    const SIZE: usize = 112;
 
     fn write(&self, bytes: &mut [u8]) {
-        self.valid.write(&mut bytes[0..]);
+        self.segment.write(&mut bytes[0..]);
         self.entry.write(&mut bytes[8..]);
         self.duv.write(&mut bytes[16..]);
         self.exit.write(&mut bytes[24..]);
         self.base.write(&mut bytes[28..]);
-        self.slope.write(&mut bytes[32..]);
-        self.status.write(&mut bytes[36..]);
-        self.near.write(&mut bytes[40..]);
-        self.far.write(&mut bytes[44..]);
-        self.found.write(&mut bytes[48..]);
-        self.exhausted.write(&mut bytes[52..]);
-        self.uv.write(&mut bytes[56..]);
-        self.height.write(&mut bytes[64..]);
-        self.t.write(&mut bytes[68..]);
-        self.reads.write(&mut bytes[72..]);
-        self.steps.write(&mut bytes[76..]);
-        self.bytes.write(&mut bytes[80..]);
-        self.lit.write(&mut bytes[84..]);
+        self.h.write(&mut bytes[32..]);
+        self.status.write(&mut bytes[44..]);
+        self.near.write(&mut bytes[48..]);
+        self.far.write(&mut bytes[52..]);
+        self.found.write(&mut bytes[56..]);
+        self.exhausted.write(&mut bytes[60..]);
+        self.uv.write(&mut bytes[64..]);
+        self.height.write(&mut bytes[72..]);
+        self.t.write(&mut bytes[76..]);
+        self.reads.write(&mut bytes[80..]);
+        self.steps.write(&mut bytes[84..]);
+        self.bytes.write(&mut bytes[88..]);
+        self.lit.write(&mut bytes[92..]);
+        self.key.write(&mut bytes[96..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
-            valid: Shared::read(&bytes[0..]),
+            segment: Shared::read(&bytes[0..]),
             entry: Shared::read(&bytes[8..]),
             duv: Shared::read(&bytes[16..]),
             exit: Shared::read(&bytes[24..]),
             base: Shared::read(&bytes[28..]),
-            slope: Shared::read(&bytes[32..]),
-            status: Shared::read(&bytes[36..]),
-            near: Shared::read(&bytes[40..]),
-            far: Shared::read(&bytes[44..]),
-            found: Shared::read(&bytes[48..]),
-            exhausted: Shared::read(&bytes[52..]),
-            uv: Shared::read(&bytes[56..]),
-            height: Shared::read(&bytes[64..]),
-            t: Shared::read(&bytes[68..]),
-            reads: Shared::read(&bytes[72..]),
-            steps: Shared::read(&bytes[76..]),
-            bytes: Shared::read(&bytes[80..]),
-            lit: Shared::read(&bytes[84..]),
+            h: Shared::read(&bytes[32..]),
+            status: Shared::read(&bytes[44..]),
+            near: Shared::read(&bytes[48..]),
+            far: Shared::read(&bytes[52..]),
+            found: Shared::read(&bytes[56..]),
+            exhausted: Shared::read(&bytes[60..]),
+            uv: Shared::read(&bytes[64..]),
+            height: Shared::read(&bytes[72..]),
+            t: Shared::read(&bytes[76..]),
+            reads: Shared::read(&bytes[80..]),
+            steps: Shared::read(&bytes[84..]),
+            bytes: Shared::read(&bytes[88..]),
+            lit: Shared::read(&bytes[92..]),
+            key: Shared::read(&bytes[96..]),
         }
     }
 }

@@ -9,8 +9,9 @@ use crate::{ambient, detail, refine, search, shade, shadow, surface};
 /// A stage: a list of variants that do the same task, each in a way of its own.
 ///
 /// A variant is a pair of files in the stage's folder: the shader, and the registry entry beside it. The
-/// shader's function is called by the folder and the variant's name, as in `search_linear`. It takes the
-/// stage's inputs, and after them the variant's parameters, a `vec4f`.
+/// shader's function is called by the folder and the variant's name, as in `search_linear`; where a stage has
+/// several functions, each by its own name after that, as in `surface_plane_enter`. It takes the stage's
+/// inputs, and after them the variant's parameters, a `vec4f`.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
     /// The key in settings and scenes, as in `search.steps`.
@@ -23,15 +24,29 @@ pub struct Stage {
     pub plural: &'static str,
     /// The variants; the place of each is its number in the shaders.
     pub entries: &'static [Entry],
-    /// The inputs of its functions: names and types, as WGSL writes them.
-    pub inputs: &'static [(&'static str, &'static str)],
-    /// What its functions return.
-    pub returns: &'static str,
+    /// The functions that each variant has.
+    pub calls: &'static [Call],
     /// Where its variants read baked maps, if they may read any.
     pub slot: Option<MapSlot>,
     /// The rays that it is given when a picture is rendered. A variant for which these are impossible is
     /// refused.
     pub rays: &'static [RayClass],
+}
+
+/// A function that each variant of a stage has.
+#[derive(Clone, Copy, Debug)]
+pub struct Call {
+    /// What its name ends with, after the variant's; empty for a stage's only one.
+    pub name: &'static str,
+    /// Its inputs: names and types, as WGSL writes them.
+    pub inputs: &'static [(&'static str, &'static str)],
+    /// What it returns.
+    pub returns: &'static str,
+}
+
+/// The only function of a variant.
+const fn only(inputs: &'static [(&'static str, &'static str)], returns: &'static str) -> Call {
+    Call { name: "", inputs, returns }
 }
 
 /// All stages, in the order in which a pixel goes through them.
@@ -42,8 +57,19 @@ pub const STAGES: [Stage; 8] = [
         title: "surface",
         plural: "surfaces",
         entries: surface::ENTRIES,
-        inputs: &[("pixel", "PixelIn")],
-        returns: "Entered",
+        calls: &[
+            Call { name: "enter", inputs: &[("pixel", "PixelIn")], returns: "Entered" },
+            Call {
+                name: "segment",
+                inputs: &[("pixel", "PixelIn"), ("at", "Entered"), ("k", "u32")],
+                returns: "Path",
+            },
+            Call {
+                name: "place",
+                inputs: &[("pixel", "PixelIn"), ("at", "Entered"), ("path", "Path"), ("hit", "Hit")],
+                returns: "Entered",
+            },
+        ],
         slot: None,
         rays: &[RayClass::View],
     },
@@ -53,8 +79,7 @@ pub const STAGES: [Stage; 8] = [
         title: "detail",
         plural: "levels of detail",
         entries: detail::ENTRIES,
-        inputs: &[("pixel", "PixelIn"), ("at", "Entered")],
-        returns: "Detail",
+        calls: &[only(&[("pixel", "PixelIn"), ("at", "Entered")], "Detail")],
         slot: Some(MapSlot::Detail),
         rays: &[],
     },
@@ -64,8 +89,7 @@ pub const STAGES: [Stage; 8] = [
         title: "search",
         plural: "searches",
         entries: search::ENTRIES,
-        inputs: &[("path", "Path")],
-        returns: "Found",
+        calls: &[only(&[("path", "Path")], "Found")],
         slot: Some(MapSlot::Search),
         rays: &[RayClass::View],
     },
@@ -75,8 +99,7 @@ pub const STAGES: [Stage; 8] = [
         title: "refinement",
         plural: "refinements",
         entries: refine::ENTRIES,
-        inputs: &[("path", "Path"), ("found", "Found")],
-        returns: "Hit",
+        calls: &[only(&[("path", "Path"), ("found", "Found")], "Hit")],
         slot: None,
         rays: &[RayClass::View],
     },
@@ -86,15 +109,17 @@ pub const STAGES: [Stage; 8] = [
         title: "shading",
         plural: "shadings",
         entries: shade::ENTRIES,
-        inputs: &[
-            ("normal", "vec3f"),
-            ("mean", "f32"),
-            ("cosine", "f32"),
-            ("view", "vec3f"),
-            ("toward", "vec3f"),
-            ("color", "vec3f"),
-        ],
-        returns: "vec3f",
+        calls: &[only(
+            &[
+                ("normal", "vec3f"),
+                ("mean", "f32"),
+                ("cosine", "f32"),
+                ("view", "vec3f"),
+                ("toward", "vec3f"),
+                ("color", "vec3f"),
+            ],
+            "vec3f",
+        )],
         slot: None,
         rays: &[],
     },
@@ -104,8 +129,7 @@ pub const STAGES: [Stage; 8] = [
         title: "shadow",
         plural: "shadows",
         entries: shadow::ENTRIES,
-        inputs: &[("at", "Entered"), ("hit", "Hit"), ("light", "Toward")],
-        returns: "f32",
+        calls: &[only(&[("at", "Entered"), ("hit", "Hit"), ("light", "Toward")], "f32")],
         slot: Some(MapSlot::Shadow),
         rays: &[],
     },
@@ -115,8 +139,7 @@ pub const STAGES: [Stage; 8] = [
         title: "shadow search",
         plural: "shadow searches",
         entries: search::ENTRIES,
-        inputs: &[("path", "Path")],
-        returns: "Found",
+        calls: &[only(&[("path", "Path")], "Found")],
         slot: Some(MapSlot::ShadowSearch),
         rays: &[RayClass::Shadow],
     },
@@ -126,14 +149,10 @@ pub const STAGES: [Stage; 8] = [
         title: "ambient light",
         plural: "ambient lights",
         entries: ambient::ENTRIES,
-        inputs: &[
-            ("at", "Entered"),
-            ("hit", "Hit"),
-            ("normal", "vec3f"),
-            ("view", "vec3f"),
-            ("color", "vec3f"),
-        ],
-        returns: "vec3f",
+        calls: &[only(
+            &[("at", "Entered"), ("hit", "Hit"), ("normal", "vec3f"), ("view", "vec3f"), ("color", "vec3f")],
+            "vec3f",
+        )],
         slot: Some(MapSlot::Ambient),
         rays: &[],
     },
@@ -158,14 +177,26 @@ pub const SHADOW_SEARCH: usize = place("shadow-search");
 pub const AMBIENT: usize = place("ambient");
 
 impl Stage {
-    /// The function through which the shaders call it.
-    pub fn function(&self) -> String {
-        format!("{}_stage", self.key.replace('-', "_"))
+    /// The functions through which the shaders call it.
+    pub fn functions(&self) -> impl Iterator<Item = String> {
+        self.calls.iter().map(|call| self.function(call))
+    }
+
+    /// The function through which the shaders call one of its functions.
+    pub fn function(&self, call: &Call) -> String {
+        format!("{}{}_stage", self.key.replace('-', "_"), call.ending())
     }
 
     /// A variant's function.
-    pub fn function_of(&self, entry: &Entry) -> String {
-        format!("{}_{}", self.folder, entry.name.replace('-', "_"))
+    pub fn function_of(&self, call: &Call, entry: &Entry) -> String {
+        format!("{}_{}{}", self.folder, entry.name.replace('-', "_"), call.ending())
+    }
+}
+
+impl Call {
+    /// What the names of functions end with.
+    fn ending(&self) -> String {
+        if self.name.is_empty() { String::new() } else { format!("_{}", self.name) }
     }
 }
 

@@ -21,7 +21,7 @@ use relief_core::registry::UnknownName;
 
 use crate::bindings::{self, Binding};
 use crate::generated::{DECLARATIONS, MODULES};
-use crate::stages::{STAGES, Stage};
+use crate::stages::{Call, STAGES, Stage};
 use crate::{Choice, Selection};
 
 /// Rows and columns of a workgroup of the passes over pixels.
@@ -161,8 +161,10 @@ pub fn assemble(selection: &Selection, root: Root, sampling: Sampling) -> String
         }
     }
     for (place, stage) in STAGES.iter().enumerate() {
-        if reached.contains(stage.function().as_str()) {
-            text.push_str(&call(place, stage, &selection.choices[place]));
+        for call in stage.calls {
+            if reached.contains(stage.function(call).as_str()) {
+                text.push_str(&called(place, stage, call, &selection.choices[place]));
+            }
         }
     }
     text
@@ -176,10 +178,11 @@ fn reached(selection: &Selection, root: Root, sampling: Sampling) -> BTreeSet<St
         if !reached.insert(name.clone()) {
             continue;
         }
-        if let Some(place) = STAGES.iter().position(|stage| stage.function() == name) {
-            let stage = &STAGES[place];
-            waiting.push(stage.function_of(selection.choices[place].entry));
-            waiting.push("surface_settings".to_owned());
+        for (stage, choice) in STAGES.iter().zip(&selection.choices) {
+            if let Some(call) = stage.calls.iter().find(|call| stage.function(call) == name) {
+                waiting.push(stage.function_of(call, choice.entry));
+                waiting.push("surface_settings".to_owned());
+            }
         }
         for declaration in DECLARATIONS.iter().filter(|declaration| declaration.name == name) {
             if declaration.sampling.is_none_or(|of| of == sampling) {
@@ -190,18 +193,18 @@ fn reached(selection: &Selection, root: Root, sampling: Sampling) -> BTreeSet<St
     reached
 }
 
-/// The call of the variant that is chosen for a stage.
-fn call(place: usize, stage: &Stage, choice: &Choice) -> String {
-    let declared: Vec<String> = stage.inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
-    let passed: Vec<&str> = stage.inputs.iter().map(|(name, _)| *name).collect();
+/// The call of a function of the variant that is chosen for a stage.
+fn called(place: usize, stage: &Stage, call: &Call, choice: &Choice) -> String {
+    let declared: Vec<String> = call.inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
+    let passed: Vec<&str> = call.inputs.iter().map(|(name, _)| *name).collect();
     format!(
         "\n// The {} that is chosen: {}.\nfn {}({}) -> {} {{\n    return {}({}, surface_settings.choices[{place}].params);\n}}\n",
         stage.title,
         choice.entry.summary,
-        stage.function(),
+        stage.function(call),
         declared.join(", "),
-        stage.returns,
-        stage.function_of(choice.entry),
+        call.returns,
+        stage.function_of(call, choice.entry),
         passed.join(", "),
     )
 }
@@ -212,7 +215,7 @@ fn head(selection: &Selection, reached: &BTreeSet<String>, sampling: Sampling) -
         "// Relief: displacement mapping, {sampling} sampling.\n// SPDX-License-Identifier: MIT OR Apache-2.0\n"
     );
     for (place, stage) in STAGES.iter().enumerate() {
-        if reached.contains(stage.function().as_str()) {
+        if stage.functions().any(|function| reached.contains(&function)) {
             chosen(&mut text, place, stage, &selection.choices[place]);
         }
     }

@@ -283,12 +283,13 @@ fn compute(device: &Device, text: &str, root: Root, groups: &[&BindGroupLayout])
     })
 }
 
-/// Strictly nearer is seen: of two triangles at the same depth the first counts, as on the CPU.
+/// What is strictly nearer is seen: of two hits with the same key the first triangle's counts, as on the CPU.
+/// The shaders write the keys, which grow toward the eye.
 fn nearest() -> DepthStencilState {
     DepthStencilState {
         format: DEPTH,
         depth_write_enabled: Some(true),
-        depth_compare: Some(CompareFunction::Less),
+        depth_compare: Some(CompareFunction::Greater),
         stencil: Default::default(),
         bias: Default::default(),
     }

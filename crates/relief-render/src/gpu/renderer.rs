@@ -1,5 +1,5 @@
-//! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel once; of several
-//! samples each so, and then added up.
+//! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel that it is the nearest
+//! in so far; of several samples each so, and then added up.
 
 use std::ops::ControlFlow;
 
@@ -352,8 +352,8 @@ fn submit_band(
         }
         // Pixels that nothing covers are not written.
         encoder.clear_buffer(&targets.records, 0, Some(records));
-        for surface in &ready.surfaces {
-            trace(&mut encoder, targets, surface, pass);
+        for (number, surface) in ready.surfaces.iter().enumerate() {
+            trace(&mut encoder, targets, surface, pass, number == 0);
             let groups = [&surface.maps, &surface.mesh, &targets.traced];
             dispatch(&mut encoder, &surface.shade, &groups, targets.size[0], pass);
         }
@@ -368,16 +368,17 @@ fn submit_band(
     }
 }
 
-/// Rasterises and traces a surface.
-fn trace(encoder: &mut CommandEncoder, targets: &Targets, surface: &Ready, pass: &Pass) {
+/// Rasterises and traces a surface, behind the surfaces before it unless it is the first.
+fn trace(encoder: &mut CommandEncoder, targets: &Targets, surface: &Ready, pass: &Pass, is_first: bool) {
     let ops = Operations { load: LoadOp::Clear(Color::TRANSPARENT), store: StoreOp::Store };
+    let keys = if is_first { LoadOp::Clear(0.0) } else { LoadOp::Load };
     let color = |view| Some(RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops });
     let mut drawn = encoder.begin_render_pass(&RenderPassDescriptor {
         label: Some("trace"),
         color_attachments: &[color(&targets.hit), color(&targets.what)],
         depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
             view: &targets.depth,
-            depth_ops: Some(Operations { load: LoadOp::Clear(1.0), store: StoreOp::Discard }),
+            depth_ops: Some(Operations { load: keys, store: StoreOp::Store }),
             stencil_ops: None,
         }),
         timestamp_writes: None,

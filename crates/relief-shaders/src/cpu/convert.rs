@@ -34,6 +34,8 @@ impl From<&relief_core::Path> for Path {
             [metric.uu, metric.uv, metric.vv, metric.scale_m].map(|x| x as f32),
             RayUse::View as u32,
             0u32,
+            0.0,
+            1.0,
         )
     }
 }
@@ -149,6 +151,7 @@ impl Frame {
             down: [0.0, 0.0, Self::BESIDE, 0.0].into(),
             ambient: nowhere(),
             sample_width: 1.0,
+            near: 1.0,
             background: nowhere(),
             lights: [Light { place: nowhere(), color: nowhere() }; MAX_LIGHTS],
             light_count: 0,

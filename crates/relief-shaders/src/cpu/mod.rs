@@ -22,8 +22,8 @@ mod runtime;
 
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
-    Choice, Corner, Entered, Found, Frame, Hit, Light, LightRay, MapSettings, Path, PixelIn, PixelOut,
-    SurfaceSettings,
+    Choice, Corner, Entered, FirstHit, Found, Frame, Hit, Light, LightRay, MapSettings, Path, PixelIn,
+    PixelOut, SurfaceSettings,
 };
 pub use layout::{PassSettings, Probe, PyramidPass, Record, Triangle};
 pub use method_tracer::MethodTracer;

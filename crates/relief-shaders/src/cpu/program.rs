@@ -1,7 +1,7 @@
 //! The shaders' functions that hosts call.
 
 use super::generated::Resources;
-use super::{Bound, Corner, Entered, Found, Hit, LightRay, Path, PixelIn, PixelOut, Vec3, Vec4};
+use super::{Bound, Corner, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Vec3, Vec4};
 use crate::MAX_LIGHTS;
 
 /// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact
@@ -40,11 +40,36 @@ impl<'a> Program<'a> {
         self.0.pixel_of(a, b, c, side, point)
     }
 
-    /// The stages surface and detail: where the ray meets the surface, its path through the relief, and the
-    /// level of detail.
+    /// The stages surface and detail: where the ray meets the surface, in how many segments it goes through
+    /// the relief, and the level of detail.
     #[inline]
     pub fn enter(&self, pixel: PixelIn) -> Entered {
         self.0.enter_relief(pixel)
+    }
+
+    /// A segment of the ray's way through the relief, by its number. One whose exit is not positive is none.
+    #[inline]
+    pub fn segment(&self, pixel: PixelIn, entered: Entered, number: u32) -> Path {
+        self.0.segment_of(pixel, entered, number)
+    }
+
+    /// The first hit, segment after segment.
+    #[inline]
+    pub fn first_hit(&self, pixel: PixelIn, entered: Entered) -> FirstHit {
+        self.0.first_hit(pixel, entered)
+    }
+
+    /// What orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at
+    /// the eye.
+    #[inline]
+    pub fn key(&self, pixel: PixelIn, path: Path, hit: Hit) -> f32 {
+        self.0.key_of(pixel, path, hit)
+    }
+
+    /// A hit on the displaced surface: its place in the world, and the frame there.
+    #[inline]
+    pub fn place(&self, pixel: PixelIn, entered: Entered, segment: u32, hit: Hit) -> Entered {
+        self.0.place_hit(pixel, entered, segment, hit)
     }
 
     /// The search stage.
@@ -71,36 +96,36 @@ impl<'a> Program<'a> {
         self.0.shade_pixel(pixel)
     }
 
-    /// The part of each light that arrives at a hit, as the first of four numbers.
+    /// The part of each light that arrives at a placed hit, as the first of four numbers.
     #[inline]
-    pub fn visible_lights(&self, entered: Entered, hit: Hit) -> [Vec4<f32>; MAX_LIGHTS] {
-        self.0.visible_lights(entered, hit)
+    pub fn visible_lights(&self, placed: Entered, hit: Hit) -> [Vec4<f32>; MAX_LIGHTS] {
+        self.0.visible_lights(placed, hit)
     }
 
-    /// The ray from a hit to the light of that number: to a point of its disc, by its number and how many
+    /// The ray from a placed hit to the light of that number: to a point of its disc, by its number and how many
     /// there are, as the shadow `soft` has them, or to its centre where there are none.
     #[inline]
-    pub fn ray_to_light(&self, entered: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> LightRay {
-        self.0.ray_to_light(entered, hit, light, k, count)
+    pub fn ray_to_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> LightRay {
+        self.0.ray_to_light(placed, hit, light, k, count)
     }
 
-    /// The part of a light that arrives at a hit, for a light of some degrees whose direction is that of the
+    /// The part of a light that arrives at a placed hit, for a light of some degrees whose direction is that of the
     /// pixel's ray after a mirror in the base surface.
     #[inline]
-    pub fn mirrored_light(&self, pixel: PixelIn, entered: Entered, hit: Hit) -> f32 {
-        self.0.mirrored_light(pixel, entered, hit)
+    pub fn mirrored_light(&self, pixel: PixelIn, placed: Entered, hit: Hit) -> f32 {
+        self.0.mirrored_light(pixel, placed, hit)
     }
 
-    /// A pixel whose hit is known already, and the parts of the lights that arrive there.
+    /// A pixel whose hit is known and placed, and the parts of the lights that arrive there.
     #[inline]
     pub fn shade_hit(
         &self,
         pixel: PixelIn,
-        entered: Entered,
+        placed: Entered,
         hit: Hit,
         visible: [Vec4<f32>; MAX_LIGHTS],
     ) -> PixelOut {
-        self.0.shade_hit(pixel, entered, hit, visible)
+        self.0.shade_hit(pixel, placed, hit, visible)
     }
 
     /// The colour of a pixel's samples so far with one more, of that weight. The fourth part is how much of

@@ -8,7 +8,7 @@ use crate::rng::Rng;
 use relief_core::registry::Entry;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
-use relief_shaders::cpu::{Frame, PixelIn, Probe, Program, Shared, SurfaceSettings};
+use relief_shaders::cpu::{Entered, Frame, Path, PixelIn, Probe, Program, Shared, SurfaceSettings};
 use relief_shaders::{DETAIL, SHADOW, SHADOW_SEARCH, STAGES, Selection};
 
 /// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves
@@ -123,20 +123,32 @@ fn surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> Jo
 /// them down.
 pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
     let at = program.enter(*ray);
-    if at.valid == 0 {
-        return Probe::read(&[0; Probe::SIZE]);
+    let mut probe = Probe::read(&[0; Probe::SIZE]);
+    for number in 0..at.segments {
+        let mut path = program.segment(*ray, at, number);
+        if !(path.exit > 0.0) {
+            continue;
+        }
+        path.h.x += higher;
+        probe = probe_segment(program, ray, at, number, path);
+        if probe.found == 1 {
+            break;
+        }
     }
-    let mut path = at.path;
-    path.h.x += higher;
+    probe
+}
+
+/// The stages over a segment of a ray.
+fn probe_segment(program: &Program, ray: &PixelIn, at: Entered, number: u32, path: Path) -> Probe {
     let found = program.search(path);
     let hit = program.refine(path, found);
     Probe {
-        valid: at.valid,
+        segment: number + 1,
         entry: path.uv,
         duv: path.duv,
         exit: path.exit,
         base: path.base,
-        slope: path.h.y,
+        h: path.h,
         status: found.status,
         near: found.near,
         far: found.far,
@@ -148,7 +160,8 @@ pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
         reads: hit.cost.x,
         steps: hit.cost.y,
         bytes: hit.cost.z,
-        lit: program.mirrored_light(*ray, at, hit),
+        lit: program.mirrored_light(*ray, program.place(*ray, at, number, hit), hit),
+        key: program.key(*ray, path, hit),
     }
 }
 

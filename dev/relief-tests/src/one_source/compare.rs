@@ -89,7 +89,9 @@ fn bits(probe: &Probe) -> [u8; Probe::SIZE] {
         &mut probe.duv.y,
         &mut probe.exit,
         &mut probe.base,
-        &mut probe.slope,
+        &mut probe.h.x,
+        &mut probe.h.y,
+        &mut probe.h.z,
         &mut probe.near,
         &mut probe.far,
         &mut probe.uv.x,
@@ -97,6 +99,7 @@ fn bits(probe: &Probe) -> [u8; Probe::SIZE] {
         &mut probe.height,
         &mut probe.t,
         &mut probe.lit,
+        &mut probe.key,
     ];
     for float in floats {
         *float += 0.0;
@@ -115,7 +118,8 @@ fn is_explained(case: &Case, program: &Program, ray: &PixelIn, gpu: &Probe) -> b
     if gpu.found == 0 {
         return alike.iter().flatten().any(|near| same_miss(near, gpu));
     }
-    let path = Path::from(&program.enter(*ray).path);
+    let at = program.enter(*ray);
+    let path = Path::from(&program.segment(*ray, at, gpu.segment.max(1) - 1));
     // Where the path runs along the surface, paths that barely differ end far apart, with all of the surface
     // between.
     let between = alike.windows(2).any(|pair| match pair {
@@ -139,9 +143,9 @@ fn decided(probe: &Probe) -> [u32; 3] {
 
 /// Whether the surface stage gave the same path, to rounding.
 fn same_path(a: &Probe, b: &Probe) -> bool {
-    let numbers = |p: &Probe| [p.entry.x, p.entry.y, p.duv.x, p.duv.y, p.exit, p.base, p.slope];
+    let numbers = |p: &Probe| [p.entry.x, p.entry.y, p.duv.x, p.duv.y, p.exit, p.base, p.h.x, p.h.y, p.h.z];
     let relative = |(a, b): (f32, f32)| close(a, b, RELATIVE * f64::from(a).abs().max(1e-6));
-    a.valid == b.valid && numbers(a).into_iter().zip(numbers(b)).all(relative)
+    a.segment == b.segment && numbers(a).into_iter().zip(numbers(b)).all(relative)
 }
 
 /// Whether two searches without a hit ended alike, to rounding.

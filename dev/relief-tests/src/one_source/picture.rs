@@ -73,6 +73,7 @@ impl Picture {
             ambient: [0.1, 0.1, 0.2, 0.0].into(),
             // Wide enough for several levels of detail.
             sample_width: 4.0,
+            near: 0.05,
             background: [0.0; 4].into(),
             lights,
             light_count: 2,

@@ -34,7 +34,7 @@ pub fn all(modules: &Modules) -> Result<Vec<Declaration>, String> {
         of_module(path, modules.source(path), &mut all)?;
     }
     let names: BTreeSet<String> = all.iter().map(|declaration| declaration.name.clone()).collect();
-    let stages = STAGES.iter().map(|stage| stage.function());
+    let stages = STAGES.iter().flat_map(|stage| stage.functions());
     let known: BTreeSet<String> = names.into_iter().chain(stages).collect();
     for declaration in &mut all {
         let Declaration { name, text, .. } = declaration;
@@ -131,7 +131,7 @@ pub fn check(declarations: &[Declaration], linked: &TranslationUnit, fast: bool)
 
 /// Whether that is a function of the dispatch, which the library writes itself.
 fn is_dispatch(name: &str) -> bool {
-    STAGES.iter().any(|stage| name == stage.function())
+    STAGES.iter().flat_map(|stage| stage.functions()).any(|function| function == name)
 }
 
 /// The Rust module that holds the declarations.

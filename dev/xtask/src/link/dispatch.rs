@@ -6,7 +6,7 @@
 
 use std::fmt::Write as _;
 
-use relief_shaders::{STAGES, Stage};
+use relief_shaders::{Call, STAGES, Stage};
 
 /// Names and sources of the modules.
 pub fn modules() -> impl Iterator<Item = (String, String)> {
@@ -17,19 +17,35 @@ pub fn modules() -> impl Iterator<Item = (String, String)> {
 }
 
 fn module(place: usize, stage: &Stage) -> String {
-    let Stage { folder, entries, inputs, returns, .. } = stage;
-    let declared: Vec<String> = inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
-    let passed: Vec<&str> = inputs.iter().map(|(name, _)| *name).collect();
-    let (declared, passed) = (declared.join(", "), passed.join(", "));
     let mut text = String::from(
         "import package::shared::types::{PixelIn, Entered, Path, Found, Hit, Toward};\n\
          import package::bindings::surface_settings;\n",
     );
+    let mut functions = String::new();
+    for call in stage.calls {
+        for entry in stage.entries {
+            let stem = entry.name.replace('-', "_");
+            let _ = writeln!(
+                text,
+                "import package::{}::{stem}::{};",
+                stage.folder,
+                stage.function_of(call, entry)
+            );
+        }
+        functions.push_str(&function(place, stage, call));
+    }
+    text + &functions
+}
+
+/// The function that calls the variant of the number that the settings hold.
+fn function(place: usize, stage: &Stage, call: &Call) -> String {
+    let Stage { entries, .. } = stage;
+    let declared: Vec<String> = call.inputs.iter().map(|(name, kind)| format!("{name}: {kind}")).collect();
+    let passed: Vec<&str> = call.inputs.iter().map(|(name, _)| *name).collect();
+    let (declared, passed) = (declared.join(", "), passed.join(", "));
     let mut arms = String::new();
     for (number, entry) in entries.iter().enumerate() {
-        let stem = entry.name.replace('-', "_");
-        let function = stage.function_of(entry);
-        let _ = writeln!(text, "import package::{folder}::{stem}::{function};");
+        let function = stage.function_of(call, entry);
         let label =
             if number + 1 == entries.len() { "default".to_owned() } else { format!("case {number}u") };
         let _ = writeln!(
@@ -38,10 +54,6 @@ fn module(place: usize, stage: &Stage) -> String {
         );
     }
     let number = format!("surface_settings.choices[{place}].number");
-    let _ = write!(
-        text,
-        "\nfn {}({declared}) -> {returns} {{\n    switch ({number}) {{\n{arms}    }}\n}}\n",
-        stage.function()
-    );
-    text
+    let (name, returns) = (stage.function(call), call.returns);
+    format!("\nfn {name}({declared}) -> {returns} {{\n    switch ({number}) {{\n{arms}    }}\n}}\n")
 }
