@@ -296,6 +296,12 @@ impl HeightMap {
         HeightMap { wrap, scale_m, bias_m, ..self.coarser()[last as usize].clone() }
     }
 
+    /// The least and the greatest texel.
+    pub fn extremes(&self) -> [f32; 2] {
+        let wider = |[low, high]: [f32; 2], texel: &f32| [low.min(*texel), high.max(*texel)];
+        self.texels().iter().fold([f32::INFINITY, f32::NEG_INFINITY], wider)
+    }
+
     /// The mean of all texels, to rounding: the coarsest level's only one.
     pub fn mean(&self) -> f32 {
         self.level(self.levels() - 1).texels()[0]

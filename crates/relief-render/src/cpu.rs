@@ -11,6 +11,7 @@ use relief_core::{Cost, HeightMap};
 use relief_shaders::cpu::{
     Corner, Entered, FirstHit, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec4,
 };
+use relief_shaders::surface::Proposal;
 use relief_shaders::{LightRayState, MAX_LIGHTS};
 
 use crate::camera::Ray;
@@ -18,6 +19,7 @@ use crate::job::{Job, JobSurface, Rendering, uncovered};
 use crate::kept::kept;
 use crate::raycast::{RayCaster, Sides};
 use crate::samples::{Sample, samples};
+use crate::shellcast::ShellCaster;
 
 /// Pixels of a band of rows: enough for all cores, and few enough to keep.
 const BAND_PIXELS: u32 = 1 << 18;
@@ -27,6 +29,7 @@ const BAND_PIXELS: u32 = 1 << 18;
 #[derive(Debug, Default)]
 pub struct CpuRenderer {
     casters: Vec<(Arc<[Triangle]>, Arc<RayCaster>)>,
+    shells: Vec<(Arc<[Triangle]>, Arc<ShellCaster>)>,
     tracers: Vec<(Arc<HeightMap>, Arc<[FastTracer]>)>,
 }
 
@@ -99,10 +102,20 @@ impl CpuRenderer {
 
     /// The surfaces with their hierarchies; those that the job does not need are dropped.
     fn ready<'a>(&mut self, job: &'a Job) -> Vec<Ready<'a>> {
-        let (mut casters, mut tracers) = (Vec::new(), Vec::new());
+        let (mut casters, mut shells, mut tracers) = (Vec::new(), Vec::new(), Vec::new());
         let ready = job.surfaces.iter().map(|surface| {
             let JobSurface { triangles, height_map, selection, .. } = surface;
-            let base = kept(&mut casters, &self.casters, triangles, || Arc::new(caster(triangles)));
+            let base = match selection.paths().proposal {
+                Proposal::Polygons => {
+                    let caster = || Arc::new(caster(triangles));
+                    Base::Polygons(kept(&mut casters, &self.casters, triangles, caster))
+                }
+                Proposal::Shells => {
+                    let shell_m = [surface.settings.shell_m.x, surface.settings.shell_m.y];
+                    let caster = || Arc::new(ShellCaster::new(triangles, shell_m, surface.two_sided));
+                    Base::Shells(kept(&mut shells, &self.shells, triangles, caster))
+                }
+            };
             let tracer = selection.is_exact().then(|| {
                 kept(&mut tracers, &self.tracers, height_map, || {
                     (0..surface.settings.height_levels)
@@ -113,14 +126,14 @@ impl CpuRenderer {
             Ready::new(surface, job.frame, base, tracer)
         });
         let ready = ready.collect();
-        (self.casters, self.tracers) = (casters, tracers);
+        (self.casters, self.shells, self.tracers) = (casters, shells, tracers);
         ready
     }
 }
 
 fn caster(triangles: &[Triangle]) -> RayCaster {
     let position = |corner: &Corner| Vec3::new(corner.position.x, corner.position.y, corner.position.z);
-    RayCaster::of_corners(triangles.iter().map(|Triangle { a, b, c }| [a, b, c].map(position)))
+    RayCaster::of_corners(triangles.iter().map(|Triangle { a, b, c, .. }| [a, b, c].map(position)))
 }
 
 /// The depths, relative to the nearest hit, up to which base polygons are looked at: keys and depths are
@@ -133,7 +146,8 @@ struct Seen {
     pixel: PixelIn,
     at: Entered,
     first: FirstHit,
-    triangle: u32,
+    /// Of equally near ones the least counts: whether the mesh was turned over, and the triangle.
+    rank: (bool, u32),
 }
 
 /// Some rows of a picture on their way.
@@ -187,11 +201,17 @@ impl Rows<'_> {
     }
 }
 
+/// What proposes triangles to a ray.
+enum Base {
+    Polygons(Arc<RayCaster>),
+    Shells(Arc<ShellCaster>),
+}
+
 /// A surface ready to be traced.
 struct Ready<'a> {
     program: Program<'a>,
     triangles: &'a [Triangle],
-    base: Arc<RayCaster>,
+    base: Base,
     sides: Sides,
     /// The exact tracers of all levels of detail.
     tracers: Option<Arc<[FastTracer]>>,
@@ -206,12 +226,7 @@ struct Ready<'a> {
 }
 
 impl<'a> Ready<'a> {
-    fn new(
-        surface: &'a JobSurface,
-        frame: Frame,
-        base: Arc<RayCaster>,
-        tracers: Option<Arc<[FastTracer]>>,
-    ) -> Self {
+    fn new(surface: &'a JobSurface, frame: Frame, base: Base, tracers: Option<Arc<[FastTracer]>>) -> Self {
         let sides = if surface.two_sided { Sides::Both } else { Sides::Front };
         Self {
             program: surface.program(frame),
@@ -237,32 +252,46 @@ impl<'a> Ready<'a> {
             direction: [direction.x, direction.y, direction.z].map(f64::from).into(),
         };
         let mut best: Option<Seen> = None;
-        // As far as relief lies behind its polygon, what is behind the nearest hit cannot be nearer.
-        let mut reach = f64::INFINITY;
-        for surface in self.base.hits(&ray, self.sides) {
-            if surface.t > reach {
-                break;
-            }
-            let side = if surface.front { 1.0 } else { -1.0 };
-            let Triangle { a, b, c } = self.triangles[surface.triangle as usize];
-            let pixel = self.program.pixel_of([a, b, c], side, point);
-            let at = self.program.enter(pixel);
-            let first = match &self.tracers {
-                None => self.program.first_hit(pixel, at),
-                Some(tracers) => self.first_exactly(&tracers[at.level as usize], pixel, at),
-            };
-            let triangle = surface.triangle;
-            let is_nearer = |best: &Seen| {
-                first.key > best.first.key || (first.key == best.first.key && triangle < best.triangle)
-            };
-            if first.hit.found == 1 && best.as_ref().is_none_or(is_nearer) {
-                best = Some(Seen { pixel, at, first, triangle });
-                if self.is_carved {
-                    reach = self.depth_of(first.key, DEPTH_SLACK);
+        match &self.base {
+            Base::Polygons(caster) => {
+                for surface in caster.hits(&ray, self.sides) {
+                    // What lies behind its polygon is not nearer than that.
+                    if self.is_carved && surface.t > self.reach(best.as_ref()) {
+                        break;
+                    }
+                    let side = if surface.front { 1.0 } else { -1.0 };
+                    self.look(&mut best, (false, surface.triangle), side, point);
                 }
             }
+            Base::Shells(caster) => caster.each(&ray, |triangle| {
+                self.look(&mut best, (false, triangle), 1.0, point);
+                if self.sides == Sides::Both {
+                    self.look(&mut best, (true, triangle), -1.0, point);
+                }
+                self.reach(best.as_ref())
+            }),
         }
         best
+    }
+
+    /// Traces a side of a triangle, and keeps what it shows where that is the nearest so far.
+    fn look(&self, best: &mut Option<Seen>, rank: (bool, u32), side: f32, point: [f32; 2]) {
+        let pixel = self.program.pixel_of(&self.triangles[rank.1 as usize], side, point);
+        let at = self.program.enter(pixel);
+        let first = match &self.tracers {
+            None => self.program.first_hit(pixel, at),
+            Some(tracers) => self.first_exactly(&tracers[at.level as usize], pixel, at),
+        };
+        let is_nearer =
+            |best: &Seen| first.key > best.first.key || (first.key == best.first.key && rank < best.rank);
+        if first.hit.found == 1 && best.as_ref().is_none_or(is_nearer) {
+            *best = Some(Seen { pixel, at, first, rank });
+        }
+    }
+
+    /// How deep what is nearer than that may begin.
+    fn reach(&self, best: Option<&Seen>) -> f64 {
+        best.map_or(f64::INFINITY, |best| self.depth_of(best.first.key, DEPTH_SLACK))
     }
 
     /// A depth beyond that of a key, by as much slack, relatively.

@@ -20,7 +20,9 @@ pub mod raycast;
 mod renderer;
 mod samples;
 pub mod scene;
+mod shellcast;
 pub mod tone;
+mod triangles;
 
 pub use glam;
 /// Base meshes, of which scenes are made; they are the core's.

@@ -6,28 +6,30 @@ use glam::{DMat4, DVec3, Vec3};
 use relief_core::BakedMap;
 use relief_io::Picture;
 use relief_maps::{Account, Maps, MapsError, Watch};
-use relief_shaders::cpu::{Corner, Frame, Light as ShaderLight, SurfaceSettings, Triangle};
+use relief_shaders::cpu::{Frame, Light as ShaderLight, SurfaceSettings};
 use relief_shaders::{MAX_LIGHTS, MapNeed, MapSlot, SlotMaps};
 
 use crate::camera::Camera;
 use crate::environment::Environment;
 use crate::job::{Job, JobSurface};
-use crate::kept::kept;
 use crate::light::Light;
-use crate::mesh::{Mesh, Vertex};
+use crate::mesh::Vertex;
 use crate::mipmaps::Mipmaps;
 use crate::pictures::Pictures;
 use crate::scene::{Scene, Surface};
+use crate::triangles::{KeptTriangles, extent_m};
 
 /// The least distance of the near plane, as a part of the distance of what is farthest away. Smaller, and
 /// what is nearest has more bits than it needs; larger, and the eye cannot come close to a surface.
 const NEAR_OVER_FAR: f64 = 1e-4;
 
+/// The least thickness of shells, as a part of the mesh: thinner, and `f32` has no room between their sides.
+const LEAST_SHELL: f32 = 1e-5;
+
 /// Makes jobs of scenes, and keeps what they have in common from one to the next.
 #[derive(Debug, Default)]
 pub struct Preparer {
-    /// The triangles of the last scene's meshes.
-    triangles: Vec<(Arc<Mesh>, Arc<[Triangle]>)>,
+    triangles: KeptTriangles,
     /// The baked maps of each of the last scene's surfaces.
     maps: Vec<Vec<(MapSlot, Arc<BakedMap>)>>,
     pictures: Pictures,
@@ -61,15 +63,12 @@ impl Preparer {
 
     /// The job of the scene whose maps were taken last.
     pub fn job(&mut self, scene: &Scene) -> Job {
-        let (mut triangles, mut pictures) = (Vec::new(), Pictures::default());
+        let (mut triangles, mut pictures) = (KeptTriangles::default(), Pictures::default());
         let none = Vec::new();
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
         let environment = || scene.environment().map_or_else(Environment::sky, Arc::clone);
         let surfaces = scene.surfaces().iter().zip(maps).map(|(surface, maps)| {
-            let of_surface = kept(&mut triangles, &self.triangles, surface.mesh(), || {
-                let mesh = surface.mesh();
-                (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number)).collect()
-            });
+            let of_surface = triangles.of(surface, &self.triangles);
             let levels = surface.selection().has_levels();
             let color = surface.color().map(|picture| pictures.of(picture, levels, &self.pictures));
             let normal_map = match surface.normal_map() {
@@ -191,21 +190,8 @@ fn surface_settings(
         transmission: material.transmission(),
         ior: material.ior(),
         ..SurfaceSettings::tracing(height, surface.selection(), maps)
+            .with_least_shell(height, extent_m(surface.mesh()) * LEAST_SHELL)
     }
-}
-
-fn triangle(mesh: &Mesh, number: u32) -> Triangle {
-    let corner = |vertex: &Vertex| {
-        Corner::new(
-            vertex.position.to_array(),
-            vertex.normal.to_array(),
-            vertex.tangent.to_array(),
-            vertex.bitangent.to_array(),
-            vertex.uv.to_array(),
-        )
-    };
-    let [a, b, c] = mesh.corners(number).map(corner);
-    Triangle { a, b, c }
 }
 
 /// The matrix for the rasteriser, with planes that hold all meshes, and how near to the eye hits are ordered as

@@ -93,6 +93,8 @@ pub struct Entered {
     /// As in `Path`.
     pub metric: rt::Vec4<f32>,
     pub level: u32,
+    /// The normal, of any length, of the plane in which footprints of pixels are measured.
+    pub facing: rt::Vec3<f32>,
     /// How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     /// the finest level.
     pub footprint: f32,
@@ -110,10 +112,11 @@ impl Entered {
         normal: impl rt::Into<rt::Vec3<f32>>,
         metric: impl rt::Into<rt::Vec4<f32>>,
         level: impl rt::Into<u32>,
+        facing: impl rt::Into<rt::Vec3<f32>>,
         footprint: impl rt::Into<f32>,
         fade: impl rt::Into<f32>,
     ) -> Self {
-        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), footprint: rt::into(footprint), fade: rt::into(fade) }
+        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), facing: rt::into(facing), footprint: rt::into(footprint), fade: rt::into(fade) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -397,6 +400,24 @@ impl Normals {
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// The space that the relief of a base triangle may take, between its corners moved along their normals.
+pub struct Shell {
+    /// The least and the greatest height under the triangle.
+    pub heights: rt::Vec2<f32>,
+    /// The places of the corners, 0 to 2, in an order that all triangles at an edge agree on: two bits for
+    /// each, the first lowest.
+    pub order: u32,
+}
+impl Shell {
+    pub fn new(
+        heights: impl rt::Into<rt::Vec2<f32>>,
+        order: impl rt::Into<u32>,
+    ) -> Self {
+        Self { heights: rt::into(heights), order: rt::into(order) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// A pixel's ray and the base triangle that it meets. The direction's component along the view axis is 1.
 pub struct PixelIn {
     pub origin: rt::Vec3<f32>,
@@ -406,6 +427,7 @@ pub struct PixelIn {
     pub a: Corner,
     pub b: Corner,
     pub c: Corner,
+    pub shell: Shell,
 }
 impl PixelIn {
     pub fn new(
@@ -415,8 +437,9 @@ impl PixelIn {
         a: impl rt::Into<Corner>,
         b: impl rt::Into<Corner>,
         c: impl rt::Into<Corner>,
+        shell: impl rt::Into<Shell>,
     ) -> Self {
-        Self { origin: rt::into(origin), direction: rt::into(direction), side: rt::into(side), a: rt::into(a), b: rt::into(b), c: rt::into(c) }
+        Self { origin: rt::into(origin), direction: rt::into(direction), side: rt::into(side), a: rt::into(a), b: rt::into(b), c: rt::into(c), shell: rt::into(shell) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -589,6 +612,8 @@ pub struct SurfaceSettings {
     pub has_shadows: u32,
     pub scale_m: f32,
     pub bias_m: f32,
+    /// Metres along the normals at which the heights 0 and 1 lie in shells, which have a thickness always.
+    pub shell_m: rt::Vec2<f32>,
     /// The mean of the height map, where pixels are seen in levels of detail.
     pub mean_height: f32,
     /// The part of the light that is refracted where it enters the surface, not scattered, and the index of
@@ -621,13 +646,33 @@ impl SurfaceSettings {
         has_shadows: impl rt::Into<u32>,
         scale_m: impl rt::Into<f32>,
         bias_m: impl rt::Into<f32>,
+        shell_m: impl rt::Into<rt::Vec2<f32>>,
         mean_height: impl rt::Into<f32>,
         transmission: impl rt::Into<f32>,
         ior: impl rt::Into<f32>,
         environment_side: impl rt::Into<u32>,
         environment_levels: impl rt::Into<u32>,
     ) -> Self {
-        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
+        Self { choices: rt::into(choices), maps: rt::into(maps), diffuse: rt::into(diffuse), specular: rt::into(specular), height_size: rt::into(height_size), color_size: rt::into(color_size), normal_size: rt::into(normal_size), height_levels: rt::into(height_levels), color_levels: rt::into(color_levels), normal_levels: rt::into(normal_levels), color_texels: rt::into(color_texels), normal_texels: rt::into(normal_texels), normal_tile_m: rt::into(normal_tile_m), wrap: rt::into(wrap), shininess: rt::into(shininess), has_color: rt::into(has_color), has_normal: rt::into(has_normal), has_shadows: rt::into(has_shadows), scale_m: rt::into(scale_m), bias_m: rt::into(bias_m), shell_m: rt::into(shell_m), mean_height: rt::into(mean_height), transmission: rt::into(transmission), ior: rt::into(ior), environment_side: rt::into(environment_side), environment_levels: rt::into(environment_levels) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
+/// A tetrahedron along a ray, in metres from the ray's middle: where the ray is inside, and the weights of the
+/// triangle's corners, in their order, with that of the upper side.
+pub struct Tetrahedron {
+    pub inside: rt::Vec2<f32>,
+    pub weights: rt::Vec4<f32>,
+    /// Their change with a metre.
+    pub change: rt::Vec4<f32>,
+}
+impl Tetrahedron {
+    pub fn new(
+        inside: impl rt::Into<rt::Vec2<f32>>,
+        weights: impl rt::Into<rt::Vec4<f32>>,
+        change: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Self {
+        Self { inside: rt::into(inside), weights: rt::into(weights), change: rt::into(change) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -833,14 +878,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_2 = ((uv * n_2.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_2);
+        let point_3 = ((uv * n_2.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_3);
         let i_1 = _e8.cast_elem_as_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_2 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_3 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -942,11 +987,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_16 = level_3.cast_elem_as_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_16);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_16);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_16);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_16);
+        let k_17 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_17);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_17);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_17);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_17);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
@@ -1149,16 +1194,16 @@ impl<'g> Resources<'g> {
         let _e2 = self.v_face_place(direction);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_1 = ((_e5 >> level_6).cast_elem_as_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_3 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_1.cast_elem_as_f32()));
+        let point_4 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_1.cast_elem_as_f32()));
         let most_2 = (last_1 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
-        let corner_1 = point_3.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
-        let texel_4 = corner_1.cast_elem_as_i32();
-        let k_17 = level_6.cast_elem_as_i32();
-        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_17);
-        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_17);
-        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_17);
-        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_17);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_3 - corner_1));
+        let corner_2 = point_4.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
+        let texel_4 = corner_2.cast_elem_as_i32();
+        let k_18 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_18);
+        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_18);
+        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_18);
+        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_18);
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_4 - corner_2));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
@@ -1222,10 +1267,10 @@ impl<'g> Resources<'g> {
         let cosine_3 = n_7.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let ior = rt::Scalar(self.surface_settings.ior);
         let eta = (rt::Scalar(1f32) / ior);
-        let inside = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
-        let across_1 = ((cosine_3 - (ior * inside)) / (cosine_3 + (ior * inside)).max(rt::Scalar(0.000001f32)));
-        let along_1 = (((ior * cosine_3) - inside) / ((ior * cosine_3) + inside).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_1);
+        let inside_2 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
+        let across_1 = ((cosine_3 - (ior * inside_2)) / (cosine_3 + (ior * inside_2)).max(rt::Scalar(0.000001f32)));
+        let along_4 = (((ior * cosine_3) - inside_2) / ((ior * cosine_3) + inside_2).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_4);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.cast_elem_as_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
@@ -1237,7 +1282,7 @@ impl<'g> Resources<'g> {
         let _e74 = self.v_environment_on(n_7);
         light = (_e73 + ((_e74 * color_4) * (rt::Scalar(1f32) - reflected)));
         if rt::Scalar::into_branch_condition(transmission.elementwise_gt(rt::Scalar(0f32))) {
-            let refracted = ((n_7 * ((eta * cosine_3) - inside)) - (view_3 * eta));
+            let refracted = ((n_7 * ((eta * cosine_3) - inside_2)) - (view_3 * eta));
             let _e90 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta) * lean));
             let _e91 = light;
             light = (_e91 + (_e90 * (transmission * (rt::Scalar(1f32) - reflected))));
@@ -1372,15 +1417,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_18 = level_8.cast_elem_as_i32();
+        let k_19 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_18));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_18));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_18));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_18));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_19));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_19));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_19));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_19));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -1397,9 +1442,9 @@ impl<'g> Resources<'g> {
         level_9: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size(level_9);
-        let point_4 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_4);
-        let f = (point_4 - _e8);
+        let point_5 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_5);
+        let f = (point_5 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
@@ -1516,10 +1561,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_50 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_54 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_50.x())) + (by * at_50.y())) + ((twist * at_50.x()) * at_50.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_50.x() * grid_1.step.y()) + (at_50.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_54.x())) + (by * at_54.y())) + ((twist * at_54.x()) * at_54.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_54.x() * grid_1.step.y()) + (at_54.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -1635,11 +1680,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_19 = level_10.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_19));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_19));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_19));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_19));
+        let k_20 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_20));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_20));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_20));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_20));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -1670,6 +1715,21 @@ impl<'g> Resources<'g> {
             return (fine + ((_e28.xyz() - fine) * rt::Scalar(_e18.part)));
         }
         return fine;
+    }
+    pub(crate) fn comes_before(
+        &self,
+        a: impl rt::Into<rt::Vec2<f32>>,
+        b: impl rt::Into<rt::Vec2<f32>>,
+    ) -> u32 {
+        rt::into(self.v_comes_before(rt::into(a), rt::into(b)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_comes_before(
+        &self,
+        a: rt::Vec2<f32>,
+        b: rt::Vec2<f32>,
+    ) -> rt::Scalar<u32> {
+        return rt::Scalar(0u32).select(rt::Scalar(1u32), a.x().elementwise_le(b.x()));
     }
     pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_slope_of(rt::into(value)))
@@ -1724,9 +1784,9 @@ impl<'g> Resources<'g> {
         texel_1: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let _e3 = self.v_height_texels(rt::Scalar(path_7.level));
-        let place_5 = texel_1.cast_elem_as_i32();
-        let _e7 = self.v_wrap_index(place_5.x(), _e3.x());
-        let _e10 = self.v_wrap_index(place_5.y(), _e3.y());
+        let place_6 = texel_1.cast_elem_as_i32();
+        let _e7 = self.v_wrap_index(place_6.x(), _e3.x());
+        let _e10 = self.v_wrap_index(place_6.y(), _e3.y());
         let wrapped = <rt::Vec2<i32>>::from_scalars(_e7, _e10);
         let _e15 = self.v_search_texel(path_7, wrapped, rt::Scalar(0i32), rt::Scalar(path_7.level).cast_elem_as_i32());
         let _e17 = self.v_slope_of(_e15.x());
@@ -1764,78 +1824,69 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (normal_7.dot((pixel.a.position - pixel.origin)) / normal_7.dot(pixel.direction));
     }
-    pub(crate) fn plane_normal(&self, pixel_1: PixelIn) -> rt::Vec3<f32> {
-        rt::into(self.v_plane_normal(pixel_1))
+    pub(crate) fn depth_in_samples(&self, pixel_1: PixelIn, at_8: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_1, at_8))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_plane_normal(&self, pixel_1: PixelIn) -> rt::Vec3<f32> {
-        let a_3 = pixel_1.a.position;
-        return (pixel_1.b.position - a_3).cross((pixel_1.c.position - a_3));
-    }
-    pub(crate) fn depth_in_samples(&self, pixel_2: PixelIn) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_2))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_depth_in_samples(&self, pixel_2: PixelIn) -> rt::Scalar<f32> {
-        let _e1 = self.v_plane_normal(pixel_2);
-        let _e2 = self.v_plane_distance(pixel_2, _e1);
-        let _e5 = self.frame.eye_right;
-        let _e9 = self.frame.right;
-        let _e16 = rt::Scalar(self.frame.sample_width);
-        let width_1 = ((_e5.xyz() + (_e9.xyz() * _e2)).length() * _e16);
-        let _e20 = rt::Scalar(self.surface_settings.scale_m);
-        return (_e20 / width_1);
+    fn v_depth_in_samples(&self, pixel_1: PixelIn, at_8: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_1, at_8.facing);
+        let _e6 = self.frame.eye_right;
+        let _e10 = self.frame.right;
+        let _e17 = rt::Scalar(self.frame.sample_width);
+        let width_1 = ((_e6.xyz() + (_e10.xyz() * _e3)).length() * _e17);
+        let _e21 = rt::Scalar(self.surface_settings.scale_m);
+        return (_e21 / width_1);
     }
     pub(crate) fn footprint_axis(
         &self,
-        pixel_3: PixelIn,
-        at_8: Entered,
+        pixel_2: PixelIn,
+        at_9: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
         t_6: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_3: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_3, at_8, rt::into(normal_8), rt::into(t_6), rt::into(origin), rt::into(direction_3)))
+        rt::into(self.v_footprint_axis(pixel_2, at_9, rt::into(normal_8), rt::into(t_6), rt::into(origin), rt::into(direction_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_axis(
         &self,
-        pixel_3: PixelIn,
-        at_8: Entered,
+        pixel_2: PixelIn,
+        at_9: Entered,
         normal_8: rt::Vec3<f32>,
         t_6: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_3: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside = (origin + (direction_3 * t_6));
-        let along_2 = (normal_8.dot(aside) / normal_8.dot(pixel_3.direction));
-        let _e15 = self.v_climb(at_8, (aside - (pixel_3.direction * along_2)));
+        let along_5 = (normal_8.dot(aside) / normal_8.dot(pixel_2.direction));
+        let _e15 = self.v_climb(at_9, (aside - (pixel_2.direction * along_5)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
     pub(crate) fn footprint_of(
         &self,
-        pixel_4: PixelIn,
-        at_9: Entered,
+        pixel_3: PixelIn,
+        at_10: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_4, at_9, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_3, at_10, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
-        pixel_4: PixelIn,
-        at_9: Entered,
+        pixel_3: PixelIn,
+        at_10: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_normal(pixel_4);
-        let _e4 = self.v_plane_distance(pixel_4, _e3);
+        let normal_12 = at_10.facing;
+        let _e4 = self.v_plane_distance(pixel_3, normal_12);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_4, at_9, _e3, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_3, at_10, normal_12, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_4, at_9, _e3, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_3, at_10, normal_12, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_1 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -1848,22 +1899,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_fade(
         &self,
-        pixel_5: PixelIn,
-        at_10: Entered,
+        pixel_4: PixelIn,
+        at_11: Entered,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_5, at_10, rt::into(params_5)))
+        rt::into(self.v_detail_fade(pixel_4, at_11, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_fade(
         &self,
-        pixel_5: PixelIn,
-        at_10: Entered,
+        pixel_4: PixelIn,
+        at_11: Entered,
         params_5: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_5, at_10, params_5.x());
+        let _e4 = self.v_footprint_of(pixel_4, at_11, params_5.x());
         let begin = (params_5.z() * params_5.w());
-        let _e8 = self.v_depth_in_samples(pixel_5);
+        let _e8 = self.v_depth_in_samples(pixel_4, at_11);
         let part_5 = ((begin - _e8) / (begin - params_5.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
@@ -1872,61 +1923,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn detail_footprint(
         &self,
-        pixel_6: PixelIn,
-        at_11: Entered,
+        pixel_5: PixelIn,
+        at_12: Entered,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_6, at_11, rt::into(params_6)))
+        rt::into(self.v_detail_footprint(pixel_5, at_12, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_footprint(
         &self,
-        pixel_6: PixelIn,
-        at_11: Entered,
+        pixel_5: PixelIn,
+        at_12: Entered,
         params_6: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_6, at_11, params_6.x());
+        let _e4 = self.v_footprint_of(pixel_5, at_12, params_6.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
         let _e10 = self.v_levels_of((_e4 / params_6.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
     }
     pub(crate) fn detail_none(
         &self,
-        pixel_7: PixelIn,
-        at_12: Entered,
+        pixel_6: PixelIn,
+        at_13: Entered,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_7, at_12, rt::into(params_7)))
+        rt::into(self.v_detail_none(pixel_6, at_13, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_none(
         &self,
-        pixel_7: PixelIn,
-        at_12: Entered,
+        pixel_6: PixelIn,
+        at_13: Entered,
         params_7: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_8: PixelIn, at_13: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_8, at_13))
+    pub(crate) fn detail_stage(&self, pixel_7: PixelIn, at_14: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_7, at_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_8: PixelIn, at_13: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_7: PixelIn, at_14: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[1usize].params;
-                let _e12 = self.v_detail_none(pixel_8, at_13, _e11);
+                let _e12 = self.v_detail_none(pixel_7, at_14, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[1usize].params;
-                let _e18 = self.v_detail_footprint(pixel_8, at_13, _e17);
+                let _e18 = self.v_detail_footprint(pixel_7, at_14, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[1usize].params;
-                let _e24 = self.v_detail_fade(pixel_8, at_13, _e23);
+                let _e24 = self.v_detail_fade(pixel_7, at_14, _e23);
                 return _e24;
             }
         }
@@ -1968,11 +2019,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_20 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_20);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_20);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_20);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_20);
+        let k_21 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_21);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_21);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_21);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_21);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -2018,13 +2069,13 @@ impl<'g> Resources<'g> {
         height: rt::Scalar<f32>,
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let place_6 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_2 = place_6.floor();
+        let place_7 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
+        let below_2 = place_7.floor();
         let _e13 = self.v_search_texel_between(path_9, uv_7, below_2.cast_elem_as_i32());
         let lower = _e13.x();
         let _e21 = self.v_search_texel_between(path_9, uv_7, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_6 - below_2)));
+        return (lower + ((upper - lower) * (place_7 - below_2)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -2034,6 +2085,14 @@ impl<'g> Resources<'g> {
         let s_1 = (tangent * tangent);
         let series = (rt::Scalar(0.999866f32) + (s_1 * (rt::Scalar(-0.3302995f32) + (s_1 * (rt::Scalar(0.180141f32) + (s_1 * (rt::Scalar(-0.085133f32) + (s_1 * rt::Scalar(0.0208351f32)))))))));
         return ((tangent * series) * rt::Scalar(0.15915494f32));
+    }
+    pub(crate) fn plane_normal(&self, pixel_8: PixelIn) -> rt::Vec3<f32> {
+        rt::into(self.v_plane_normal(pixel_8))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_plane_normal(&self, pixel_8: PixelIn) -> rt::Vec3<f32> {
+        let a_4 = pixel_8.a.position;
+        return (pixel_8.b.position - a_4).cross((pixel_8.c.position - a_4));
     }
     pub(crate) fn surface_plane_enter(
         &self,
@@ -2050,19 +2109,19 @@ impl<'g> Resources<'g> {
     ) -> Entered {
         let mut local_5: rt::Scalar<bool>;
 
-        let a_4 = pixel_9.a.position;
+        let a_5 = pixel_9.a.position;
         let _e4 = self.v_plane_normal(pixel_9);
         let nn = _e4.dot(_e4);
         let _e8 = self.v_plane_distance(pixel_9, _e4);
-        let point_5 = (pixel_9.origin + (pixel_9.direction * _e8));
-        let from_a = (point_5 - a_4);
-        let wb = (from_a.cross((pixel_9.c.position - a_4)).dot(_e4) / nn);
-        let wc = ((pixel_9.b.position - a_4).cross(from_a).dot(_e4) / nn);
+        let point_6 = (pixel_9.origin + (pixel_9.direction * _e8));
+        let from_a = (point_6 - a_5);
+        let wb = (from_a.cross((pixel_9.c.position - a_5)).dot(_e4) / nn);
+        let wc = ((pixel_9.b.position - a_5).cross(from_a).dot(_e4) / nn);
         let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_19 = (((pixel_9.a.uv * wa) + (pixel_9.b.uv * wb)) + (pixel_9.c.uv * wc));
+        let uv_20 = (((pixel_9.a.uv * wa) + (pixel_9.b.uv * wb)) + (pixel_9.c.uv * wc));
         let tangent_1 = (((pixel_9.a.tangent * wa) + (pixel_9.b.tangent * wb)) + (pixel_9.c.tangent * wc));
         let bitangent = (((pixel_9.a.bitangent * wa) + (pixel_9.b.bitangent * wb)) + (pixel_9.c.bitangent * wc));
-        let normal_12 = ((((pixel_9.a.normal * wa) + (pixel_9.b.normal * wb)) + (pixel_9.c.normal * wc)).normalize() * rt::Scalar(pixel_9.side));
+        let normal_13 = ((((pixel_9.a.normal * wa) + (pixel_9.b.normal * wb)) + (pixel_9.c.normal * wc)).normalize() * rt::Scalar(pixel_9.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
@@ -2070,43 +2129,161 @@ impl<'g> Resources<'g> {
         let _e82 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e82);
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_5 = normal_12.dot(pixel_9.direction).elementwise_lt(rt::Scalar(0f32));
+            local_5 = normal_13.dot(pixel_9.direction).elementwise_lt(rt::Scalar(0f32));
         } else {
             local_5 = rt::Scalar(false);
         }
         let _e95 = local_5;
         let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e95);
-        return <Entered>::new(segments, point_5, uv_19, tangent_1, bitangent, normal_12, metric_1, rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
+        return <Entered>::new(segments, point_6, uv_20, tangent_1, bitangent, normal_13, metric_1, rt::Scalar(0u32), _e4, rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_10: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_10))
+    pub(crate) fn middle_of(
+        &self,
+        pixel_10: PixelIn,
+        along: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_middle_of(pixel_10, rt::into(along)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_10: PixelIn) -> Entered {
+    fn v_middle_of(
+        &self,
+        pixel_10: PixelIn,
+        along: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        let centre = (((pixel_10.a.position + pixel_10.b.position) + pixel_10.c.position) * rt::Scalar(0.33333334f32));
+        return (centre - pixel_10.origin).dot(along);
+    }
+    pub(crate) fn ordered(
+        &self,
+        pixel_11: PixelIn,
+        place_4: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Corner {
+        rt::into(self.v_ordered(pixel_11, rt::into(place_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ordered(
+        &self,
+        pixel_11: PixelIn,
+        place_4: rt::Scalar<u32>,
+    ) -> Corner {
+        let corner_3 = ((rt::Scalar(pixel_11.shell.order) >> (rt::Scalar(2u32) * place_4)) & rt::Scalar(3u32));
+        if rt::Scalar::into_branch_condition(corner_3.elementwise_eq(rt::Scalar(0u32))) {
+            return pixel_11.a;
+        }
+        if rt::Scalar::into_branch_condition(corner_3.elementwise_eq(rt::Scalar(1u32))) {
+            return pixel_11.b;
+        }
+        return pixel_11.c;
+    }
+    pub(crate) fn frame_at(
+        &self,
+        pixel_12: PixelIn,
+        weights: impl rt::Into<rt::Vec3<f32>>,
+        point_1: impl rt::Into<rt::Vec3<f32>>,
+        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        facing: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Entered {
+        rt::into(self.v_frame_at(pixel_12, rt::into(weights), rt::into(point_1), rt::into(uv_8), rt::into(facing)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_frame_at(
+        &self,
+        pixel_12: PixelIn,
+        weights: rt::Vec3<f32>,
+        point_1: rt::Vec3<f32>,
+        uv_8: rt::Vec2<f32>,
+        facing: rt::Vec3<f32>,
+    ) -> Entered {
+        let _e6 = self.v_ordered(pixel_12, rt::Scalar(0u32));
+        let _e8 = self.v_ordered(pixel_12, rt::Scalar(1u32));
+        let _e10 = self.v_ordered(pixel_12, rt::Scalar(2u32));
+        let tangent_2 = (((_e6.tangent * weights.x()) + (_e8.tangent * weights.y())) + (_e10.tangent * weights.z()));
+        let bitangent_1 = (((_e6.bitangent * weights.x()) + (_e8.bitangent * weights.y())) + (_e10.bitangent * weights.z()));
+        let normal_14 = (((_e6.normal * weights.x()) + (_e8.normal * weights.y())) + (_e10.normal * weights.z()));
+        let _e49 = rt::Scalar(self.surface_settings.scale_m);
+        let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
+        let unit = (normal_14.normalize() * rt::Scalar(pixel_12.side));
+        return <Entered>::new(rt::Scalar(1u32), point_1, uv_8, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, rt::Scalar(0f32), rt::Scalar(0f32));
+    }
+    pub(crate) fn facing_of(
+        &self,
+        pixel_13: PixelIn,
+        along_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_facing_of(pixel_13, rt::into(along_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_facing_of(
+        &self,
+        pixel_13: PixelIn,
+        along_1: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e2 = self.v_plane_normal(pixel_13);
+        let unit_1 = (_e2 * (rt::Scalar(pixel_13.side) / _e2.dot(_e2).sqrt()));
+        let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_1));
+        return (unit_1 - (along_1 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
+    }
+    pub(crate) fn surface_tetrahedra_enter(
+        &self,
+        pixel_14: PixelIn,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_tetrahedra_enter(pixel_14, rt::into(params_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_tetrahedra_enter(
+        &self,
+        pixel_14: PixelIn,
+        params_9: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_15: Entered;
+
+        let along_6 = pixel_14.direction.normalize();
+        let uv_21 = (((pixel_14.a.uv + pixel_14.b.uv) + pixel_14.c.uv) * rt::Scalar(0.33333334f32));
+        let third = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
+        let _e19 = self.v_middle_of(pixel_14, along_6);
+        let point_7 = (pixel_14.origin + (along_6 * _e19));
+        let _e22 = self.v_facing_of(pixel_14, along_6);
+        let _e23 = self.v_frame_at(pixel_14, third, point_7, uv_21, _e22);
+        at_15 = _e23;
+        rt::Scalar(at_15.segments) = rt::Scalar(3u32);
+        let _e27 = at_15;
+        return _e27;
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_15: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_15))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_15: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e5) {
-            _ => {
+            0u32 => {
                 let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_10, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_15, _e10);
                 return _e11;
+            }
+            _ => {
+                let _e16 = self.surface_settings.choices[0usize].params;
+                let _e17 = self.v_surface_tetrahedra_enter(pixel_15, _e16);
+                return _e17;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_11: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_11))
+    pub(crate) fn enter_relief(&self, pixel_16: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_16))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_11: PixelIn) -> Entered {
-        let mut at_14: Entered;
+    fn v_enter_relief(&self, pixel_16: PixelIn) -> Entered {
+        let mut at_16: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_11);
-        at_14 = _e1;
-        let _e3 = at_14;
-        let _e4 = self.v_detail_stage(pixel_11, _e3);
-        rt::Scalar(at_14.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_14.footprint) = rt::Scalar(_e4.footprint);
-        rt::Scalar(at_14.fade) = rt::Scalar(_e4.fade);
-        let _e11 = at_14;
+        let _e1 = self.v_surface_enter_stage(pixel_16);
+        at_16 = _e1;
+        let _e3 = at_16;
+        let _e4 = self.v_detail_stage(pixel_16, _e3);
+        rt::Scalar(at_16.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_16.footprint) = rt::Scalar(_e4.footprint);
+        rt::Scalar(at_16.fade) = rt::Scalar(_e4.fade);
+        let _e11 = at_16;
         return _e11;
     }
     pub(crate) fn entered_once(
@@ -2158,11 +2335,11 @@ impl<'g> Resources<'g> {
                     cost_1 = (_e25 + STEP);
                     let _e28 = near_1;
                     let _e29 = far_1;
-                    let middle_3 = (rt::Scalar(0.5f32) * (_e28 + _e29));
+                    let middle_5 = (rt::Scalar(0.5f32) * (_e28 + _e29));
                     let _e33 = near_1;
-                    if rt::Scalar::into_branch_condition(middle_3.elementwise_gt(_e33)) {
+                    if rt::Scalar::into_branch_condition(middle_5.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_6 = middle_3.elementwise_lt(_e37);
+                        local_6 = middle_5.elementwise_lt(_e37);
                     } else {
                         local_6 = rt::Scalar(false);
                     }
@@ -2170,14 +2347,14 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e42 = self.v_path_gap(path_10, middle_3);
+                    let _e42 = self.v_path_gap(path_10, middle_5);
                     let _e43 = cost_1;
                     cost_1 = (_e43 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
-                        far_1 = middle_3;
+                        far_1 = middle_5;
                         far_gap = _e42;
                     } else {
-                        near_1 = middle_3;
+                        near_1 = middle_5;
                         near_gap = _e42;
                     }
                 }
@@ -2193,99 +2370,99 @@ impl<'g> Resources<'g> {
     pub(crate) fn facing_four(
         &self,
         middle: impl rt::Into<rt::Scalar<f32>>,
-        along: impl rt::Into<rt::Scalar<f32>>,
+        along_2: impl rt::Into<rt::Scalar<f32>>,
         across: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_facing_four(rt::into(middle), rt::into(along), rt::into(across)))
+        rt::into(self.v_facing_four(rt::into(middle), rt::into(along_2), rt::into(across)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_facing_four(
         &self,
         middle: rt::Scalar<f32>,
-        along: rt::Scalar<f32>,
+        along_2: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_1 = (along * rt::Scalar(1.7320508f32));
+        let x_1 = (along_2 * rt::Scalar(1.7320508f32));
         let y = (across * rt::Scalar(1.7320508f32));
         return <rt::Vec4<f32>>::from_scalars((middle + x_1), (middle - x_1), (middle + y), (middle - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn normal_at(
         &self,
-        uv_8: impl rt::Into<rt::Vec2<f32>>,
+        uv_9: impl rt::Into<rt::Vec2<f32>>,
         layer_5: impl rt::Into<rt::Scalar<i32>>,
         level_14: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_normal_at(rt::into(uv_8), rt::into(layer_5), rt::into(level_14)))
+        rt::into(self.v_normal_at(rt::into(uv_9), rt::into(layer_5), rt::into(level_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_at(
         &self,
-        uv_8: rt::Vec2<f32>,
+        uv_9: rt::Vec2<f32>,
         layer_5: rt::Scalar<i32>,
         level_14: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_14);
-        let _e7 = self.v_texels_around(uv_8, _e6);
-        let k_21 = level_14.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_21));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_21));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_21));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_21));
+        let _e7 = self.v_texels_around(uv_9, _e6);
+        let k_22 = level_14.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_22));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_22));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_22));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_22));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_15: Entered,
-        uv_9: impl rt::Into<rt::Vec2<f32>>,
+        at_17: Entered,
+        uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_15, rt::into(uv_9)))
+        rt::into(self.v_normal_from_height(at_17, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_15: Entered,
-        uv_9: rt::Vec2<f32>,
+        at_17: Entered,
+        uv_10: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
         let du = <rt::Vec2<f32>>::from_scalars((rt::Scalar(1f32) / _e3.x()), rt::Scalar(0f32));
         let dv = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), (rt::Scalar(1f32) / _e3.y()));
-        let _e16 = self.v_height_at((uv_9 + du), rt::Scalar(0u32));
-        let _e19 = self.v_height_at((uv_9 - du), rt::Scalar(0u32));
+        let _e16 = self.v_height_at((uv_10 + du), rt::Scalar(0u32));
+        let _e19 = self.v_height_at((uv_10 - du), rt::Scalar(0u32));
         let rise_u = (_e16 - _e19);
-        let _e23 = self.v_height_at((uv_9 + dv), rt::Scalar(0u32));
-        let _e26 = self.v_height_at((uv_9 - dv), rt::Scalar(0u32));
+        let _e23 = self.v_height_at((uv_10 + dv), rt::Scalar(0u32));
+        let _e26 = self.v_height_at((uv_10 - dv), rt::Scalar(0u32));
         let rise_v = (_e23 - _e26);
         let _e33 = rt::Scalar(self.surface_settings.scale_m);
         let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
         let _e41 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
-        let along_u_1 = (at_15.tangent + (at_15.normal * slope_u));
-        let along_v_1 = (at_15.bitangent + (at_15.normal * slope_v));
+        let along_u_1 = (at_17.tangent + (at_17.normal * slope_u));
+        let along_v_1 = (at_17.bitangent + (at_17.normal * slope_v));
         let across_2 = along_v_1.cross(along_u_1).normalize();
-        return (across_2 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_2.dot(at_15.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_2 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_2.dot(at_17.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn finest_normal(
         &self,
-        at_16: Entered,
-        uv_10: impl rt::Into<rt::Vec2<f32>>,
+        at_18: Entered,
+        uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_16, rt::into(uv_10)))
+        rt::into(self.v_finest_normal(at_18, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_finest_normal(
         &self,
-        at_16: Entered,
-        uv_10: rt::Vec2<f32>,
+        at_18: Entered,
+        uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
-            let _e9 = self.v_normal_at(uv_10, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_16, _e9.xyz());
+            let _e9 = self.v_normal_at(uv_11, rt::Scalar(0i32), rt::Scalar(0u32));
+            let _e11 = self.v_from_tangent_space(at_18, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_16, uv_10);
+        let _e13 = self.v_normal_from_height(at_18, uv_11);
         return _e13;
     }
     pub(crate) fn inside_unit(
@@ -2317,42 +2494,42 @@ impl<'g> Resources<'g> {
             }
             return interval;
         }
-        let a_5 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_3 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_5.min(b_3)), interval.y().min(a_5.max(b_3)));
+        let a_6 = ((rt::Scalar(0f32) - x0_) / dx);
+        let b_4 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval.x().max(a_6.min(b_4)), interval.y().min(a_6.max(b_4)));
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_12: PixelIn,
-        at_17: Entered,
+        pixel_17: PixelIn,
+        at_19: Entered,
         k: impl rt::Into<rt::Scalar<u32>>,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_12, at_17, rt::into(k), rt::into(params_9)))
+        rt::into(self.v_surface_plane_segment(pixel_17, at_19, rt::into(k), rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_12: PixelIn,
-        at_17: Entered,
+        pixel_17: PixelIn,
+        at_19: Entered,
         k: rt::Scalar<u32>,
-        params_9: rt::Vec4<f32>,
+        params_10: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
         let mut leave_3: rt::Scalar<f32>;
         let mut interval_1: rt::Vec2<f32>;
 
-        let along_3 = pixel_12.direction.length();
-        let direction_4 = (pixel_12.direction / rt::Vec3::splat_from_scalar(along_3));
-        let _e9 = self.v_climb(at_17, direction_4);
+        let along_7 = pixel_17.direction.length();
+        let direction_4 = (pixel_17.direction / rt::Vec3::splat_from_scalar(along_7));
+        let _e9 = self.v_climb(at_19, direction_4);
         let duv_1 = _e9.xy();
-        let descent = (rt::Scalar(0f32) - at_17.normal.dot(direction_4));
+        let descent = (rt::Scalar(0f32) - at_19.normal.dot(direction_4));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_4 = ((rt::Scalar(0f32) - descent) / _e15);
-        let _e20 = self.v_plane_normal(pixel_12);
-        let _e21 = self.v_plane_distance(pixel_12, _e20);
-        let distance = (_e21 * along_3);
+        let _e20 = self.v_plane_normal(pixel_17);
+        let _e21 = self.v_plane_distance(pixel_17, _e20);
+        let distance = (_e21 * along_7);
         let eye = (rt::Scalar(0f32) - distance);
         let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent);
         enter = top_3.max(eye);
@@ -2364,10 +2541,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_3;
-            let _e51 = self.v_inside_unit(at_17.uv.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_19.uv.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_1 = _e51;
             let _e56 = interval_1;
-            let _e57 = self.v_inside_unit(at_17.uv.y(), duv_1.y(), _e56);
+            let _e57 = self.v_inside_unit(at_19.uv.y(), duv_1.y(), _e56);
             interval_1 = _e57;
             let _e59 = interval_1.x();
             enter = _e59;
@@ -2383,31 +2560,209 @@ impl<'g> Resources<'g> {
         let _e81 = leave_3;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_17.uv + (duv_1 * _e76)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e81 - _e82), base_1, at_17.metric, RAY_VIEW, rt::Scalar(at_17.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_19.uv + (duv_1 * _e76)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_4, rt::Scalar(0f32)), (_e81 - _e82), base_1, at_19.metric, RAY_VIEW, rt::Scalar(at_19.level), (distance + _e87), rt::Scalar(1f32));
     }
-    pub(crate) fn surface_segment_stage(
+    pub(crate) fn raised(
         &self,
-        pixel_13: PixelIn,
-        at_18: Entered,
-        k_1: impl rt::Into<rt::Scalar<u32>>,
-    ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_13, at_18, rt::into(k_1)))
+        corner_1: Corner,
+        side: impl rt::Into<rt::Scalar<f32>>,
+        height_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_raised(corner_1, rt::into(side), rt::into(height_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_segment_stage(
+    fn v_raised(
         &self,
-        pixel_13: PixelIn,
-        at_18: Entered,
-        k_1: rt::Scalar<u32>,
-    ) -> Path {
-        let _e7 = rt::Scalar(self.surface_settings.choices[0usize].number);
-        match rt::Scalar::into_inner(_e7) {
-            _ => {
-                let _e12 = self.surface_settings.choices[0usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_13, at_18, k_1, _e12);
-                return _e13;
-            }
+        corner_1: Corner,
+        side: rt::Scalar<f32>,
+        height_1: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let shell_1 = self.surface_settings.shell_m;
+        return (corner_1.position + (corner_1.normal * (side * (shell_1.x() + ((shell_1.y() - shell_1.x()) * height_1)))));
+    }
+    pub(crate) fn shell_slack(
+        &self,
+        pixel_18: PixelIn,
+        middle_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_shell_slack(pixel_18, rt::into(middle_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_shell_slack(
+        &self,
+        pixel_18: PixelIn,
+        middle_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let origin_2 = pixel_18.origin.abs();
+        return (rt::Scalar(0.0000009536743f32) * (origin_2.x().max(origin_2.y()).max(origin_2.z()) + middle_1.abs()));
+    }
+    pub(crate) fn where_positive(
+        &self,
+        interval_2: impl rt::Into<rt::Vec2<f32>>,
+        weight_1: impl rt::Into<rt::Scalar<f32>>,
+        change: impl rt::Into<rt::Scalar<f32>>,
+        slack: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_where_positive(rt::into(interval_2), rt::into(weight_1), rt::into(change), rt::into(slack)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_where_positive(
+        &self,
+        interval_2: rt::Vec2<f32>,
+        weight_1: rt::Scalar<f32>,
+        change: rt::Scalar<f32>,
+        slack: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
+            return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval_2.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval_2.y());
         }
+        let t_28 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
+            return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(t_28), interval_2.y());
+        }
+        return <rt::Vec2<f32>>::from_scalars(interval_2.x(), interval_2.y().min(t_28));
+    }
+    pub(crate) fn tetrahedron(
+        &self,
+        pixel_19: PixelIn,
+        along_3: impl rt::Into<rt::Vec3<f32>>,
+        middle_2: impl rt::Into<rt::Scalar<f32>>,
+        number: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Tetrahedron {
+        rt::into(self.v_tetrahedron(pixel_19, rt::into(along_3), rt::into(middle_2), rt::into(number)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_tetrahedron(
+        &self,
+        pixel_19: PixelIn,
+        along_3: rt::Vec3<f32>,
+        middle_2: rt::Scalar<f32>,
+        number: rt::Scalar<u32>,
+    ) -> Tetrahedron {
+        let mut inside: rt::Vec2<f32>;
+        let mut local_8: rt::Scalar<bool>;
+
+        let origin_3 = (pixel_19.origin + (along_3 * middle_2));
+        let is_first = number.elementwise_eq(rt::Scalar(0u32));
+        let is_last = number.elementwise_eq(rt::Scalar(2u32));
+        let _e12 = self.v_ordered(pixel_19, rt::Scalar(0u32));
+        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_19.side), rt::Scalar(0f32));
+        let q0_ = (_e15 - origin_3);
+        let _e20 = self.v_ordered(pixel_19, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last));
+        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_19.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last));
+        let q1_ = (_e25 - origin_3);
+        let _e30 = self.v_ordered(pixel_19, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first));
+        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_19.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first));
+        let q2_ = (_e35 - origin_3);
+        let _e38 = self.v_ordered(pixel_19, rt::Scalar(2u32));
+        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_19.side), rt::Scalar(1f32));
+        let q3_ = (_e41 - origin_3);
+        let e1_ = (q1_ - q0_);
+        let e2_ = (q2_ - q0_);
+        let e3_ = (q3_ - q0_);
+        let n1_ = e2_.cross(e3_);
+        let n2_ = e3_.cross(e1_);
+        let n3_ = e1_.cross(e2_);
+        let n0_ = (e2_ - e1_).cross((e3_ - e1_));
+        let volume = e1_.dot(n1_);
+        let w1_ = ((rt::Scalar(0f32) - q0_.dot(n1_)) / volume);
+        let w2_ = ((rt::Scalar(0f32) - q0_.dot(n2_)) / volume);
+        let w3_ = ((rt::Scalar(0f32) - q0_.dot(n3_)) / volume);
+        let w0_ = (q1_.dot(n0_) / volume);
+        let g1_ = (along_3.dot(n1_) / volume);
+        let g2_ = (along_3.dot(n2_) / volume);
+        let g3_ = (along_3.dot(n3_) / volume);
+        let g0_ = (rt::Scalar(0f32) - (along_3.dot(n0_) / volume));
+        let _e77 = self.v_shell_slack(pixel_19, middle_2);
+        let slack_3 = (_e77 / volume.abs());
+        inside = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_2), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e85 = inside;
+        let _e88 = self.v_where_positive(_e85, w0_, g0_, (slack_3 * n0_.length()));
+        inside = _e88;
+        let _e89 = inside;
+        let _e92 = self.v_where_positive(_e89, w1_, g1_, (slack_3 * n1_.length()));
+        inside = _e92;
+        let _e93 = inside;
+        let _e96 = self.v_where_positive(_e93, w2_, g2_, (slack_3 * n2_.length()));
+        inside = _e96;
+        let _e97 = inside;
+        let _e100 = self.v_where_positive(_e97, w3_, g3_, (slack_3 * n3_.length()));
+        inside = _e100;
+        if rt::Scalar::into_branch_condition((!(!volume.abs().elementwise_gt(rt::Scalar(0f32))))) {
+            let _e109 = inside.y();
+            local_8 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+        } else {
+            local_8 = rt::Scalar(true);
+        }
+        let _e114 = local_8;
+        if rt::Scalar::into_branch_condition(_e114) {
+            inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
+        }
+        if rt::Scalar::into_branch_condition(is_first) {
+            let _e118 = inside;
+            return <Tetrahedron>::new(_e118, <rt::Vec4<f32>>::from_scalars(w0_, w1_, (w2_ + w3_), w3_), <rt::Vec4<f32>>::from_scalars(g0_, g1_, (g2_ + g3_), g3_));
+        }
+        if rt::Scalar::into_branch_condition(is_last) {
+            let upper_1 = <rt::Vec2<f32>>::from_scalars(((w1_ + w2_) + w3_), ((g1_ + g2_) + g3_));
+            let _e129 = inside;
+            return <Tetrahedron>::new(_e129, <rt::Vec4<f32>>::from_scalars((w0_ + w1_), w2_, w3_, upper_1.x()), <rt::Vec4<f32>>::from_scalars((g0_ + g1_), g2_, g3_, upper_1.y()));
+        }
+        let _e137 = inside;
+        return <Tetrahedron>::new(_e137, <rt::Vec4<f32>>::from_scalars(w0_, (w1_ + w2_), w3_, (w2_ + w3_)), <rt::Vec4<f32>>::from_scalars(g0_, (g1_ + g2_), g3_, (g2_ + g3_)));
+    }
+    pub(crate) fn path_from(
+        &self,
+        path_11: Path,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
+    ) -> Path {
+        rt::into(self.v_path_from(path_11, rt::into(t_7)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_path_from(
+        &self,
+        path_11: Path,
+        t_7: rt::Scalar<f32>,
+    ) -> Path {
+        let mut rest: Path;
+
+        rest = path_11;
+        let _e4 = self.v_path_uv(path_11, t_7);
+        rest.uv = _e4;
+        rest.h = <rt::Vec3<f32>>::from_scalars((path_11.h.x() + (t_7 * (path_11.h.y() + (t_7 * path_11.h.z())))), (path_11.h.y() + ((rt::Scalar(2f32) * t_7) * path_11.h.z())), path_11.h.z());
+        rt::Scalar(rest.exit) = (rt::Scalar(path_11.exit) - t_7);
+        rt::Scalar(rest.start) = (rt::Scalar(path_11.start) + t_7);
+        let _e33 = rest;
+        return _e33;
+    }
+    pub(crate) fn grid_of(&self, path_12: Path) -> Grid {
+        rt::into(self.v_grid_of(path_12))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_grid_of(&self, path_12: Path) -> Grid {
+        let _e2 = self.v_height_size(rt::Scalar(path_12.level));
+        return <Grid>::new(((path_12.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_12.duv * _e2));
+    }
+    pub(crate) fn rounded_gap(
+        &self,
+        path_13: Path,
+        slack_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_rounded_gap(path_13, rt::into(slack_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_rounded_gap(
+        &self,
+        path_13: Path,
+        slack_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e3 = self.v_height_size(rt::Scalar(path_13.level));
+        let _e10 = self.v_cell_of(((path_13.uv * _e3) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        let _e13 = self.v_height_cell(_e10.cast_elem_as_i32(), rt::Scalar(path_13.level));
+        let range = (_e13.x().max(_e13.y()).max(_e13.z().max(_e13.w())) - _e13.x().min(_e13.y()).min(_e13.z().min(_e13.w())));
+        let texels_2 = (path_13.duv.abs() * _e3);
+        let places = ((path_13.uv.abs() * _e3) * rt::Scalar(0.0000009536743f32));
+        let aside_1 = ((((texels_2.x() + texels_2.y()) * slack_1) + places.x()) + places.y());
+        return (((path_13.h.y().abs() * slack_1) + (range * aside_1)) + rt::Scalar(0.0000009536743f32));
     }
     pub(crate) fn quadratic(
         &self,
@@ -2437,27 +2792,27 @@ impl<'g> Resources<'g> {
         c_1: rt::Vec3<f32>,
         span: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut a: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
-        let mut b: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut a_1: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut b_1: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let discriminant = ((c_1.y() * c_1.y()) - ((rt::Scalar(4f32) * c_1.z()) * c_1.x()));
         if rt::Scalar::into_branch_condition(discriminant.elementwise_ge(rt::Scalar(0f32))) {
             let root = discriminant.sqrt();
             let q = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root).select(root, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
             if rt::Scalar::into_branch_condition(c_1.z().elementwise_ne(rt::Scalar(0f32))) {
-                a = (q / c_1.z());
+                a_1 = (q / c_1.z());
             }
             if rt::Scalar::into_branch_condition(q.elementwise_ne(rt::Scalar(0f32))) {
-                b = (c_1.x() / q);
+                b_1 = (c_1.x() / q);
             }
-            let _e37 = a;
-            let _e38 = a;
-            a = rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e38.elementwise_ge(rt::Scalar(0f32)));
-            let _e43 = b;
-            let _e44 = b;
-            b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
-            let _e49 = a;
-            let _e50 = b;
+            let _e37 = a_1;
+            let _e38 = a_1;
+            a_1 = rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e38.elementwise_ge(rt::Scalar(0f32)));
+            let _e43 = b_1;
+            let _e44 = b_1;
+            b_1 = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
+            let _e49 = a_1;
+            let _e50 = b_1;
             let first_2 = _e49.min(_e50);
             if rt::Scalar::into_branch_condition(first_2.elementwise_le(span)) {
                 return first_2;
@@ -2469,91 +2824,262 @@ impl<'g> Resources<'g> {
         }
         return rt::Scalar(300000000000000000000000000000000000000f32);
     }
+    pub(crate) fn out_of_ground(
+        &self,
+        path_14: Path,
+        slack_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_out_of_ground(path_14, rt::into(slack_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_out_of_ground(
+        &self,
+        path_14: Path,
+        slack_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut cell_6: rt::Vec2<f32>;
+        let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
+
+        let _e2 = self.v_grid_of(path_14);
+        let _e3 = self.v_rounded_gap(path_14, slack_2);
+        let _e5 = self.v_cell_of(_e2.origin);
+        cell_6 = _e5;
+        let _e9 = cell_6;
+        let _e11 = self.v_cell_gap(path_14, _e2, _e9, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(_e11.x().elementwise_ge((rt::Scalar(0f32) - _e3))) {
+            return rt::Scalar(0f32);
+        }
+        'naga_break: loop {
+            'naga_continue: {
+                let _e17 = t_8;
+                if rt::Scalar::into_branch_condition(_e17.elementwise_lt(rt::Scalar(path_14.exit))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e20 = cell_6;
+                    let _e21 = self.v_cell_leave(_e2, _e20);
+                    let end = _e21.x().min(_e21.y()).min(rt::Scalar(path_14.exit));
+                    let _e30 = cell_6;
+                    let _e31 = t_8;
+                    let _e32 = self.v_cell_gap(path_14, _e2, _e30, _e31);
+                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e3, rt::Scalar(0f32), rt::Scalar(0f32)) - _e32);
+                    if rt::Scalar::into_branch_condition((!below_3.x().elementwise_gt(rt::Scalar(0f32)))) {
+                        let _e38 = t_8;
+                        return _e38;
+                    }
+                    let _e39 = t_8;
+                    let _e43 = self.v_first_root(below_3, (end - _e39).max(rt::Scalar(0f32)));
+                    if rt::Scalar::into_branch_condition(_e43.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e46 = t_8;
+                        return (_e46 + _e43);
+                    }
+                    let _e48 = cell_6;
+                    let _e49 = self.v_cell_next(_e2, _e48, _e21);
+                    cell_6 = _e49;
+                    let _e50 = t_8;
+                    t_8 = _e50.max(end);
+                }
+            }
+        }
+        return rt::Scalar(path_14.exit);
+    }
+    pub(crate) fn surface_tetrahedra_segment(
+        &self,
+        pixel_20: PixelIn,
+        at_20: Entered,
+        k_1: impl rt::Into<rt::Scalar<u32>>,
+        params_11: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_tetrahedra_segment(pixel_20, at_20, rt::into(k_1), rt::into(params_11)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_tetrahedra_segment(
+        &self,
+        pixel_20: PixelIn,
+        at_20: Entered,
+        k_1: rt::Scalar<u32>,
+        params_11: rt::Vec4<f32>,
+    ) -> Path {
+        let mut chosen: Tetrahedron;
+        let mut inside_1: rt::Vec2<f32>;
+        let mut path_15: Path;
+
+        let along_8 = pixel_20.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_20, along_8);
+        let _e8 = self.v_tetrahedron(pixel_20, along_8, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_20, along_8, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_20, along_8, _e6, rt::Scalar(2u32));
+        let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
+        let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
+        let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
+        chosen = _e8;
+        if rt::Scalar::into_branch_condition((_e15 + (rt::Scalar(1u32) - _e21)).elementwise_eq(k_1)) {
+            chosen = _e10;
+        }
+        if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_1)) {
+            chosen = _e12;
+        }
+        let _e30 = self.v_ordered(pixel_20, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_20, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_20, rt::Scalar(2u32));
+        let w = chosen.weights;
+        let g = chosen.change;
+        let uv_22 = (((_e30.uv * w.x()) + (_e32.uv * w.y())) + (_e34.uv * w.z()));
+        let duv_2 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
+        let _e61 = self.v_shell_slack(pixel_20, _e6);
+        let beyond = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
+        let _e68 = chosen.inside;
+        inside_1 = _e68;
+        let _e70 = inside_1;
+        let _e77 = self.v_where_positive(_e70, (w.w() - pixel_20.shell.heights.x()), g.w(), beyond);
+        inside_1 = _e77;
+        let _e78 = inside_1;
+        let _e87 = self.v_where_positive(_e78, (pixel_20.shell.heights.y() - w.w()), (rt::Scalar(0f32) - g.w()), beyond);
+        inside_1 = _e87;
+        let _e90 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
+            let _e95 = inside_1;
+            let _e96 = self.v_inside_unit(uv_22.x(), duv_2.x(), _e95);
+            inside_1 = _e96;
+            let _e99 = inside_1;
+            let _e100 = self.v_inside_unit(uv_22.y(), duv_2.y(), _e99);
+            inside_1 = _e100;
+        }
+        let whole = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
+        let _e125 = inside_1.x();
+        let _e131 = inside_1.x();
+        let _e138 = inside_1.y();
+        let _e140 = inside_1.x();
+        let _e146 = inside_1.x();
+        let _e149 = inside_1.y();
+        let _e151 = inside_1.x();
+        path_15 = <Path>::new((uv_22 + (duv_2 * _e125)), duv_2, <rt::Vec3<f32>>::from_scalars((w.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_20.metric, RAY_VIEW, rt::Scalar(at_20.level), (_e6 + _e146), ((_e149 - _e151) / whole));
+        let _e158 = rt::Scalar(path_15.exit);
+        if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
+            let _e161 = path_15;
+            let _e162 = path_15;
+            let _e165 = self.v_out_of_ground(_e162, (rt::Scalar(4f32) * _e61));
+            let _e166 = self.v_path_from(_e161, _e165);
+            path_15 = _e166;
+        }
+        let _e167 = path_15;
+        return _e167;
+    }
+    pub(crate) fn surface_segment_stage(
+        &self,
+        pixel_21: PixelIn,
+        at_21: Entered,
+        k_2: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Path {
+        rt::into(self.v_surface_segment_stage(pixel_21, at_21, rt::into(k_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_segment_stage(
+        &self,
+        pixel_21: PixelIn,
+        at_21: Entered,
+        k_2: rt::Scalar<u32>,
+    ) -> Path {
+        let _e7 = rt::Scalar(self.surface_settings.choices[0usize].number);
+        match rt::Scalar::into_inner(_e7) {
+            0u32 => {
+                let _e12 = self.surface_settings.choices[0usize].params;
+                let _e13 = self.v_surface_plane_segment(pixel_21, at_21, k_2, _e12);
+                return _e13;
+            }
+            _ => {
+                let _e18 = self.surface_settings.choices[0usize].params;
+                let _e19 = self.v_surface_tetrahedra_segment(pixel_21, at_21, k_2, _e18);
+                return _e19;
+            }
+        }
+    }
     pub(crate) fn path_slope(
         &self,
-        path_11: Path,
-        t_7: impl rt::Into<rt::Scalar<f32>>,
+        path_16: Path,
+        t_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_11, rt::into(t_7)))
+        rt::into(self.v_path_slope(path_16, rt::into(t_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_11: Path,
-        t_7: rt::Scalar<f32>,
+        path_16: Path,
+        t_9: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_11.h.y() + ((rt::Scalar(2f32) * t_7) * path_11.h.z()));
+        return (path_16.h.y() + ((rt::Scalar(2f32) * t_9) * path_16.h.z()));
     }
     pub(crate) fn flattened(
         &self,
-        path_12: Path,
-        middle_1: impl rt::Into<rt::Scalar<f32>>,
+        path_17: Path,
+        middle_3: impl rt::Into<rt::Scalar<f32>>,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_12, rt::into(middle_1), rt::into(part_1)))
+        rt::into(self.v_flattened(path_17, rt::into(middle_3), rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
-        path_12: Path,
-        middle_1: rt::Scalar<f32>,
+        path_17: Path,
+        middle_3: rt::Scalar<f32>,
         part_1: rt::Scalar<f32>,
     ) -> Path {
         let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let kept = (rt::Scalar(1f32) - part_1);
-        let top_4 = (middle_1 + ((rt::Scalar(1f32) - middle_1) * kept));
-        let above_3 = (path_12.h.x() - top_4);
+        let top_4 = (middle_3 + ((rt::Scalar(1f32) - middle_3) * kept));
+        let above_3 = (path_17.h.x() - top_4);
         let begins = above_3.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, path_12.h.y(), path_12.h.z()), rt::Scalar(path_12.exit));
-            start = _e22.min(rt::Scalar(path_12.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, path_17.h.y(), path_17.h.z()), rt::Scalar(path_17.exit));
+            start = _e22.min(rt::Scalar(path_17.exit));
         }
-        let height_2 = (middle_1 + ((path_12.h.x() - middle_1) / kept)).select(rt::Scalar(1f32), begins);
+        let height_3 = (middle_3 + ((path_17.h.x() - middle_3) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
-        let _e33 = self.v_path_slope(path_12, _e32);
-        let h_1 = <rt::Vec3<f32>>::from_scalars(height_2, (_e33 / kept), (path_12.h.z() / kept));
+        let _e33 = self.v_path_slope(path_17, _e32);
+        let h_1 = <rt::Vec3<f32>>::from_scalars(height_3, (_e33 / kept), (path_17.h.z() / kept));
         let _e40 = start;
-        let rest_1 = (rt::Scalar(path_12.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_1.x().max(rt::Scalar(0f32)), h_1.y(), h_1.z()), rest_1);
-        let exit = (_e48 * rt::Scalar(1.000001f32)).min(rest_1);
+        let rest_2 = (rt::Scalar(path_17.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_1.x().max(rt::Scalar(0f32)), h_1.y(), h_1.z()), rest_2);
+        let exit = (_e48 * rt::Scalar(1.000001f32)).min(rest_2);
         let _e53 = start;
-        let base_2 = (rt::Scalar(path_12.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_2 = (rt::Scalar(path_17.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
-        let _e59 = self.v_path_uv(path_12, _e58);
+        let _e59 = self.v_path_uv(path_17, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_12.duv, h_1, exit, base_2, path_12.metric, rt::Scalar(path_12.ray), rt::Scalar(path_12.level), (rt::Scalar(path_12.start) + _e65), rt::Scalar(path_12.share));
+        return <Path>::new(_e59, path_17.duv, h_1, exit, base_2, path_17.metric, rt::Scalar(path_17.ray), rt::Scalar(path_17.level), (rt::Scalar(path_17.start) + _e65), rt::Scalar(path_17.share));
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_14: PixelIn,
-        at_19: Entered,
-        k_2: impl rt::Into<rt::Scalar<u32>>,
+        pixel_22: PixelIn,
+        at_22: Entered,
+        k_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_14, at_19, rt::into(k_2)))
+        rt::into(self.v_segment_of(pixel_22, at_22, rt::into(k_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_14: PixelIn,
-        at_19: Entered,
-        k_2: rt::Scalar<u32>,
+        pixel_22: PixelIn,
+        at_22: Entered,
+        k_3: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_13: Path;
+        let mut path_18: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_14, at_19, k_2);
-        path_13 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_19.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_13;
+        let _e3 = self.v_surface_segment_stage(pixel_22, at_22, k_3);
+        path_18 = _e3;
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_22.fade).elementwise_gt(rt::Scalar(0f32))) {
+            let _e8 = path_18;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_19.fade));
-            path_13 = _e13;
-            let _e16 = path_13.h.x();
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_22.fade));
+            path_18 = _e13;
+            let _e16 = path_18.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_13.exit) = rt::Scalar(0f32);
+                rt::Scalar(path_18.exit) = rt::Scalar(0f32);
             }
         }
-        let _e22 = path_13;
+        let _e22 = path_18;
         return _e22;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -2565,55 +3091,55 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_14: Path,
-        t_8: impl rt::Into<rt::Scalar<f32>>,
+        path_19: Path,
+        t_10: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_14, rt::into(t_8), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_19, rt::into(t_10), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_14: Path,
-        t_8: rt::Scalar<f32>,
+        path_19: Path,
+        t_10: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_8: rt::Scalar<bool>;
+        let mut local_9: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_8.elementwise_gt(rt::Scalar(path_14.exit))) {
-            let _e9 = self.v_path_height(path_14, rt::Scalar(path_14.exit));
-            local_8 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_10.elementwise_gt(rt::Scalar(path_19.exit))) {
+            let _e9 = self.v_path_height(path_19, rt::Scalar(path_19.exit));
+            local_9 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_8 = rt::Scalar(false);
+            local_9 = rt::Scalar(false);
         }
-        let _e13 = local_8;
+        let _e13 = local_9;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_1 = t_8.clamp(rt::Scalar(0f32), rt::Scalar(path_14.exit));
-        let _e19 = self.v_path_uv(path_14, inside_1);
-        let _e20 = self.v_path_height(path_14, inside_1);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_1, cost_3);
+        let inside_3 = t_10.clamp(rt::Scalar(0f32), rt::Scalar(path_19.exit));
+        let _e19 = self.v_path_uv(path_19, inside_3);
+        let _e20 = self.v_path_height(path_19, inside_3);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_3, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_15: Path, found: Found) -> f32 {
-        rt::into(self.v_starting_point(path_15, found))
+    pub(crate) fn starting_point(&self, path_20: Path, found: Found) -> f32 {
+        rt::into(self.v_starting_point(path_20, found))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_15: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_9: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_20: Path, found: Found) -> rt::Scalar<f32> {
+        let mut local_10: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_15.base);
+            return rt::Scalar(path_20.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_9 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_10 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_9 = rt::Scalar(true);
+            local_10 = rt::Scalar(true);
         }
-        let _e16 = local_9;
+        let _e16 = local_10;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -2621,76 +3147,76 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_16: Path,
+        path_21: Path,
         found_1: Found,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
+        params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_16, found_1, rt::into(params_10)))
+        rt::into(self.v_refine_none(path_21, found_1, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_16: Path,
+        path_21: Path,
         found_1: Found,
-        params_10: rt::Vec4<f32>,
+        params_12: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_1.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_1.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_16, found_1);
-        let _e16 = self.v_hit_on_path(path_16, _e14, exhausted_1, found_1.cost);
+        let _e14 = self.v_starting_point(path_21, found_1);
+        let _e16 = self.v_hit_on_path(path_21, _e14, exhausted_1, found_1.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_17: Path,
+        path_22: Path,
         found_2: Found,
-        params_11: impl rt::Into<rt::Vec4<f32>>,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_17, found_2, rt::into(params_11)))
+        rt::into(self.v_refine_offset(path_22, found_2, rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_17: Path,
+        path_22: Path,
         found_2: Found,
-        params_11: rt::Vec4<f32>,
+        params_13: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_9: rt::Scalar<f32>;
+        let mut t_11: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_17, found_2);
-        let _e9 = self.v_path_uv(path_17, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_17.level));
-        let _e12 = self.v_path_slope(path_17, _e8);
-        t_9 = _e8;
+        let _e8 = self.v_starting_point(path_22, found_2);
+        let _e9 = self.v_path_uv(path_22, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_22.level));
+        let _e12 = self.v_path_slope(path_22, _e8);
+        t_11 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_17, _e8);
-            t_9 = (_e8 + ((_e11 - _e16) / _e12));
+            let _e16 = self.v_path_height(path_22, _e8);
+            t_11 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e20 = t_9;
-        let _e30 = self.v_hit_on_path(path_17, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
+        let _e20 = t_11;
+        let _e30 = self.v_hit_on_path(path_22, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_18: Path,
+        path_23: Path,
         found_3: Found,
-        params_12: impl rt::Into<rt::Vec4<f32>>,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_18, found_3, rt::into(params_12)))
+        rt::into(self.v_refine_offset_limited(path_23, found_3, rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_18: Path,
+        path_23: Path,
         found_3: Found,
-        params_12: rt::Vec4<f32>,
+        params_14: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_6: Hit;
 
@@ -2698,13 +3224,13 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_18, found_3);
-        let _e9 = self.v_path_uv(path_18, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_18.level));
-        let _e12 = self.v_path_height(path_18, _e8);
-        let rise_m = ((_e11 - _e12) * path_18.metric.w());
+        let _e8 = self.v_starting_point(path_23, found_3);
+        let _e9 = self.v_path_uv(path_23, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_23.level));
+        let _e12 = self.v_path_height(path_23, _e8);
+        let rise_m = ((_e11 - _e12) * path_23.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_18, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
+        let _e27 = self.v_hit_on_path(path_23, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
         hit_6 = _e27;
         let _e30 = rt::Scalar(hit_6.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
@@ -2715,21 +3241,21 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn height_and_slope(
         &self,
-        uv_11: impl rt::Into<rt::Vec2<f32>>,
+        uv_12: impl rt::Into<rt::Vec2<f32>>,
         level_15: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_height_and_slope(rt::into(uv_11), rt::into(level_15)))
+        rt::into(self.v_height_and_slope(rt::into(uv_12), rt::into(level_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_height_and_slope(
         &self,
-        uv_11: rt::Vec2<f32>,
+        uv_12: rt::Vec2<f32>,
         level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_15);
-        let point_6 = ((uv_11 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_6);
-        let f_1 = (point_6 - _e8);
+        let point_8 = ((uv_12 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_8);
+        let f_1 = (point_8 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
@@ -2739,130 +3265,130 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_z(
         &self,
-        path_19: Path,
+        path_24: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_19, rt::into(slope)))
+        rt::into(self.v_normal_z(path_24, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_19: Path,
+        path_24: Path,
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m = path_19.metric;
+        let m = path_24.metric;
         let area_3 = ((m.x() * m.z()) - (m.y() * m.y()));
         let squared_2 = (((((slope.x() * slope.x()) * m.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m.y())) + ((slope.y() * slope.y()) * m.x())) / area_3);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m.w() * m.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_20: Path,
+        path_25: Path,
         found_4: Found,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_20, found_4, rt::into(params_13)))
+        rt::into(self.v_refine_slope(path_25, found_4, rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_20: Path,
+        path_25: Path,
         found_4: Found,
-        params_13: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_10: rt::Scalar<f32>;
+        let mut t_12: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_20, found_4);
-        let _e9 = self.v_path_uv(path_20, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_20.level));
-        let _e13 = self.v_path_height(path_20, _e8);
+        let _e8 = self.v_starting_point(path_25, found_4);
+        let _e9 = self.v_path_uv(path_25, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_25.level));
+        let _e13 = self.v_path_height(path_25, _e8);
         let rise = (_e11.x() - _e13);
-        t_10 = _e8;
-        if rt::Scalar::into_branch_condition(params_13.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_20, _e8);
-            let closing = (_e19 - ((_e11.y() * path_20.duv.x()) + (_e11.z() * path_20.duv.y())));
+        t_12 = _e8;
+        if rt::Scalar::into_branch_condition(params_15.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_25, _e8);
+            let closing = (_e19 - ((_e11.y() * path_25.duv.x()) + (_e11.z() * path_25.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_10 = (_e8 + (rise / closing));
+                t_12 = (_e8 + (rise / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_20, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_10 = (_e8 - ((rise * path_20.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_25, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_12 = (_e8 - ((rise * path_25.metric.w()) * _e40));
         }
-        let _e43 = t_10;
-        let _e53 = self.v_hit_on_path(path_20, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
+        let _e43 = t_12;
+        let _e53 = self.v_hit_on_path(path_25, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_21: Path,
+        path_26: Path,
         found_5: Found,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_21, found_5, rt::into(params_14)))
+        rt::into(self.v_refine_slope_iterative(path_26, found_5, rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_21: Path,
+        path_26: Path,
         found_5: Found,
-        params_14: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_11: rt::Scalar<f32>;
+        let mut t_13: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_3: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_4: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_21, found_5);
-        t_11 = _e8;
+        let _e8 = self.v_starting_point(path_26, found_5);
+        t_13 = _e8;
         cost_4 = found_5.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_3;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_14.x())) {
+                let _e14 = k_4;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_16.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
-                    let _e20 = t_11;
-                    let _e21 = self.v_path_uv(path_21, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_21.level));
+                    let _e20 = t_13;
+                    let _e21 = self.v_path_uv(path_26, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_26.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_11;
-                    let _e29 = self.v_path_height(path_21, _e28);
+                    let _e28 = t_13;
+                    let _e29 = self.v_path_height(path_26, _e28);
                     let rise_1 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_14.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_11;
-                        let _e35 = self.v_path_slope(path_21, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_21.duv.x()) + (_e23.z() * path_21.duv.y())));
+                    if rt::Scalar::into_branch_condition(params_16.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e34 = t_13;
+                        let _e35 = self.v_path_slope(path_26, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_26.duv.x()) + (_e23.z() * path_26.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_11;
-                            t_11 = (_e48 + (rise_1 / closing_1));
+                            let _e48 = t_13;
+                            t_13 = (_e48 + (rise_1 / closing_1));
                         }
                     } else {
-                        let _e51 = t_11;
-                        let _e58 = self.v_normal_z(path_21, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_11 = (_e51 - ((rise_1 * path_21.metric.w()) * _e58));
+                        let _e51 = t_13;
+                        let _e58 = self.v_normal_z(path_26, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_13 = (_e51 - ((rise_1 * path_26.metric.w()) * _e58));
                     }
-                    let _e61 = t_11;
-                    t_11 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_21.exit));
-                    let _e65 = k_3;
-                    k_3 = (_e65 + rt::Scalar(1f32));
+                    let _e61 = t_13;
+                    t_13 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_26.exit));
+                    let _e65 = k_4;
+                    k_4 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e68 = t_11;
+        let _e68 = t_13;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_21, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_26, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_6: Found) -> bool {
@@ -2870,55 +3396,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_10: rt::Scalar<bool>;
         let mut local_11: rt::Scalar<bool>;
         let mut local_12: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_11 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_11 = rt::Scalar(true);
-            }
-            let _e16 = local_11;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_12 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_12 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_12 = rt::Scalar(true);
             }
-            let _e24 = local_12;
-            local_10 = _e24;
+            let _e16 = local_12;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_13 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_13 = rt::Scalar(true);
+            }
+            let _e24 = local_13;
+            local_11 = _e24;
         } else {
-            local_10 = rt::Scalar(false);
+            local_11 = rt::Scalar(false);
         }
-        let _e26 = local_10;
+        let _e26 = local_11;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_22: Path,
+        path_27: Path,
         found_7: Found,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_22, found_7, rt::into(params_15)))
+        rt::into(self.v_refine_binary(path_27, found_7, rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_22: Path,
+        path_27: Path,
         found_7: Found,
-        params_15: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_13: rt::Scalar<bool>;
+        let mut local_14: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_4: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_5: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_22, found_7, params_15);
+            let _e5 = self.v_refine_none(path_27, found_7, params_17);
             return _e5;
         }
         near_2 = rt::Scalar(found_7.near);
@@ -2926,17 +3452,17 @@ impl<'g> Resources<'g> {
         cost_5 = found_7.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_22, _e18);
-            local_13 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_27, _e18);
+            local_14 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_13 = rt::Scalar(true);
+            local_14 = rt::Scalar(true);
         }
-        let _e23 = local_13;
+        let _e23 = local_14;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_4;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_15.x())) {
+                let _e27 = k_5;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_17.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -2945,18 +3471,18 @@ impl<'g> Resources<'g> {
                     cost_5 = (_e30 + STEP);
                     let _e33 = near_2;
                     let _e34 = far_2;
-                    let middle_4 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let middle_6 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_22, middle_4);
+                    let _e41 = self.v_path_gap(path_27, middle_6);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_2 = middle_4;
+                        far_2 = middle_6;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_2 = middle_4;
+                        near_2 = middle_6;
                     }
-                    let _e45 = k_4;
-                    k_4 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_5;
+                    k_5 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -2969,35 +3495,35 @@ impl<'g> Resources<'g> {
         let _e52 = near_2;
         let _e53 = far_2;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_22, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_27, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_23: Path,
+        path_28: Path,
         found_8: Found,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_23, found_8, rt::into(params_16)))
+        rt::into(self.v_refine_secant(path_28, found_8, rt::into(params_18)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_23: Path,
+        path_28: Path,
         found_8: Found,
-        params_16: rt::Vec4<f32>,
+        params_18: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut t_12: rt::Scalar<f32>;
-        let mut k_5: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut t_14: rt::Scalar<f32>;
+        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_23, found_8, params_16);
+            let _e5 = self.v_refine_none(path_28, found_8, params_18);
             return _e5;
         }
         near_3 = rt::Scalar(found_8.near);
@@ -3007,10 +3533,10 @@ impl<'g> Resources<'g> {
         cost_6 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_23, _e19);
+            let _e20 = self.v_path_gap(path_28, _e19);
             near_gap_1 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_23, _e21);
+            let _e22 = self.v_path_gap(path_28, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -3022,11 +3548,11 @@ impl<'g> Resources<'g> {
             }
         }
         let _e33 = far_3;
-        t_12 = _e33;
+        t_14 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_5;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_16.x())) {
+                let _e37 = k_6;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_18.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3043,58 +3569,58 @@ impl<'g> Resources<'g> {
                     let _e50 = far_3;
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
-                    t_12 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_5;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_16.x())) {
-                        let _e60 = t_12;
-                        let _e61 = self.v_path_gap(path_23, _e60);
+                    t_14 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
+                    let _e57 = k_6;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_18.x())) {
+                        let _e60 = t_14;
+                        let _e61 = self.v_path_gap(path_28, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
-                            let _e67 = t_12;
+                            let _e67 = t_14;
                             far_3 = _e67;
                             far_gap_1 = _e61;
                         } else {
-                            let _e68 = t_12;
+                            let _e68 = t_14;
                             near_3 = _e68;
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_5;
-                    k_5 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_6;
+                    k_6 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e72 = t_12;
+        let _e72 = t_14;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_23, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_28, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_24: Path,
+        path_29: Path,
         found_9: Found,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_24, found_9, rt::into(params_17)))
+        rt::into(self.v_refine_true_secant(path_29, found_9, rt::into(params_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_24: Path,
+        path_29: Path,
         found_9: Found,
-        params_17: rt::Vec4<f32>,
+        params_19: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_6: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_7: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_24, found_9, params_17);
+            let _e5 = self.v_refine_none(path_29, found_9, params_19);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -3104,10 +3630,10 @@ impl<'g> Resources<'g> {
         cost_7 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_24, _e19);
+            let _e20 = self.v_path_gap(path_29, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_24, _e21);
+            let _e22 = self.v_path_gap(path_29, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -3120,8 +3646,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_6;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_17.x())) {
+                let _e35 = k_7;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_19.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -3130,85 +3656,77 @@ impl<'g> Resources<'g> {
                     cost_7 = (_e38 + STEP);
                     let _e41 = before_gap;
                     let _e42 = last_gap;
-                    let change = (_e41 - _e42);
-                    if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
+                    let change_1 = (_e41 - _e42);
+                    if rt::Scalar::into_branch_condition(change_1.elementwise_eq(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
                     let _e46 = last;
                     let _e47 = last;
                     let _e48 = before;
                     let _e50 = last_gap;
-                    let t_26 = (_e46 + ((_e47 - _e48) * (_e50 / change))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let t_29 = (_e46 + ((_e47 - _e48) * (_e50 / change_1))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
                     let _e57 = last;
                     before = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
-                    last = t_26;
-                    let _e59 = k_6;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_17.x())) {
-                        let _e62 = self.v_path_gap(path_24, t_26);
+                    last = t_29;
+                    let _e59 = k_7;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_19.x())) {
+                        let _e62 = self.v_path_gap(path_29, t_29);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_6;
-                    k_6 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_7;
+                    k_7 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_24, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_29, _e69, rt::Scalar(0u32), _e71);
         return _e72;
-    }
-    pub(crate) fn grid_of(&self, path_25: Path) -> Grid {
-        rt::into(self.v_grid_of(path_25))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_grid_of(&self, path_25: Path) -> Grid {
-        let _e2 = self.v_height_size(rt::Scalar(path_25.level));
-        return <Grid>::new(((path_25.uv * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))), (path_25.duv * _e2));
     }
     pub(crate) fn refine_patch(
         &self,
-        path_26: Path,
+        path_30: Path,
         found_10: Found,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_26, found_10, rt::into(params_18)))
+        rt::into(self.v_refine_patch(path_30, found_10, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_26: Path,
+        path_30: Path,
         found_10: Found,
-        params_18: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_13: rt::Scalar<f32>;
-        let mut cell_6: rt::Vec2<f32>;
+        let mut t_15: rt::Scalar<f32>;
+        let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_14: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_26, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
+            let _e14 = self.v_hit_on_path(path_30, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_26, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
+            let _e21 = self.v_hit_on_path(path_30, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_26);
-        t_13 = rt::Scalar(found_10.near);
-        let _e27 = t_13;
+        let _e22 = self.v_grid_of(path_30);
+        t_15 = rt::Scalar(found_10.near);
+        let _e27 = t_15;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
-        cell_6 = _e30;
+        cell_7 = _e30;
         cost_8 = found_10.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_18.x().cast_elem_as_u32());
+        let limit = (_e35 + params_20.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -3219,195 +3737,195 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_8;
                     cost_8 = (_e42 + STEP);
-                    let _e45 = cell_6;
+                    let _e45 = cell_7;
                     let _e46 = self.v_cell_leave(_e22, _e45);
-                    let end = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
-                    let _e52 = t_13;
-                    let span_4 = (end - _e52).max(rt::Scalar(0f32));
-                    let _e56 = cell_6;
-                    let _e57 = t_13;
-                    let _e58 = self.v_cell_gap(path_26, _e22, _e56, _e57);
+                    let end_1 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
+                    let _e52 = t_15;
+                    let span_4 = (end_1 - _e52).max(rt::Scalar(0f32));
+                    let _e56 = cell_7;
+                    let _e57 = t_15;
+                    let _e58 = self.v_cell_gap(path_30, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_13;
+                        let _e65 = t_15;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_26, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_30, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_4);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_13;
+                        let _e72 = t_15;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_26, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_30, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
-                    if rt::Scalar::into_branch_condition(end.elementwise_ge(rt::Scalar(found_10.far))) {
+                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_14 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_15 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_14 = rt::Scalar(true);
+                            local_15 = rt::Scalar(true);
                         }
-                        let _e89 = local_14;
+                        let _e89 = local_15;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_26, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_30, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
                         let _e95 = self.v_miss(_e94);
                         return _e95;
                     }
-                    let _e96 = cell_6;
+                    let _e96 = cell_7;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
-                    cell_6 = _e97;
-                    let _e98 = t_13;
-                    t_13 = _e98.max(end);
+                    cell_7 = _e97;
+                    let _e98 = t_15;
+                    t_15 = _e98.max(end_1);
                 }
             }
         }
-        let _e100 = t_13;
+        let _e100 = t_15;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_26, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_30, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_27: Path,
+        path_31: Path,
         found_11: Found,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_27, found_11, rt::into(params_19)))
+        rt::into(self.v_refine_half_texel(path_31, found_11, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_27: Path,
+        path_31: Path,
         found_11: Found,
-        params_19: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_2: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_27, found_11, params_19);
+            let _e6 = self.v_refine_none(path_31, found_11, params_21);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_27.level));
-        let speed_1 = (path_27.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_27.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_27, found_11, params_19);
+        let _e9 = self.v_height_size(rt::Scalar(path_31.level));
+        let speed_1 = (path_31.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_31.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_31, found_11, params_21);
             return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_27.exit));
-        let _e28 = self.v_path_gap(path_27, backward);
+        let forward_2 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_31.exit));
+        let _e28 = self.v_path_gap(path_31, backward);
         let before_1 = _e28.abs();
-        let _e30 = self.v_path_gap(path_27, forward_2);
+        let _e30 = self.v_path_gap(path_31, forward_2);
         let behind_1 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
             part_2 = (before_1 / (before_1 + behind_1));
         }
         let cost_22 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_2;
-        let _e49 = self.v_hit_on_path(path_27, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
+        let _e49 = self.v_hit_on_path(path_31, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_28: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_28, found_12))
+    pub(crate) fn refine_stage(&self, path_32: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_32, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_28: Path, found_12: Found) -> Hit {
+    fn v_refine_stage(&self, path_32: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_refine_none(path_28, found_12, _e11);
+                let _e12 = self.v_refine_none(path_32, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_refine_offset(path_28, found_12, _e17);
+                let _e18 = self.v_refine_offset(path_32, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_refine_offset_limited(path_28, found_12, _e23);
+                let _e24 = self.v_refine_offset_limited(path_32, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_refine_slope(path_28, found_12, _e29);
+                let _e30 = self.v_refine_slope(path_32, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[3usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_28, found_12, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_32, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[3usize].params;
-                let _e42 = self.v_refine_binary(path_28, found_12, _e41);
+                let _e42 = self.v_refine_binary(path_32, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[3usize].params;
-                let _e48 = self.v_refine_secant(path_28, found_12, _e47);
+                let _e48 = self.v_refine_secant(path_32, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[3usize].params;
-                let _e54 = self.v_refine_true_secant(path_28, found_12, _e53);
+                let _e54 = self.v_refine_true_secant(path_32, found_12, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[3usize].params;
-                let _e60 = self.v_refine_patch(path_28, found_12, _e59);
+                let _e60 = self.v_refine_patch(path_32, found_12, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[3usize].params;
-                let _e66 = self.v_refine_half_texel(path_28, found_12, _e65);
+                let _e66 = self.v_refine_half_texel(path_32, found_12, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_29: Path,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        path_33: Path,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_29, rt::into(params_20)))
+        rt::into(self.v_search_none(path_33, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_29: Path,
-        params_20: rt::Vec4<f32>,
+        path_33: Path,
+        params_22: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_29.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_33.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_30: Path,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        path_34: Path,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_30, rt::into(params_21)))
+        rt::into(self.v_search_linear(path_34, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_30: Path,
-        params_21: rt::Vec4<f32>,
+        path_34: Path,
+        params_23: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_7: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_4 = (path_30.h.y().abs() * path_30.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_21.x() * params_21.y().mix_scalar(rt::Scalar(1f32), cosine_4)) * rt::Scalar(path_30.share)).ceil());
-        let _e24 = self.v_path_gap(path_30, rt::Scalar(0f32));
+        let cosine_5 = (path_34.h.y().abs() * path_34.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max(((params_23.x() * params_23.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_34.share)).ceil());
+        let _e24 = self.v_path_gap(path_34, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -3418,7 +3936,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_7;
+                let _e40 = k_8;
                 if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
@@ -3426,21 +3944,21 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_7;
-                    let t_27 = (rt::Scalar(path_30.exit) * (_e46 / steps));
-                    let _e49 = self.v_path_gap(path_30, t_27);
+                    let _e46 = k_8;
+                    let t_30 = (rt::Scalar(path_34.exit) * (_e46 / steps));
+                    let _e49 = self.v_path_gap(path_34, t_30);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
                         let _e56 = near_4;
                         let _e57 = near_gap_2;
                         let _e58 = cost_9;
-                        return <Found>::new(FOUND_BRACKET, _e56, t_27, _e57, _e49, _e58);
+                        return <Found>::new(FOUND_BRACKET, _e56, t_30, _e57, _e49, _e58);
                     }
-                    near_4 = t_27;
+                    near_4 = t_30;
                     near_gap_2 = _e49;
-                    let _e60 = k_7;
-                    k_7 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_8;
+                    k_8 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -3472,65 +3990,65 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
-        t_14: impl rt::Into<rt::Scalar<f32>>,
+        t_16: impl rt::Into<rt::Scalar<f32>>,
         span_2: impl rt::Into<rt::Scalar<f32>>,
         first: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_14), rt::into(span_2), rt::into(first), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_16), rt::into(span_2), rt::into(first), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_3: rt::Vec3<f32>,
-        t_14: rt::Scalar<f32>,
+        t_16: rt::Scalar<f32>,
         span_2: rt::Scalar<f32>,
         first: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_15: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_15 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_16 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_15 = rt::Scalar(false);
+                local_16 = rt::Scalar(false);
             }
-            let _e14 = local_15;
+            let _e14 = local_16;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_14, t_14, c_3.x(), c_3.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_16, t_16, c_3.x(), c_3.x(), cost_10);
         }
         let _e25 = self.v_least_at(c_3, span_2);
         let _e26 = self.v_quadratic(c_3, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_14, (t_14 + _e25), c_3.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_16, (t_16 + _e25), c_3.x(), _e26, cost_10);
         }
         let _e36 = self.v_quadratic(c_3, span_2);
-        return <Found>::new(FOUND_ABOVE, t_14, (t_14 + span_2), c_3.x(), _e36, cost_10);
+        return <Found>::new(FOUND_ABOVE, t_16, (t_16 + span_2), c_3.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
-        path_31: Path,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        path_35: Path,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_31, rt::into(params_22)))
+        rt::into(self.v_search_cells(path_35, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_31: Path,
-        params_22: rt::Vec4<f32>,
+        path_35: Path,
+        params_24: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_7: rt::Vec2<f32>;
-        let mut t_15: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_8: rt::Vec2<f32>;
+        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_31);
+        let _e2 = self.v_grid_of(path_35);
         let _e4 = self.v_cell_of(_e2.origin);
-        cell_7 = _e4;
-        let limit_1 = params_22.x().cast_elem_as_u32();
+        cell_8 = _e4;
+        let limit_1 = params_24.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -3541,74 +4059,74 @@ impl<'g> Resources<'g> {
                 {
                     let _e15 = cost_11;
                     cost_11 = (_e15 + STEP);
-                    let _e18 = cell_7;
+                    let _e18 = cell_8;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_1 = _e19.x().min(_e19.y()).min(rt::Scalar(path_31.exit));
-                    let _e25 = cell_7;
-                    let _e26 = t_15;
-                    let _e27 = self.v_cell_gap(path_31, _e2, _e25, _e26);
+                    let end_2 = _e19.x().min(_e19.y()).min(rt::Scalar(path_35.exit));
+                    let _e25 = cell_8;
+                    let _e26 = t_17;
+                    let _e27 = self.v_cell_gap(path_35, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
-                    let _e31 = t_15;
-                    let span_5 = (end_1 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_15;
+                    let _e31 = t_17;
+                    let span_5 = (end_2 - _e31).max(rt::Scalar(0f32));
+                    let _e35 = t_17;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
                     let _e41 = self.v_found_in_cell(_e27, _e35, span_5, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(path_31.exit))) {
-                        let _e48 = t_15;
+                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(path_35.exit))) {
+                        let _e48 = t_17;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_31.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_35.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
-                    let _e54 = cell_7;
+                    let _e54 = cell_8;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
-                    cell_7 = _e55;
-                    let _e56 = t_15;
-                    t_15 = _e56.max(end_1);
+                    cell_8 = _e55;
+                    let _e56 = t_17;
+                    t_17 = _e56.max(end_2);
                 }
             }
         }
-        let _e59 = t_15;
+        let _e59 = t_17;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_31.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_35.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
-        cell_8: impl rt::Into<rt::Scalar<i32>>,
+        cell_9: impl rt::Into<rt::Scalar<i32>>,
         n_3: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_image_of(rt::into(cell_8), rt::into(n_3)))
+        rt::into(self.v_image_of(rt::into(cell_9), rt::into(n_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_image_of(
         &self,
-        cell_8: rt::Scalar<i32>,
+        cell_9: rt::Scalar<i32>,
         n_3: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_16: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(cell_8.elementwise_ge(rt::Scalar(0i32))) {
-            local_16 = cell_8.elementwise_lt(n_3);
+        if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
+            local_17 = cell_9.elementwise_lt(n_3);
         } else {
-            local_16 = rt::Scalar(false);
+            local_17 = rt::Scalar(false);
         }
-        let _e8 = local_16;
+        let _e8 = local_17;
         if rt::Scalar::into_branch_condition(_e8) {
-            return <rt::Vec2<i32>>::from_scalars(cell_8, rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
         let _e13 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e13.elementwise_eq(WRAP_CLAMP)) {
-            return <rt::Vec2<i32>>::from_scalars(cell_8.clamp(rt::Scalar(0i32), (n_3 - rt::Scalar(1i32))), rt::Scalar(2i32));
+            return <rt::Vec2<i32>>::from_scalars(cell_9.clamp(rt::Scalar(0i32), (n_3 - rt::Scalar(1i32))), rt::Scalar(2i32));
         }
         let _e24 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e24.elementwise_eq(WRAP_REPEAT)) {
-            return <rt::Vec2<i32>>::from_scalars((((cell_8 % n_3) + n_3) % n_3), rt::Scalar(0i32));
+            return <rt::Vec2<i32>>::from_scalars((((cell_9 % n_3) + n_3) % n_3), rt::Scalar(0i32));
         }
         let period_1 = (rt::Scalar(2i32) * n_3);
-        let folded_1 = (((cell_8 % period_1) + period_1) % period_1);
+        let folded_1 = (((cell_9 % period_1) + period_1) % period_1);
         if rt::Scalar::into_branch_condition(folded_1.elementwise_lt(n_3)) {
             return <rt::Vec2<i32>>::from_scalars(folded_1, rt::Scalar(0i32));
         }
@@ -3619,52 +4137,52 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_32: Path,
-        cell_9: impl rt::Into<rt::Vec2<i32>>,
+        path_36: Path,
+        cell_10: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_32, rt::into(cell_9), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_36, rt::into(cell_10), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_32: Path,
-        cell_9: rt::Vec2<i32>,
+        path_36: Path,
+        cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_17: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_32.level));
-        let _e7 = self.v_image_of(cell_9.x(), _e4.x());
-        let _e10 = self.v_image_of(cell_9.y(), _e4.y());
+        let _e4 = self.v_height_texels(rt::Scalar(path_36.level));
+        let _e7 = self.v_image_of(cell_10.x(), _e4.x());
+        let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_17 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_18 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_17 = rt::Scalar(true);
+            local_18 = rt::Scalar(true);
         }
-        let _e21 = local_17;
+        let _e21 = local_18;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_32, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_32.level).cast_elem_as_i32());
+        let _e29 = self.v_search_texel(path_36, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_36.level).cast_elem_as_i32());
         let right_1 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_1).select(_e29.y().select(_e29.x(), right_1), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_33: Path,
+        path_37: Path,
         texels_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_33, rt::into(texels_1)))
+        rt::into(self.v_map_read(path_37, rt::into(texels_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_map_read(
         &self,
-        path_33: Path,
+        path_37: Path,
         texels_1: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_33.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_37.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_1 * _e14));
     }
@@ -3706,29 +4224,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_34: Path,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        path_38: Path,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_34, rt::into(params_23)))
+        rt::into(self.v_search_frustum(path_38, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_34: Path,
-        params_23: rt::Vec4<f32>,
+        path_38: Path,
+        params_25: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_10: rt::Vec2<f32>;
-        let mut t_16: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_11: rt::Vec2<f32>;
+        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_18: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_34);
+        let _e2 = self.v_grid_of(path_38);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_10 = _e9;
-        let limit_2 = params_23.x().cast_elem_as_u32();
+        cell_11 = _e9;
+        let limit_2 = params_25.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -3741,52 +4259,52 @@ impl<'g> Resources<'g> {
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
                     let first_3 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_10;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_34.level));
+                    let _e27 = cell_11;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_38.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_10;
+                    let _e34 = cell_11;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_2 = _e35.x().min(_e35.y()).min(rt::Scalar(path_34.exit));
-                    let _e41 = t_16;
-                    let span_6 = (end_2 - _e41).max(rt::Scalar(0f32));
+                    let end_3 = _e35.x().min(_e35.y()).min(rt::Scalar(path_38.exit));
+                    let _e41 = t_18;
+                    let span_6 = (end_3 - _e41).max(rt::Scalar(0f32));
                     let top_6 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_16;
-                    let _e53 = self.v_path_height(path_34, _e52);
-                    let _e55 = t_16;
-                    let _e56 = self.v_path_slope(path_34, _e55);
-                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_34.h.z());
-                    let _e63 = t_16;
-                    let _e67 = t_16;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_34.h.x().abs() + (_e63 * (path_34.h.y().abs() + (_e67 * path_34.h.z().abs())))));
-                    let _e77 = t_16;
-                    next_1 = _e77.max(end_2);
+                    let _e52 = t_18;
+                    let _e53 = self.v_path_height(path_38, _e52);
+                    let _e55 = t_18;
+                    let _e56 = self.v_path_slope(path_38, _e55);
+                    let above_4 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_38.h.z());
+                    let _e63 = t_18;
+                    let _e67 = t_18;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_38.h.x().abs() + (_e63 * (path_38.h.y().abs() + (_e67 * path_38.h.z().abs())))));
+                    let _e77 = t_18;
+                    next_1 = _e77.max(end_3);
                     slope_2 = rt::Scalar(-1f32);
                     let _e82 = self.v_least_at(above_4, span_6);
                     let _e83 = self.v_quadratic(above_4, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_18 = above_4.x().elementwise_gt(of_heights);
+                        local_19 = above_4.x().elementwise_gt(of_heights);
                     } else {
-                        local_18 = rt::Scalar(false);
+                        local_19 = rt::Scalar(false);
                     }
-                    let _e90 = local_18;
+                    let _e90 = local_19;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_2.elementwise_lt(rt::Scalar(path_34.exit))) {
-                            let _e93 = cell_10;
-                            let _e95 = self.v_frustum_slope(path_34, _e93.cast_elem_as_i32(), forward_3);
+                        if rt::Scalar::into_branch_condition(end_3.elementwise_lt(rt::Scalar(path_38.exit))) {
+                            let _e93 = cell_11;
+                            let _e95 = self.v_frustum_slope(path_38, _e93.cast_elem_as_i32(), forward_3);
                             slope_2 = _e95;
                             let _e96 = slope_2;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_34, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_38, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
-                        let _e103 = cell_10;
-                        let _e104 = t_16;
-                        let _e105 = self.v_gap_to(path_34, _e2, _e103, _e30, _e104);
-                        let _e106 = t_16;
+                        let _e103 = cell_11;
+                        let _e104 = t_18;
+                        let _e105 = self.v_gap_to(path_38, _e2, _e103, _e30, _e104);
+                        let _e106 = t_18;
                         let _e107 = cost_12;
                         let _e108 = self.v_found_in_cell(_e105, _e106, span_6, first_3, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
@@ -3795,122 +4313,122 @@ impl<'g> Resources<'g> {
                     }
                     let _e112 = slope_2;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e116 = cell_10;
-                        let _e119 = t_16;
-                        let at_51 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_2 = at_51.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_51), forward_3);
-                        let _e131 = t_16;
+                        let _e116 = cell_11;
+                        let _e119 = t_18;
+                        let at_55 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_2 = at_55.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_55), forward_3);
+                        let _e131 = t_18;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
-                        let _e145 = t_16;
-                        let rest_2 = (rt::Scalar(path_34.exit) - _e145);
+                        let _e145 = t_18;
+                        let rest_3 = (rt::Scalar(path_38.exit) - _e145);
                         let _e147 = slope_2;
-                        let _e152 = self.v_stays_above(above_4, _e147, left_2.x(), _e2.step.x(), lost_1.x(), rest_2);
+                        let _e152 = self.v_stays_above(above_4, _e147, left_2.x(), _e2.step.x(), lost_1.x(), rest_3);
                         let _e153 = slope_2;
-                        let _e158 = self.v_stays_above(above_4, _e153, left_2.y(), _e2.step.y(), lost_1.y(), rest_2);
+                        let _e158 = self.v_stays_above(above_4, _e153, left_2.y(), _e2.step.y(), lost_1.y(), rest_3);
                         let _e159 = next_1;
-                        let _e160 = t_16;
+                        let _e160 = t_18;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_34.exit))) {
-                        let _e168 = t_16;
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_38.exit))) {
+                        let _e168 = t_18;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_2;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
-                        let _e177 = cell_10;
+                        let _e177 = cell_11;
                         let _e178 = next_1;
                         let _e179 = self.v_cell_after(_e2, _e177, _e35, forward_3, _e178);
-                        cell_10 = _e179;
+                        cell_11 = _e179;
                     } else {
-                        let _e180 = cell_10;
+                        let _e180 = cell_11;
                         let _e181 = self.v_cell_next(_e2, _e180, _e35);
-                        cell_10 = _e181;
+                        cell_11 = _e181;
                     }
                     let _e182 = next_1;
-                    t_16 = _e182;
+                    t_18 = _e182;
                 }
             }
         }
-        let _e184 = t_16;
+        let _e184 = t_18;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_20: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_20)))
+    pub(crate) fn nearest_corner(&self, at_23: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_20: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_20.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_23: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_23.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_35: Path,
+        path_39: Path,
         grid_6: Grid,
         offset: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_3: impl rt::Into<rt::Scalar<f32>>,
-        t_17: impl rt::Into<rt::Scalar<f32>>,
+        t_19: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_35, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_3), rt::into(t_17)))
+        rt::into(self.v_stays_inside(path_39, grid_6, rt::into(offset), rt::into(apex), rt::into(slope_3), rt::into(t_19)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_35: Path,
+        path_39: Path,
         grid_6: Grid,
         offset: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_3: rt::Scalar<f32>,
-        t_17: rt::Scalar<f32>,
+        t_19: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_19: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
         let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_3 = (rt::Scalar(path_35.exit) - t_17);
-        let _e8 = self.v_path_height(path_35, t_17);
-        let height_3 = (_e8 - apex);
-        let terms = (path_35.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_35.exit)) * path_35.h.z().abs()));
-        let _e21 = self.v_path_slope(path_35, t_17);
-        let rise_3 = ((_e21 + (path_35.h.z().min(rt::Scalar(0f32)) * rest_3)) - (rt::Scalar(0.0000009536743f32) * terms));
-        most = rest_3;
+        let rest_4 = (rt::Scalar(path_39.exit) - t_19);
+        let _e8 = self.v_path_height(path_39, t_19);
+        let height_4 = (_e8 - apex);
+        let terms = (path_39.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_39.exit)) * path_39.h.z().abs()));
+        let _e21 = self.v_path_slope(path_39, t_19);
+        let rise_3 = ((_e21 + (path_39.h.z().min(rt::Scalar(0f32)) * rest_4)) - (rt::Scalar(0.0000009536743f32) * terms));
+        most = rest_4;
         if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_3 / (rt::Scalar(0f32) - rise_3)));
+            most = _e34.min((height_4 / (rt::Scalar(0f32) - rise_3)));
         }
         let _e39 = most;
-        let end_3 = (t_17 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_35.level));
-        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_3)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_35.h.x().abs() + (end_3 * (path_35.h.y().abs() + (end_3 * path_35.h.z().abs())))));
+        let end_4 = (t_19 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_39.level));
+        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_4)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_39.h.x().abs() + (end_4 * (path_39.h.y().abs() + (end_4 * path_39.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_5.x() + far_5.y())));
-        let gap_2 = (height_3 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_35.level));
-        let aside_1 = (((grid_6.origin - offset) + (grid_6.step * t_17)) / _e85);
-        let c_5 = (((slope_3 * aside_1.length()) - gap_2) * ((slope_3 * aside_1.length()) + gap_2));
+        let gap_2 = (height_4 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_39.level));
+        let aside_2 = (((grid_6.origin - offset) + (grid_6.step * t_19)) / _e85);
+        let c_5 = (((slope_3 * aside_2.length()) - gap_2) * ((slope_3 * aside_2.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_19 = c_5.elementwise_ge(rt::Scalar(0f32));
+            local_20 = c_5.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_19 = rt::Scalar(true);
+            local_20 = rt::Scalar(true);
         }
-        let _e102 = local_19;
+        let _e102 = local_20;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_4 = (((slope_3 * slope_3) * aside_1.dot(path_35.duv)) - (gap_2 * rise_3));
-        let a_6 = (((slope_3 * slope_3) * path_35.duv.dot(path_35.duv)) - (rise_3 * rise_3));
-        let discriminant_1 = ((b_4 * b_4) - (a_6 * c_5));
+        let b_5 = (((slope_3 * slope_3) * aside_2.dot(path_39.duv)) - (gap_2 * rise_3));
+        let a_7 = (((slope_3 * slope_3) * path_39.duv.dot(path_39.duv)) - (rise_3 * rise_3));
+        let discriminant_1 = ((b_5 * b_5) - (a_7 * c_5));
         if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
             let root_1 = discriminant_1.sqrt();
-            if rt::Scalar::into_branch_condition(b_4.elementwise_ge(rt::Scalar(0f32))) {
-                leave_4 = ((rt::Scalar(0f32) - c_5) / (b_4 + root_1));
+            if rt::Scalar::into_branch_condition(b_5.elementwise_ge(rt::Scalar(0f32))) {
+                leave_4 = ((rt::Scalar(0f32) - c_5) / (b_5 + root_1));
             } else {
-                if rt::Scalar::into_branch_condition(a_6.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_4 = ((root_1 - b_4) / a_6);
+                if rt::Scalar::into_branch_condition(a_7.elementwise_gt(rt::Scalar(0f32))) {
+                    leave_4 = ((root_1 - b_5) / a_7);
                 }
             }
         }
@@ -3919,7 +4437,7 @@ impl<'g> Resources<'g> {
         leave_4 = _e135.min(_e136);
         let _e139 = leave_4;
         let _e145 = leave_4;
-        if rt::Scalar::into_branch_condition(((slope_3 * (aside_1 + (path_35.duv * _e139)).length()) + lost_2).elementwise_le((height_3 + (rise_3 * _e145)))) {
+        if rt::Scalar::into_branch_condition(((slope_3 * (aside_2 + (path_39.duv * _e139)).length()) + lost_2).elementwise_le((height_4 + (rise_3 * _e145)))) {
             let _e149 = leave_4;
             return _e149;
         }
@@ -3927,27 +4445,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_cone(
         &self,
-        path_36: Path,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        path_40: Path,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_36, rt::into(params_24)))
+        rt::into(self.v_search_cone(path_40, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_36: Path,
-        params_24: rt::Vec4<f32>,
+        path_40: Path,
+        params_26: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_11: rt::Vec2<f32>;
-        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_12: rt::Vec2<f32>;
+        let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_36);
+        let _e2 = self.v_grid_of(path_40);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_11 = _e9;
-        let limit_3 = params_24.x().cast_elem_as_u32();
+        cell_12 = _e9;
+        let limit_3 = params_26.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -3960,111 +4478,111 @@ impl<'g> Resources<'g> {
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
                     let first_4 = _e24.elementwise_eq(rt::Scalar(0u32));
-                    let _e27 = cell_11;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_36.level));
+                    let _e27 = cell_12;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_40.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_11;
+                    let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_36.exit));
-                    let _e41 = t_18;
-                    let span_7 = (end_4 - _e41).max(rt::Scalar(0f32));
-                    let _e46 = cell_11;
-                    let _e49 = t_18;
-                    let at_52 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_52);
+                    let end_5 = _e35.x().min(_e35.y()).min(rt::Scalar(path_40.exit));
+                    let _e41 = t_20;
+                    let span_7 = (end_5 - _e41).max(rt::Scalar(0f32));
+                    let _e46 = cell_12;
+                    let _e49 = t_20;
+                    let at_56 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_56);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_18;
+                    let _e54 = t_20;
                     next_2 = _e54;
-                    let _e56 = t_18;
-                    let _e57 = self.v_path_height(path_36, _e56);
+                    let _e56 = t_20;
+                    let _e57 = self.v_path_height(path_40, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
-                        let _e59 = cell_11;
+                        let _e59 = cell_12;
                         let texel_6 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_36, texel_6);
+                        let _e61 = self.v_cone_slope(path_40, texel_6);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_36, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_40, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_18;
-                            let _e69 = t_18;
-                            let _e70 = self.v_stays_inside(path_36, _e2, texel_6, _e53, _e61, _e69);
+                            let _e68 = t_20;
+                            let _e69 = t_20;
+                            let _e70 = self.v_stays_inside(path_40, _e2, texel_6, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
                     let _e72 = next_2;
-                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_4)) {
-                        let _e74 = cell_11;
-                        let _e75 = t_18;
-                        let _e76 = self.v_gap_to(path_36, _e2, _e74, _e30, _e75);
-                        let _e77 = t_18;
+                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_5)) {
+                        let _e74 = cell_12;
+                        let _e75 = t_20;
+                        let _e76 = self.v_gap_to(path_40, _e2, _e74, _e30, _e75);
+                        let _e77 = t_20;
                         let _e78 = cost_13;
                         let _e79 = self.v_found_in_cell(_e76, _e77, span_7, first_4, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
-                        let _e83 = t_18;
-                        next_2 = _e83.max(end_4);
+                        let _e83 = t_20;
+                        next_2 = _e83.max(end_5);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_36.exit))) {
-                        let _e89 = t_18;
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_40.exit))) {
+                        let _e89 = t_20;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
-                    let _e95 = cell_11;
+                    let _e95 = cell_12;
                     let _e96 = next_2;
                     let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
-                    cell_11 = _e97;
+                    cell_12 = _e97;
                     let _e98 = next_2;
-                    t_18 = _e98;
+                    t_20 = _e98;
                 }
             }
         }
-        let _e100 = t_18;
+        let _e100 = t_20;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
-        cell_12: impl rt::Into<rt::Scalar<i32>>,
+        cell_13: impl rt::Into<rt::Scalar<i32>>,
         image: impl rt::Into<rt::Vec2<i32>>,
         n_4: impl rt::Into<rt::Scalar<i32>>,
         level_16: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec2<i32> {
-        rt::into(self.v_node_extent(rt::into(cell_12), rt::into(image), rt::into(n_4), rt::into(level_16)))
+        rt::into(self.v_node_extent(rt::into(cell_13), rt::into(image), rt::into(n_4), rt::into(level_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_node_extent(
         &self,
-        cell_12: rt::Scalar<i32>,
+        cell_13: rt::Scalar<i32>,
         image: rt::Vec2<i32>,
         n_4: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_20: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
 
         let first_5 = ((image.x() >> level_16) << level_16);
-        let side_1 = (rt::Scalar(1i32) << level_16);
+        let side_2 = (rt::Scalar(1i32) << level_16);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low = (cell_12 - (image.x() - first_5));
-            return <rt::Vec2<i32>>::from_scalars(low, (low + side_1.min((n_4 - first_5))));
+            let low = (cell_13 - (image.x() - first_5));
+            return <rt::Vec2<i32>>::from_scalars(low, (low + side_2.min((n_4 - first_5))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high = ((cell_12 + (image.x() - first_5)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_1.min(((n_4 - rt::Scalar(1i32)) - first_5))), high);
+            let high = ((cell_13 + (image.x() - first_5)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high - side_2.min(((n_4 - rt::Scalar(1i32)) - first_5))), high);
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_20 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_21 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_20 = rt::Scalar(false);
+            local_21 = rt::Scalar(false);
         }
-        let _e43 = local_20;
+        let _e43 = local_21;
         if rt::Scalar::into_branch_condition(_e43) {
-            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_12.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_12.elementwise_ge(n_4)));
+            return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_13.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_4)));
         }
-        return <rt::Vec2<i32>>::from_scalars(cell_12, (cell_12 + rt::Scalar(1i32)));
+        return <rt::Vec2<i32>>::from_scalars(cell_13, (cell_13 + rt::Scalar(1i32)));
     }
     pub(crate) fn leaves_extent(
         &self,
@@ -4091,31 +4609,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_37: Path,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        path_41: Path,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_37, rt::into(params_25)))
+        rt::into(self.v_search_pyramid(path_41, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_37: Path,
-        params_25: rt::Vec4<f32>,
+        path_41: Path,
+        params_27: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_17: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut cell_13: rt::Vec2<i32>;
+        let mut cell_14: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_19: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_21: rt::Scalar<bool>;
         let mut local_22: rt::Scalar<bool>;
         let mut local_23: rt::Scalar<bool>;
         let mut local_24: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_37);
-        let _e4 = self.v_height_texels(rt::Scalar(path_37.level));
-        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_37.exit));
+        let _e2 = self.v_grid_of(path_41);
+        let _e4 = self.v_height_texels(rt::Scalar(path_41.level));
+        let long = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_41.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -4135,8 +4653,8 @@ impl<'g> Resources<'g> {
             }
         }
         let _e37 = self.v_cell_of(_e2.origin);
-        cell_13 = _e37.cast_elem_as_i32();
-        let limit_4 = params_25.x().cast_elem_as_u32();
+        cell_14 = _e37.cast_elem_as_i32();
+        let limit_4 = params_27.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -4147,64 +4665,64 @@ impl<'g> Resources<'g> {
                 {
                     let _e53 = cost_14;
                     cost_14 = (_e53 + STEP);
-                    let _e57 = cell_13.x();
+                    let _e57 = cell_14.x();
                     let _e59 = self.v_image_of(_e57, _e4.x());
-                    let _e61 = cell_13.y();
+                    let _e61 = cell_14.y();
                     let _e63 = self.v_image_of(_e61, _e4.y());
-                    let place_7 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
+                    let place_8 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_17;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_7.x() >> above_level), (place_7.y() >> above_level));
+                    let over = <rt::Vec2<i32>>::from_scalars((place_8.x() >> above_level), (place_8.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over.x()))) {
                             let _e89 = parent.y();
-                            local_22 = _e89.elementwise_ne(over.y());
+                            local_23 = _e89.elementwise_ne(over.y());
                         } else {
-                            local_22 = rt::Scalar(true);
+                            local_23 = rt::Scalar(true);
                         }
-                        let _e93 = local_22;
-                        local_21 = _e93;
+                        let _e93 = local_23;
+                        local_22 = _e93;
                     } else {
-                        local_21 = rt::Scalar(false);
+                        local_22 = rt::Scalar(false);
                     }
-                    let left_3 = local_21;
+                    let left_3 = local_22;
                     if rt::Scalar::into_branch_condition(left_3) {
                         let _e98 = level_17;
                         let _e99 = top;
-                        local_23 = _e98.elementwise_lt(_e99);
+                        local_24 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_23 = rt::Scalar(false);
+                        local_24 = rt::Scalar(false);
                     }
-                    let _e102 = local_23;
+                    let _e102 = local_24;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
-                    let _e104 = cell_13.x();
+                    let _e104 = cell_14.x();
                     let _e106 = level_17;
                     let _e107 = self.v_node_extent(_e104, _e59, _e4.x(), _e106);
-                    let _e109 = cell_13.y();
+                    let _e109 = cell_14.y();
                     let _e111 = level_17;
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_5 = _e117.min(_e122).min(rt::Scalar(path_37.exit));
-                    let _e126 = t_19;
-                    let span_8 = (end_5 - _e126).max(rt::Scalar(0f32));
+                    let end_6 = _e117.min(_e122).min(rt::Scalar(path_41.exit));
+                    let _e126 = t_21;
+                    let span_8 = (end_6 - _e126).max(rt::Scalar(0f32));
                     let low_1 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_2 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_17;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
-                        let _e146 = cell_13;
-                        let _e148 = cell_13;
-                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_37.level));
-                        let _e151 = t_19;
-                        let _e152 = self.v_gap_to(path_37, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
-                        let _e153 = t_19;
-                        let _e154 = t_19;
+                        let _e146 = cell_14;
+                        let _e148 = cell_14;
+                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_41.level));
+                        let _e151 = t_21;
+                        let _e152 = self.v_gap_to(path_41, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
+                        let _e153 = t_21;
+                        let _e154 = t_21;
                         let _e157 = cost_14;
                         let _e158 = self.v_found_in_cell(_e152, _e153, span_8, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
@@ -4212,69 +4730,69 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_37, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_41, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_17;
                         let _e170 = level_17;
-                        let node = <rt::Vec2<i32>>::from_scalars((place_7.x() >> _e167), (place_7.y() >> _e170));
+                        let node = <rt::Vec2<i32>>::from_scalars((place_8.x() >> _e167), (place_8.y() >> _e170));
                         let _e174 = level_17;
-                        let _e180 = self.v_search_texel(path_37, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_37.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_41, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_41.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
-                        let _e182 = t_19;
+                        let _e182 = t_21;
                         let furthest = (_e182 + span_8);
-                        let rounded = (path_37.h.x().abs() + (furthest * (path_37.h.y().abs() + (furthest * path_37.h.z().abs()))));
-                        let _e197 = t_19;
-                        let _e198 = self.v_path_height(path_37, _e197);
-                        let _e203 = t_19;
-                        let _e204 = self.v_path_slope(path_37, _e203);
-                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_37.h.z());
+                        let rounded = (path_41.h.x().abs() + (furthest * (path_41.h.y().abs() + (furthest * path_41.h.z().abs()))));
+                        let _e197 = t_21;
+                        let _e198 = self.v_path_height(path_41, _e197);
+                        let _e203 = t_21;
+                        let _e204 = self.v_path_slope(path_41, _e203);
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_41.h.z());
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_8);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_24 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_25 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_24 = rt::Scalar(true);
+                            local_25 = rt::Scalar(true);
                         }
-                        let _e219 = local_24;
+                        let _e219 = local_25;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e223 = t_19;
+                                let _e223 = t_21;
                                 let _e224 = self.v_first_root(gap_3, span_8);
-                                t_19 = (_e223 + _e224.min(span_8));
+                                t_21 = (_e223 + _e224.min(span_8));
                             }
-                            let _e229 = t_19;
+                            let _e229 = t_21;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_13 = _e232.cast_elem_as_i32().clamp(low_1, last_2);
+                            cell_14 = _e232.cast_elem_as_i32().clamp(low_1, last_2);
                             let _e235 = level_17;
                             level_17 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_5.elementwise_ge(rt::Scalar(path_37.exit))) {
-                        let _e244 = t_19;
+                    if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_41.exit))) {
+                        let _e244 = t_21;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
-                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_5)));
-                    cell_13 = _e254.cast_elem_as_i32().clamp(low_1, last_2);
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_5)) {
-                        cell_13.set_x((low_1.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
+                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_6)));
+                    cell_14 = _e254.cast_elem_as_i32().clamp(low_1, last_2);
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_6)) {
+                        cell_14.set_x((low_1.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_5)) {
-                        cell_13.set_y((low_1.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
+                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_6)) {
+                        cell_14.set_y((low_1.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e280 = level_17;
                     let _e285 = level_17;
-                    parent = <rt::Vec2<i32>>::from_scalars((place_7.x() >> (_e280 + rt::Scalar(1u32))), (place_7.y() >> (_e285 + rt::Scalar(1u32))));
-                    let _e290 = t_19;
-                    t_19 = _e290.max(end_5);
+                    parent = <rt::Vec2<i32>>::from_scalars((place_8.x() >> (_e280 + rt::Scalar(1u32))), (place_8.y() >> (_e285 + rt::Scalar(1u32))));
+                    let _e290 = t_21;
+                    t_21 = _e290.max(end_6);
                 }
             }
         }
-        let _e293 = t_19;
+        let _e293 = t_21;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_37.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -4291,18 +4809,18 @@ impl<'g> Resources<'g> {
         n_5: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_25: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
         let first_6 = ((_e3 >> level_18) << level_18);
         let last_3 = (first_6 + (rt::Scalar(1i32) << level_18)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_25 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_26 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_25 = rt::Scalar(true);
+            local_26 = rt::Scalar(true);
         }
-        let _e20 = local_25;
+        let _e20 = local_26;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_6), ((texel_2 - _e3) + last_3));
         }
@@ -4319,30 +4837,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_38: Path,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        path_42: Path,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_38, rt::into(params_26)))
+        rt::into(self.v_search_pyramid_texels(path_42, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_38: Path,
-        params_26: rt::Vec4<f32>,
+        path_42: Path,
+        params_28: rt::Vec4<f32>,
     ) -> Found {
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_38.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_38.level));
-        let origin_2 = (path_38.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_38.level));
-        let step_1 = (path_38.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_42.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_42.level));
+        let origin_4 = (path_42.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_42.level));
+        let step_1 = (path_42.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_19;
@@ -4356,12 +4874,12 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e24 = self.v_cell_of(origin_2);
+        let _e24 = self.v_cell_of(origin_4);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_5 = params_26.x().cast_elem_as_u32();
+        let limit_5 = params_28.x().cast_elem_as_u32();
         let _e35 = level_19;
-        finest_1 = params_26.y().cast_elem_as_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_38.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_28.y().cast_elem_as_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_42.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -4378,23 +4896,23 @@ impl<'g> Resources<'g> {
                     let _e51 = self.v_wrap_index(_e49, _e3.x());
                     let _e53 = texel_3.y();
                     let _e55 = self.v_wrap_index(_e53, _e3.y());
-                    let place_8 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
+                    let place_9 = <rt::Vec2<i32>>::from_scalars(_e51, _e55);
                     highest = rt::Scalar(0f32);
                     let _e59 = level_19;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_eq(rt::Scalar(0u32))) {
                         let _e62 = cost_15;
                         cost_15 = (_e62 + HEIGHT_READ);
-                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_8, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
+                        let _e67 = rt::texture::Read::read_texel((&self.height_map), place_9, 0i32, 0i32, rt::Scalar::into_inner(rt::Scalar(0i32)));
                         highest = _e67.x();
                     } else {
                         let _e70 = level_19;
                         let _e73 = level_19;
-                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_8.x() >> _e70), (place_8.y() >> _e73));
+                        let node_1 = <rt::Vec2<i32>>::from_scalars((place_9.x() >> _e70), (place_9.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_38, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_42, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_19;
-                        let _e85 = self.v_search_texel(path_38, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_42, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -4403,116 +4921,116 @@ impl<'g> Resources<'g> {
                     let _e93 = texel_3.y();
                     let _e95 = level_19;
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
-                    let _e99 = self.v_leaves_extent(origin_2.x(), step_1.x(), _e91);
-                    let _e102 = self.v_leaves_extent(origin_2.y(), step_1.y(), _e96);
+                    let _e99 = self.v_leaves_extent(origin_4.x(), step_1.x(), _e91);
+                    let _e102 = self.v_leaves_extent(origin_4.y(), step_1.y(), _e96);
                     let leave_5 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_20;
-                    let end_6 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_38.exit)).max(_e109);
-                    let _e111 = t_20;
-                    let _e112 = self.v_path_height(path_38, _e111);
+                    let _e109 = t_22;
+                    let end_7 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_42.exit)).max(_e109);
+                    let _e111 = t_22;
+                    let _e112 = self.v_path_height(path_42, _e111);
                     let _e113 = highest;
-                    let _e115 = t_20;
-                    let _e116 = self.v_path_slope(path_38, _e115);
-                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_38.h.z());
+                    let _e115 = t_22;
+                    let _e116 = self.v_path_slope(path_42, _e115);
+                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_42.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_20;
-                        let _e127 = self.v_first_root(gap_4, (end_6 - _e125));
+                        let _e125 = t_22;
+                        let _e127 = self.v_first_root(gap_4, (end_7 - _e125));
                         sinks = _e127;
                     }
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
                     let last_4 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_20;
+                        let _e141 = t_22;
                         let _e142 = sinks;
-                        t_20 = (_e141 + _e142);
+                        t_22 = (_e141 + _e142);
                         let _e144 = level_19;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_20;
+                            let _e148 = t_22;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
                         let _e154 = level_19;
                         level_19 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_20;
-                        let _e160 = self.v_cell_of((origin_2 + (step_1 * _e157)));
+                        let _e157 = t_22;
+                        let _e160 = self.v_cell_of((origin_4 + (step_1 * _e157)));
                         texel_3 = _e160.cast_elem_as_i32().clamp(low_2, last_4);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_38.exit))) {
-                            let _e166 = t_20;
+                        if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_42.exit))) {
+                            let _e166 = t_22;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_2 + (step_1 * end_6)));
+                        let _e174 = self.v_cell_of((origin_4 + (step_1 * end_7)));
                         texel_3 = _e174.cast_elem_as_i32().clamp(low_2, last_4);
-                        if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_6)) {
+                        if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_7)) {
                             texel_3.set_x((low_2.x() - rt::Scalar(1i32)).select(_e91.y(), step_1.x().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_6)) {
+                        if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_7)) {
                             texel_3.set_y((low_2.y() - rt::Scalar(1i32)).select(_e96.y(), step_1.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_20 = end_6;
+                        t_22 = end_7;
                     }
                 }
             }
         }
-        let _e200 = t_20;
+        let _e200 = t_22;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
         grid_7: Grid,
-        cell_14: impl rt::Into<rt::Vec2<f32>>,
+        cell_15: impl rt::Into<rt::Vec2<f32>>,
         radius: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_leaves_window(grid_7, rt::into(cell_14), rt::into(radius)))
+        rt::into(self.v_leaves_window(grid_7, rt::into(cell_15), rt::into(radius)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_leaves_window(
         &self,
         grid_7: Grid,
-        cell_14: rt::Vec2<f32>,
+        cell_15: rt::Vec2<f32>,
         radius: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
-        let _e5 = self.v_cell_leave(grid_7, (cell_14 - wide_1));
-        let _e7 = self.v_cell_leave(grid_7, (cell_14 + wide_1));
+        let _e5 = self.v_cell_leave(grid_7, (cell_15 - wide_1));
+        let _e7 = self.v_cell_leave(grid_7, (cell_15 + wide_1));
         let leave_6 = _e5.select(_e7, grid_7.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
         return leave_6.x().min(leave_6.y());
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_39: Path,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        path_43: Path,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_39, rt::into(params_27)))
+        rt::into(self.v_search_dilation_erosion(path_43, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_39: Path,
-        params_27: rt::Vec4<f32>,
+        path_43: Path,
+        params_29: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_15: rt::Vec2<f32>;
-        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_16: rt::Vec2<f32>;
+        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_26: rt::Scalar<bool>;
         let mut local_27: rt::Scalar<bool>;
         let mut local_28: rt::Scalar<bool>;
         let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_39);
-        let _e4 = self.v_height_texels(rt::Scalar(path_39.level));
+        let _e2 = self.v_grid_of(path_43);
+        let _e4 = self.v_height_texels(rt::Scalar(path_43.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
-        cell_15 = _e11;
-        let limit_6 = params_27.x().cast_elem_as_u32();
+        cell_16 = _e11;
+        let limit_6 = params_29.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -4523,52 +5041,52 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_16;
                     cost_16 = (_e24 + STEP);
-                    let _e27 = cell_15;
+                    let _e27 = cell_16;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_7 = _e28.x().min(_e28.y()).min(rt::Scalar(path_39.exit));
-                    let _e34 = t_21;
-                    let span_9 = (end_7 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_21;
+                    let end_8 = _e28.x().min(_e28.y()).min(rt::Scalar(path_43.exit));
+                    let _e34 = t_23;
+                    let span_9 = (end_8 - _e34).max(rt::Scalar(0f32));
+                    let _e38 = t_23;
                     next_3 = _e38;
-                    looks = params_27.y().elementwise_gt(rt::Scalar(0.5f32));
-                    let _e45 = cell_15.x();
+                    looks = params_29.y().elementwise_gt(rt::Scalar(0.5f32));
+                    let _e45 = cell_16.x();
                     let _e48 = self.v_image_of(_e45.cast_elem_as_i32(), _e4.x());
-                    let _e50 = cell_15.y();
+                    let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_26 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_27 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_26 = rt::Scalar(true);
+                        local_27 = rt::Scalar(true);
                     }
-                    let _e64 = local_26;
+                    let _e64 = local_27;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_39, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_39.level).cast_elem_as_i32());
+                        let _e72 = self.v_search_texel(path_43, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_43.level).cast_elem_as_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_39, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_43, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
-                        let _e77 = cell_15;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_27.z());
-                        let _e82 = t_21;
-                        let reach = (_e79.min(rt::Scalar(path_39.exit)) - _e82).max(rt::Scalar(0f32));
-                        let _e86 = t_21;
+                        let _e77 = cell_16;
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_29.z());
+                        let _e82 = t_23;
+                        let reach = (_e79.min(rt::Scalar(path_43.exit)) - _e82).max(rt::Scalar(0f32));
+                        let _e86 = t_23;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_39.h.x().abs() + (furthest_1 * (path_39.h.y().abs() + (furthest_1 * path_39.h.z().abs()))));
-                        let _e101 = t_21;
-                        let _e102 = self.v_path_height(path_39, _e101);
-                        let _e108 = t_21;
-                        let _e109 = self.v_path_slope(path_39, _e108);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_39.h.z());
+                        let rounded_1 = (path_43.h.x().abs() + (furthest_1 * (path_43.h.y().abs() + (furthest_1 * path_43.h.z().abs()))));
+                        let _e101 = t_23;
+                        let _e102 = self.v_path_height(path_43, _e101);
+                        let _e108 = t_23;
+                        let _e109 = self.v_path_slope(path_43, _e108);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_43.h.z());
                         if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e116 = t_21;
+                            let _e116 = t_23;
                             safe_ = _e116;
-                            let _e117 = t_21;
+                            let _e117 = t_23;
                             next_3 = (_e117 + reach);
                             let _e119 = self.v_least_at(gap_5, reach);
                             let _e120 = self.v_quadratic(gap_5, _e119);
                             if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                                let _e123 = t_21;
+                                let _e123 = t_23;
                                 let _e124 = self.v_first_root(gap_5, reach);
                                 next_3 = (_e123 + _e124.min(reach));
                             }
@@ -4576,105 +5094,105 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_27 = _e131.elementwise_lt(end_7);
-                        } else {
-                            local_27 = rt::Scalar(false);
-                        }
-                        let _e134 = local_27;
-                        if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_39, end_7);
-                            local_28 = _e137.elementwise_lt(_e72.x());
+                            local_28 = _e131.elementwise_lt(end_8);
                         } else {
                             local_28 = rt::Scalar(false);
                         }
-                        let _e141 = local_28;
+                        let _e134 = local_28;
+                        if rt::Scalar::into_branch_condition(_e134) {
+                            let _e137 = self.v_path_height(path_43, end_8);
+                            local_29 = _e137.elementwise_lt(_e72.x());
+                        } else {
+                            local_29 = rt::Scalar(false);
+                        }
+                        let _e141 = local_29;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_39, _e142, end_7, _e143);
+                            let _e144 = self.v_bracket_between(path_43, _e142, end_8, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
-                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_7))) {
-                        let _e150 = t_21;
-                        local_29 = (!end_7.elementwise_gt(_e150));
+                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_8))) {
+                        let _e150 = t_23;
+                        local_30 = (!end_8.elementwise_gt(_e150));
                     } else {
-                        local_29 = rt::Scalar(true);
+                        local_30 = rt::Scalar(true);
                     }
-                    let _e154 = local_29;
+                    let _e154 = local_30;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
-                            let _e159 = cell_15;
-                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_39.level));
-                            let _e163 = cell_15;
-                            let _e164 = t_21;
-                            let _e165 = self.v_gap_to(path_39, _e2, _e163, _e162, _e164);
-                            let _e166 = t_21;
-                            let _e167 = t_21;
+                            let _e159 = cell_16;
+                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_43.level));
+                            let _e163 = cell_16;
+                            let _e164 = t_23;
+                            let _e165 = self.v_gap_to(path_43, _e2, _e163, _e162, _e164);
+                            let _e166 = t_23;
+                            let _e167 = t_23;
                             let _e170 = cost_16;
                             let _e171 = self.v_found_in_cell(_e165, _e166, span_9, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
                         }
-                        let _e175 = t_21;
-                        next_3 = _e175.max(end_7);
+                        let _e175 = t_23;
+                        next_3 = _e175.max(end_8);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_39.exit))) {
-                        let _e181 = t_21;
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_43.exit))) {
+                        let _e181 = t_23;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
-                    let _e187 = cell_15;
+                    let _e187 = cell_16;
                     let _e188 = next_3;
                     let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
-                    cell_15 = _e189;
+                    cell_16 = _e189;
                     let _e190 = next_3;
-                    t_21 = _e190;
+                    t_23 = _e190;
                 }
             }
         }
-        let _e192 = t_21;
+        let _e192 = t_23;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_40: Path,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        path_44: Path,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_40, rt::into(params_28)))
+        rt::into(self.v_search_sphere(path_44, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_40: Path,
-        params_28: rt::Vec4<f32>,
+        path_44: Path,
+        params_30: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_16: rt::Vec2<f32>;
-        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_17: rt::Vec2<f32>;
+        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_40);
+        let _e2 = self.v_grid_of(path_44);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_40, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_40, rt::Scalar(path_40.exit));
+        let _e9 = self.v_path_slope(path_44, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_44, rt::Scalar(path_44.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_40.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_44.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_6 = (path_40.uv.abs() + (path_40.duv.abs() * rt::Scalar(path_40.exit)));
-        let height_terms = (path_40.h.x().abs() + (rt::Scalar(path_40.exit) * (path_40.h.y().abs() + (rt::Scalar(path_40.exit) * path_40.h.z().abs()))));
+        let far_6 = (path_44.uv.abs() + (path_44.duv.abs() * rt::Scalar(path_44.exit)));
+        let height_terms = (path_44.h.x().abs() + (rt::Scalar(path_44.exit) * (path_44.h.y().abs() + (rt::Scalar(path_44.exit) * path_44.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
-        cell_16 = _e52;
-        let limit_7 = params_28.x().cast_elem_as_u32();
+        cell_17 = _e52;
+        let limit_7 = params_30.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -4685,216 +5203,216 @@ impl<'g> Resources<'g> {
                 {
                     let _e63 = cost_17;
                     cost_17 = (_e63 + STEP);
-                    let _e66 = cell_16;
+                    let _e66 = cell_17;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_8 = _e67.x().min(_e67.y()).min(rt::Scalar(path_40.exit));
-                    let _e73 = t_22;
-                    let span_10 = (end_8 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_22;
-                    let _e78 = self.v_path_uv(path_40, _e77);
-                    let _e79 = t_22;
-                    let _e80 = self.v_path_height(path_40, _e79);
-                    let _e82 = self.v_distance_at(path_40, _e78, _e80, params_28.z());
+                    let end_9 = _e67.x().min(_e67.y()).min(rt::Scalar(path_44.exit));
+                    let _e73 = t_24;
+                    let span_10 = (end_9 - _e73).max(rt::Scalar(0f32));
+                    let _e77 = t_24;
+                    let _e78 = self.v_path_uv(path_44, _e77);
+                    let _e79 = t_24;
+                    let _e80 = self.v_path_height(path_44, _e79);
+                    let _e82 = self.v_distance_at(path_44, _e78, _e80, params_30.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_40, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_40, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_44, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_44, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_22;
+                    let _e91 = t_24;
                     next_4 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_22;
+                        let _e95 = t_24;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_28.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_30.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
-                        let _e102 = t_22;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_40.exit))))) {
-                            let _e110 = t_22;
+                        let _e102 = t_24;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_44.exit))))) {
+                            let _e110 = t_24;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
-                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_8))) {
-                            let _e121 = t_22;
-                            local_30 = (!end_8.elementwise_gt(_e121));
+                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_9))) {
+                            let _e121 = t_24;
+                            local_31 = (!end_9.elementwise_gt(_e121));
                         } else {
-                            local_30 = rt::Scalar(true);
+                            local_31 = rt::Scalar(true);
                         }
-                        let _e125 = local_30;
+                        let _e125 = local_31;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
-                            let _e129 = cell_16;
-                            let _e130 = cell_16;
-                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_40.level));
-                            let _e134 = t_22;
-                            let _e135 = self.v_gap_to(path_40, _e2, _e129, _e133, _e134);
-                            let _e136 = t_22;
-                            let _e137 = t_22;
+                            let _e129 = cell_17;
+                            let _e130 = cell_17;
+                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_44.level));
+                            let _e134 = t_24;
+                            let _e135 = self.v_gap_to(path_44, _e2, _e129, _e133, _e134);
+                            let _e136 = t_24;
+                            let _e137 = t_24;
                             let _e140 = cost_17;
                             let _e141 = self.v_found_in_cell(_e135, _e136, span_10, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
-                            let _e145 = t_22;
-                            next_4 = _e145.max(end_8);
+                            let _e145 = t_24;
+                            next_4 = _e145.max(end_9);
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_40.exit))) {
-                        let _e151 = t_22;
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_44.exit))) {
+                        let _e151 = t_24;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
-                    let _e157 = cell_16;
+                    let _e157 = cell_17;
                     let _e158 = next_4;
                     let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
-                    cell_16 = _e159;
+                    cell_17 = _e159;
                     let _e160 = next_4;
-                    t_22 = _e160;
+                    t_24 = _e160;
                 }
             }
         }
-        let _e162 = t_22;
+        let _e162 = t_24;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_40.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_41: Path,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        path_45: Path,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_41, rt::into(params_29)))
+        rt::into(self.v_search_cone_moved(path_45, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_41: Path,
-        params_29: rt::Vec4<f32>,
+        path_45: Path,
+        params_31: rt::Vec4<f32>,
     ) -> Found {
-        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_8: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_31: rt::Scalar<bool>;
+        let mut k_9: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_32: rt::Scalar<bool>;
 
-        let aside_2 = path_41.duv.length();
+        let aside_3 = path_45.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_8;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_29.x())) {
+                let _e14 = k_9;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_31.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
-                    let _e20 = t_23;
-                    let _e21 = self.v_path_gap(path_41, _e20);
+                    let _e20 = t_25;
+                    let _e21 = self.v_path_gap(path_45, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_23;
+                        let _e27 = t_25;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_31 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_32 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_31 = rt::Scalar(false);
+                            local_32 = rt::Scalar(false);
                         }
-                        let _e35 = local_31;
+                        let _e35 = local_32;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_5;
-                        let _e43 = t_23;
+                        let _e43 = t_25;
                         let _e44 = near_gap_3;
                         let _e45 = cost_18;
                         return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_23;
+                    let _e47 = t_25;
                     near_5 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_23;
-                    let _e49 = self.v_path_uv(path_41, _e48);
-                    let _e51 = self.v_search_texel_between(path_41, _e49, rt::Scalar(0i32));
+                    let _e48 = t_25;
+                    let _e49 = self.v_path_uv(path_45, _e48);
+                    let _e51 = self.v_search_texel_between(path_45, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_41, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_45, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_23;
-                    let rest_4 = (rt::Scalar(path_41.exit) - _e61);
-                    let _e63 = t_23;
-                    let _e64 = self.v_path_slope(path_41, _e63);
-                    let rise_4 = (_e64 + (path_41.h.z().min(rt::Scalar(0f32)) * rest_4));
-                    let terms_1 = (path_41.h.x().abs() + (rt::Scalar(path_41.exit) * (path_41.h.y().abs() + (rt::Scalar(path_41.exit) * path_41.h.z().abs()))));
-                    let far_7 = (((path_41.uv.abs() + (path_41.duv.abs() * rt::Scalar(path_41.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e61 = t_25;
+                    let rest_5 = (rt::Scalar(path_45.exit) - _e61);
+                    let _e63 = t_25;
+                    let _e64 = self.v_path_slope(path_45, _e63);
+                    let rise_4 = (_e64 + (path_45.h.z().min(rt::Scalar(0f32)) * rest_5));
+                    let terms_1 = (path_45.h.x().abs() + (rt::Scalar(path_45.exit) * (path_45.h.y().abs() + (rt::Scalar(path_45.exit) * path_45.h.z().abs()))));
+                    let far_7 = (((path_45.uv.abs() + (path_45.duv.abs() * rt::Scalar(path_45.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
-                    let nearing = ((_e53 * aside_2) - rise_4);
+                    let nearing = ((_e53 * aside_3) - rise_4);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_23;
+                        let _e112 = t_25;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_23;
-                    t_23 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_23;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_41.exit))) {
+                    let _e118 = t_25;
+                    t_25 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_25;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_45.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_8;
-                    k_8 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_9;
+                    k_9 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e138 = t_23;
-        let _e140 = t_23;
-        let _e141 = self.v_path_height(path_41, _e140);
+        let _e138 = t_25;
+        let _e140 = t_25;
+        let _e141 = self.v_path_height(path_45, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_41.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_45.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_42: Path,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        path_46: Path,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_42, rt::into(params_30)))
+        rt::into(self.v_search_relaxed_cone(path_46, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_42: Path,
-        params_30: rt::Vec4<f32>,
+        path_46: Path,
+        params_32: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_17: rt::Vec2<f32>;
-        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_18: rt::Vec2<f32>;
+        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_42);
+        let _e2 = self.v_grid_of(path_46);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_3 = path_42.duv.length();
-        let _e11 = self.v_path_slope(path_42, rt::Scalar(0f32));
-        let terms_2 = (path_42.h.x().abs() + (rt::Scalar(path_42.exit) * path_42.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_42.level));
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_42.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_4 = path_46.duv.length();
+        let _e11 = self.v_path_slope(path_46, rt::Scalar(0f32));
+        let terms_2 = (path_46.h.x().abs() + (rt::Scalar(path_46.exit) * path_46.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_46.level));
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_46.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
-        cell_17 = _e36;
-        let limit_8 = params_30.x().cast_elem_as_u32();
+        cell_18 = _e36;
+        let limit_8 = params_32.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -4905,79 +5423,79 @@ impl<'g> Resources<'g> {
                 {
                     let _e51 = cost_19;
                     cost_19 = (_e51 + STEP);
-                    let _e54 = cell_17;
+                    let _e54 = cell_18;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_9 = _e55.x().min(_e55.y()).min(rt::Scalar(path_42.exit));
-                    let _e61 = t_24;
-                    let span_11 = (end_9 - _e61).max(rt::Scalar(0f32));
-                    let _e65 = cell_17;
-                    let _e66 = cell_17;
-                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_42.level));
-                    let _e70 = t_24;
-                    let _e71 = self.v_gap_to(path_42, _e2, _e65, _e69, _e70);
+                    let end_10 = _e55.x().min(_e55.y()).min(rt::Scalar(path_46.exit));
+                    let _e61 = t_26;
+                    let span_11 = (end_10 - _e61).max(rt::Scalar(0f32));
+                    let _e65 = cell_18;
+                    let _e66 = cell_18;
+                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_46.level));
+                    let _e70 = t_26;
+                    let _e71 = self.v_gap_to(path_46, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e78 = near_6;
-                        let _e79 = t_24;
+                        let _e79 = t_26;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_32 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_33 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_32 = rt::Scalar(false);
+                            local_33 = rt::Scalar(false);
                         }
-                        let _e87 = local_32;
+                        let _e87 = local_33;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
-                            let _e89 = t_24;
+                            let _e89 = t_26;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_42, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_46, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_24;
-                        let _e95 = t_24;
+                        let _e94 = t_26;
+                        let _e95 = t_26;
                         let _e98 = cost_19;
                         let _e99 = self.v_found_in_cell(_e71, _e94, span_11, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_24;
+                    let _e100 = t_26;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_30.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = t_24;
-                        let _e108 = t_24;
+                    if rt::Scalar::into_branch_condition(params_32.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e107 = t_26;
+                        let _e108 = t_26;
                         let _e111 = cost_19;
                         let _e112 = self.v_found_in_cell(_e71, _e107, span_11, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
-                        let _e116 = t_24;
-                        start_1 = _e116.max(end_9);
+                        let _e116 = t_26;
+                        start_1 = _e116.max(end_10);
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_42.exit))) {
-                        let _e123 = t_24;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_46.exit))) {
+                        let _e123 = t_26;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
                     let _e130 = gap;
                     near_gap_4 = _e130;
-                    let _e131 = cell_17;
-                    let _e133 = cell_17;
+                    let _e131 = cell_18;
+                    let _e133 = cell_18;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_42, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_46, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_42, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_46, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_ge(rt::Scalar(0f32))) {
-                        let nearing_1 = ((_e141 * aside_3) - _e11);
+                        let nearing_1 = ((_e141 * aside_4) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e155 = gap;
                         let room = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_8.x() + far_8.y())))));
@@ -4987,75 +5505,75 @@ impl<'g> Resources<'g> {
                             next_5 = (_e167 + (room.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_30.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_32.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
-                        let _e178 = t_24;
-                        local_33 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_42.exit))));
+                        let _e178 = t_26;
+                        local_34 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_46.exit))));
                     } else {
-                        local_33 = rt::Scalar(false);
+                        local_34 = rt::Scalar(false);
                     }
-                    let _e186 = local_33;
+                    let _e186 = local_34;
                     if rt::Scalar::into_branch_condition(_e186) {
-                        let _e188 = t_24;
+                        let _e188 = t_26;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_42.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_46.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_42.exit))) {
-                        let _e198 = self.v_path_gap(path_42, rt::Scalar(path_42.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_46.exit))) {
+                        let _e198 = self.v_path_gap(path_46, rt::Scalar(path_46.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_42, _e2, _e204, rt::Scalar(path_42.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_46, _e2, _e204, rt::Scalar(path_46.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
-                    let _e216 = cell_17;
+                    let _e216 = cell_18;
                     let _e217 = next_5;
                     let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
-                    cell_17 = _e218;
+                    cell_18 = _e218;
                     let _e219 = next_5;
-                    t_24 = _e219;
+                    t_26 = _e219;
                 }
             }
         }
-        let _e221 = t_24;
+        let _e221 = t_26;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_43: Path,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        path_47: Path,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_43, rt::into(params_31)))
+        rt::into(self.v_search_relaxed_cone_resting(path_47, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_43: Path,
-        params_31: rt::Vec4<f32>,
+        path_47: Path,
+        params_33: rt::Vec4<f32>,
     ) -> Found {
-        let mut cell_18: rt::Vec2<f32>;
-        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut cell_19: rt::Vec2<f32>;
+        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_43);
+        let _e2 = self.v_grid_of(path_47);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
-        cell_18 = _e9;
-        let limit_9 = params_31.x().cast_elem_as_u32();
+        cell_19 = _e9;
+        let limit_9 = params_33.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -5066,209 +5584,209 @@ impl<'g> Resources<'g> {
                 {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
-                    let _e27 = cell_18;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_43.level));
+                    let _e27 = cell_19;
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_47.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
-                    let _e34 = cell_18;
+                    let _e34 = cell_19;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_10 = _e35.x().min(_e35.y()).min(rt::Scalar(path_43.exit));
-                    let _e41 = t_25;
-                    let span_12 = (end_10 - _e41).max(rt::Scalar(0f32));
-                    let _e45 = cell_18;
-                    let _e46 = t_25;
-                    let _e47 = self.v_gap_to(path_43, _e2, _e45, _e30, _e46);
+                    let end_11 = _e35.x().min(_e35.y()).min(rt::Scalar(path_47.exit));
+                    let _e41 = t_27;
+                    let span_12 = (end_11 - _e41).max(rt::Scalar(0f32));
+                    let _e45 = cell_19;
+                    let _e46 = t_27;
+                    let _e47 = self.v_gap_to(path_47, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
-                        let _e52 = t_25;
+                        let _e52 = t_27;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_34 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_35 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_34 = rt::Scalar(false);
+                            local_35 = rt::Scalar(false);
                         }
-                        let _e60 = local_34;
+                        let _e60 = local_35;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
-                            let _e62 = t_25;
+                            let _e62 = t_27;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_43, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_47, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_25;
-                        let _e68 = t_25;
+                        let _e67 = t_27;
+                        let _e68 = t_27;
                         let _e71 = cost_20;
                         let _e72 = self.v_found_in_cell(_e47, _e67, span_12, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = t_25;
-                    let _e74 = t_25;
+                    let _e73 = t_27;
+                    let _e74 = t_27;
                     let _e77 = cost_20;
                     let _e78 = self.v_found_in_cell(_e47, _e73, span_12, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
-                    let _e82 = t_25;
-                    let start_2 = _e82.max(end_10);
-                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_43.exit))) {
-                        let _e87 = t_25;
+                    let _e82 = t_27;
+                    let start_2 = _e82.max(end_11);
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_47.exit))) {
+                        let _e87 = t_27;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_7 = start_2;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
-                    let _e95 = cell_18;
+                    let _e95 = cell_19;
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_2)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_2;
-                    let _e103 = self.v_path_height(path_43, start_2);
+                    let _e103 = self.v_path_height(path_47, start_2);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
-                        let _e105 = cell_18;
+                        let _e105 = cell_19;
                         let texel_7 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_43, texel_7);
+                        let _e107 = self.v_cone_slope(path_47, texel_7);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_43, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_47, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_43, _e2, texel_7, _e101, _e107, start_2);
+                            let _e114 = self.v_stays_inside(path_47, _e2, texel_7, _e101, _e107, start_2);
                             next_6 = (start_2 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_43.exit))) {
-                        let _e120 = self.v_path_gap(path_43, rt::Scalar(path_43.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_47.exit))) {
+                        let _e120 = self.v_path_gap(path_47, rt::Scalar(path_47.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_43, _e2, start_2, rt::Scalar(path_43.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_47, _e2, start_2, rt::Scalar(path_47.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
-                    let _e136 = cell_18;
+                    let _e136 = cell_19;
                     let _e137 = next_6;
                     let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
-                    cell_18 = _e138;
+                    cell_19 = _e138;
                     let _e139 = next_6;
-                    t_25 = _e139;
+                    t_27 = _e139;
                 }
             }
         }
-        let _e141 = t_25;
+        let _e141 = t_27;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_44: Path) -> Found {
-        rt::into(self.v_search_stage(path_44))
+    pub(crate) fn search_stage(&self, path_48: Path) -> Found {
+        rt::into(self.v_search_stage(path_48))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_44: Path) -> Found {
+    fn v_search_stage(&self, path_48: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[2usize].params;
-                let _e11 = self.v_search_none(path_44, _e10);
+                let _e11 = self.v_search_none(path_48, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[2usize].params;
-                let _e17 = self.v_search_linear(path_44, _e16);
+                let _e17 = self.v_search_linear(path_48, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[2usize].params;
-                let _e23 = self.v_search_cells(path_44, _e22);
+                let _e23 = self.v_search_cells(path_48, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[2usize].params;
-                let _e29 = self.v_search_frustum(path_44, _e28);
+                let _e29 = self.v_search_frustum(path_48, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[2usize].params;
-                let _e35 = self.v_search_cone(path_44, _e34);
+                let _e35 = self.v_search_cone(path_48, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[2usize].params;
-                let _e41 = self.v_search_pyramid(path_44, _e40);
+                let _e41 = self.v_search_pyramid(path_48, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[2usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_44, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_48, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[2usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_44, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_48, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[2usize].params;
-                let _e59 = self.v_search_sphere(path_44, _e58);
+                let _e59 = self.v_search_sphere(path_48, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[2usize].params;
-                let _e65 = self.v_search_cone_moved(path_44, _e64);
+                let _e65 = self.v_search_cone_moved(path_48, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[2usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_44, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_48, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[2usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_44, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_48, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_45: Path) -> Hit {
-        rt::into(self.v_trace(path_45))
+    pub(crate) fn trace(&self, path_49: Path) -> Hit {
+        rt::into(self.v_trace(path_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_45: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_45);
-        let _e2 = self.v_refine_stage(path_45, _e1);
+    fn v_trace(&self, path_49: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_49);
+        let _e2 = self.v_refine_stage(path_49, _e1);
         return _e2;
     }
-    pub(crate) fn key_of(&self, pixel_15: PixelIn, path_46: Path, hit_7: Hit) -> f32 {
-        rt::into(self.v_key_of(pixel_15, path_46, hit_7))
+    pub(crate) fn key_of(&self, pixel_23: PixelIn, path_50: Path, hit_7: Hit) -> f32 {
+        rt::into(self.v_key_of(pixel_23, path_50, hit_7))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_key_of(&self, pixel_15: PixelIn, path_46: Path, hit_7: Hit) -> rt::Scalar<f32> {
-        let depth = ((rt::Scalar(path_46.start) + rt::Scalar(hit_7.t)) / pixel_15.direction.length());
+    fn v_key_of(&self, pixel_23: PixelIn, path_50: Path, hit_7: Hit) -> rt::Scalar<f32> {
+        let depth = ((rt::Scalar(path_50.start) + rt::Scalar(hit_7.t)) / pixel_23.direction.length());
         let _e11 = rt::Scalar(self.frame.near);
         let _e14 = rt::Scalar(self.frame.near);
         return (_e11 / (_e14 + depth.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn first_hit(&self, pixel_16: PixelIn, at_21: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_16, at_21))
+    pub(crate) fn first_hit(&self, pixel_24: PixelIn, at_24: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_24, at_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_16: PixelIn, at_21: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_24: PixelIn, at_24: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut k_9: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_10: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut hit_8: Hit;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e6 = k_9;
-                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_21.segments))) {
+                let _e6 = k_10;
+                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_24.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e9 = k_9;
-                    let _e10 = self.v_segment_of(pixel_16, at_21, _e9);
+                    let _e9 = k_10;
+                    let _e10 = self.v_segment_of(pixel_24, at_24, _e9);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e10.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e14 = self.v_trace(_e10);
                         hit_8 = _e14;
@@ -5280,14 +5798,14 @@ impl<'g> Resources<'g> {
                             let _e25 = cost_21;
                             hit_8.cost = _e25;
                             let _e26 = hit_8;
-                            let _e27 = k_9;
+                            let _e27 = k_10;
                             let _e28 = hit_8;
-                            let _e29 = self.v_key_of(pixel_16, _e10, _e28);
+                            let _e29 = self.v_key_of(pixel_24, _e10, _e28);
                             return <FirstHit>::new(_e26, _e27, _e29);
                         }
                     }
-                    let _e31 = k_9;
-                    k_9 = (_e31 + rt::Scalar(1u32));
+                    let _e31 = k_10;
+                    k_10 = (_e31 + rt::Scalar(1u32));
                 }
             }
         }
@@ -5295,63 +5813,63 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_miss(_e34);
         return <FirstHit>::new(_e35, rt::Scalar(0u32), rt::Scalar(0f32));
     }
-    pub(crate) fn near_uv(&self, uv_12: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_near_uv(rt::into(uv_12)))
+    pub(crate) fn near_uv(&self, uv_13: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_near_uv(rt::into(uv_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_near_uv(&self, uv_12: rt::Vec2<f32>) -> rt::Vec2<f32> {
+    fn v_near_uv(&self, uv_13: rt::Vec2<f32>) -> rt::Vec2<f32> {
         let _e3 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(WRAP_REPEAT)) {
-            return (uv_12 - uv_12.floor());
+            return (uv_13 - uv_13.floor());
         }
         let _e10 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(WRAP_MIRROR)) {
-            return (uv_12 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_12).floor()));
+            return (uv_13 - (rt::Scalar(2f32) * (rt::Scalar(0.5f32) * uv_13).floor()));
         }
-        return uv_12;
+        return uv_13;
     }
-    pub(crate) fn from_hit(&self, at_22: Entered, hit_9: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_22, hit_9, light_1))
+    pub(crate) fn from_hit(&self, at_25: Entered, hit_9: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_25, hit_9, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_22: Entered, hit_9: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_22, light_1.direction);
+    fn v_from_hit(&self, at_25: Entered, hit_9: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_25, light_1.direction);
         let _e6 = self.v_near_uv(hit_9.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_22.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_25.level));
         let h_2 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_2, rt::Scalar(0f32), rt::Scalar(0f32), at_22.metric, RAY_SHADOW, rt::Scalar(at_22.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_2, rt::Scalar(0f32), rt::Scalar(0f32), at_25.metric, RAY_SHADOW, rt::Scalar(at_25.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_47: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_47, light_2))
+    pub(crate) fn way_out(&self, path_51: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_51, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_47: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_51: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way: rt::Scalar<f32>;
-        let mut interval_2: rt::Vec2<f32>;
+        let mut interval_3: rt::Vec2<f32>;
 
-        way = ((rt::Scalar(1f32) - path_47.h.x()) / path_47.h.y()).min(rt::Scalar(light_2.distance));
+        way = ((rt::Scalar(1f32) - path_51.h.x()) / path_51.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way;
-            let _e24 = self.v_inside_unit(path_47.uv.x(), path_47.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
-            interval_2 = _e24;
-            let _e30 = interval_2;
-            let _e31 = self.v_inside_unit(path_47.uv.y(), path_47.duv.y(), _e30);
-            interval_2 = _e31;
-            let _e33 = interval_2.y();
+            let _e24 = self.v_inside_unit(path_51.uv.x(), path_51.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            interval_3 = _e24;
+            let _e30 = interval_3;
+            let _e31 = self.v_inside_unit(path_51.uv.y(), path_51.duv.y(), _e30);
+            interval_3 = _e31;
+            let _e33 = interval_3.y();
             way = _e33;
         }
         let _e34 = way;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_23: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_23, hit_10, light_3))
+    pub(crate) fn light_ray(&self, at_26: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_26, hit_10, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_23: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
-        let mut local_35: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_26: Entered, hit_10: Hit, light_3: Toward) -> LightRay {
+        let mut local_36: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_23, hit_10, light_3);
+        let _e3 = self.v_from_hit(at_26, hit_10, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -5362,103 +5880,103 @@ impl<'g> Resources<'g> {
         let _e17 = self.v_grid_of(_e3);
         let _e19 = self.v_cell_of(_e17.origin);
         let _e20 = self.v_cell_leave(_e17, _e19);
-        let end_11 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
+        let end_12 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_35 = (_e31.y() + (_e31.z() * end_11)).elementwise_lt(rt::Scalar(0f32));
+            local_36 = (_e31.y() + (_e31.z() * end_12)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_35 = rt::Scalar(true);
+            local_36 = rt::Scalar(true);
         }
-        let _e45 = local_35;
+        let _e45 = local_36;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
-        if rt::Scalar::into_branch_condition(end_11.elementwise_ge(_e11)) {
+        if rt::Scalar::into_branch_condition(end_12.elementwise_ge(_e11)) {
             return <LightRay>::new(LIGHT_RAY_LIT, _e3);
         }
-        let _e51 = self.v_path_uv(_e3, end_11);
-        let gap_6 = (end_11 * (_e31.y() + (_e31.z() * end_11)));
+        let _e51 = self.v_path_uv(_e3, end_12);
+        let gap_6 = (end_12 * (_e31.y() + (_e31.z() * end_12)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
         let h_3 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_6) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_51 = <Path>::new(_e51, _e3.duv, h_3, (_e11 - end_11), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_11, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_51);
+        let path_56 = <Path>::new(_e51, _e3.duv, h_3, (_e11 - end_12), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_12, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_56);
     }
-    pub(crate) fn shadow_search_stage(&self, path_48: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_48))
+    pub(crate) fn shadow_search_stage(&self, path_52: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_48: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_52: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_48, _e10);
+                let _e11 = self.v_search_none(path_52, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_48, _e16);
+                let _e17 = self.v_search_linear(path_52, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_48, _e22);
+                let _e23 = self.v_search_cells(path_52, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_48, _e28);
+                let _e29 = self.v_search_frustum(path_52, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_48, _e34);
+                let _e35 = self.v_search_cone(path_52, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_48, _e40);
+                let _e41 = self.v_search_pyramid(path_52, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_48, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_52, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_48, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_52, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_48, _e58);
+                let _e59 = self.v_search_sphere(path_52, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_48, _e64);
+                let _e65 = self.v_search_cone_moved(path_52, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_48, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_52, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_48, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_52, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_24: Entered, hit_11: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_24, hit_11, light_4))
+    pub(crate) fn free_way(&self, at_27: Entered, hit_11: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_27, hit_11, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_24: Entered, hit_11: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_24, hit_11, light_4);
+    fn v_free_way(&self, at_27: Entered, hit_11: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_27, hit_11, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -5477,18 +5995,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mean_of_five(
         &self,
-        middle_2: impl rt::Into<rt::Scalar<f32>>,
+        middle_4: impl rt::Into<rt::Scalar<f32>>,
         four: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_mean_of_five(rt::into(middle_2), rt::into(four)))
+        rt::into(self.v_mean_of_five(rt::into(middle_4), rt::into(four)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mean_of_five(
         &self,
-        middle_2: rt::Scalar<f32>,
+        middle_4: rt::Scalar<f32>,
         four: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return ((middle_2 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
+        return ((middle_4 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
     pub(crate) fn means_of_one(&self, n_6: impl rt::Into<rt::Vec3<f32>>) -> Normals {
         rt::into(self.v_means_of_one(rt::into(n_6)))
@@ -5521,53 +6039,53 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_25: Entered,
+        at_28: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_25, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_28, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_25: Entered,
+        at_28: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_25.tangent.normalize();
-        let along_v_2 = at_25.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_25.normal.dot(v));
+        let along_u_2 = at_28.tangent.normalize();
+        let along_v_2 = at_28.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_28.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_26: Entered,
-        uv_13: impl rt::Into<rt::Vec2<f32>>,
+        at_29: Entered,
+        uv_14: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_26, rt::into(uv_13), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_29, rt::into(uv_14), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_26: Entered,
-        uv_13: rt::Vec2<f32>,
+        at_29: Entered,
+        uv_14: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_26, uv_13);
-            let _e6 = self.v_to_tangent_space(at_26, _e5);
+            let _e5 = self.v_finest_normal(at_29, uv_14);
+            let _e6 = self.v_to_tangent_space(at_29, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
         let _e10 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e10.elementwise_eq(rt::Scalar(1u32))) {
-            let _e14 = self.v_normal_at(uv_13, rt::Scalar(0i32), level_20);
-            let _e16 = self.v_normal_at(uv_13, rt::Scalar(1i32), level_20);
+            let _e14 = self.v_normal_at(uv_14, rt::Scalar(0i32), level_20);
+            let _e16 = self.v_normal_at(uv_14, rt::Scalar(1i32), level_20);
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_26.tangent.normalize().dot(at_26.tangent)) / at_26.tangent.dot(at_26.tangent));
-        let y_1 = ((tile.y() * at_26.bitangent.normalize().dot(at_26.bitangent)) / at_26.bitangent.dot(at_26.bitangent));
-        let _e44 = self.v_normal_at(uv_13, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
-        let _e48 = self.v_normal_at(uv_13, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
+        let x_2 = ((tile.x() * at_29.tangent.normalize().dot(at_29.tangent)) / at_29.tangent.dot(at_29.tangent));
+        let y_1 = ((tile.y() * at_29.bitangent.normalize().dot(at_29.bitangent)) / at_29.bitangent.dot(at_29.bitangent));
+        let _e44 = self.v_normal_at(uv_14, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
+        let _e48 = self.v_normal_at(uv_14, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
         let longer_1 = (_e44.xyz().dot(_e44.xyz()) / flatter.dot(flatter)).sqrt();
         let squares = (<rt::Vec3<f32>>::from_scalars(((_e48.x() * x_2) * x_2), ((_e48.y() * x_2) * y_1), ((_e48.z() * y_1) * y_1)) * longer_1);
@@ -5582,16 +6100,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_27: Entered,
+        at_30: Entered,
         normals: Normals,
         view_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_27, normals, rt::into(view_6)))
+        rt::into(self.v_seen_normals(at_30, normals, rt::into(view_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_27: Entered,
+        at_30: Entered,
         normals: Normals,
         view_6: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -5601,52 +6119,52 @@ impl<'g> Resources<'g> {
         let upright_1 = first_7.z().max(rt::Scalar(0.05f32));
         let x_3 = (first_7.x() / upright_1);
         let y_2 = (first_7.y() / upright_1);
-        let a_7 = ((second_1.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_5 = (((second_1.y() / upright_1) - (x_3 * y_2)) / a_7);
+        let a_8 = ((second_1.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let b_6 = (((second_1.y() / upright_1) - (x_3 * y_2)) / a_8);
         let spread = ((second_1.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_1 = (spread - (b_5 * b_5)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let d_1 = (spread - (b_6 * b_6)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_1.x(), second_1.y(), first_7.x())) - (first_7.xyz() * slope_6.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_1.y(), second_1.z(), first_7.y())) - (first_7.xyz() * slope_6.y()));
-        let most_3 = ((a_7 * a_7) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_4 = (with_x / rt::Vec3::splat_from_scalar(a_7.max((with_x.length() / most_3))));
-        let rest_5 = (with_y - (along_4 * b_5));
-        let across_3 = (rest_5 / rt::Vec3::splat_from_scalar(d_1.max((rest_5.length() / most_3))));
-        let _e77 = self.v_to_tangent_space(at_27, view_6);
-        let middle_5 = (_e77.z() - _e77.xy().dot(slope_6));
-        let _e91 = self.v_facing_four(middle_5, (-((_e77.x() * a_7) + (_e77.y() * b_5))), (-(_e77.y() * d_1)));
-        let one = middle_5.max(rt::Scalar(0f32));
+        let most_3 = ((a_8 * a_8) + spread).sqrt().min(rt::Scalar(1f32));
+        let along_9 = (with_x / rt::Vec3::splat_from_scalar(a_8.max((with_x.length() / most_3))));
+        let rest_6 = (with_y - (along_9 * b_6));
+        let across_3 = (rest_6 / rt::Vec3::splat_from_scalar(d_1.max((rest_6.length() / most_3))));
+        let _e77 = self.v_to_tangent_space(at_30, view_6);
+        let middle_7 = (_e77.z() - _e77.xy().dot(slope_6));
+        let _e91 = self.v_facing_four(middle_7, (-((_e77.x() * a_8) + (_e77.y() * b_6))), (-(_e77.y() * d_1)));
+        let one = middle_7.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_4 = ((along_4 * ((_e91.x() - _e91.y()) / all)) + (across_3 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_27, (first_7.xyz() + (aside_4 * rt::Scalar(0.28867513f32))));
+        let aside_5 = ((along_9 * ((_e91.x() - _e91.y()) / all)) + (across_3 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_30, (first_7.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_7.xyz(), along_4, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_7, b_5), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_7.xyz(), along_9, across_3, slope_6, <rt::Vec2<f32>>::from_scalars(a_8, b_6), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_28: Entered) -> f32 {
-        rt::into(self.v_table_part(at_28))
+    pub(crate) fn table_part(&self, at_31: Entered) -> f32 {
+        rt::into(self.v_table_part(at_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_table_part(&self, at_28: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_31: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_28.fade) * ((rt::Scalar(at_28.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_31.fade) * ((rt::Scalar(at_31.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_29: Entered,
+        at_32: Entered,
         seen: SeenNormals,
         table: SeenTable,
         part_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_29, seen, table, rt::into(part_3)))
+        rt::into(self.v_with_table(at_32, seen, table, rt::into(part_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_with_table(
         &self,
-        at_29: Entered,
+        at_32: Entered,
         seen: SeenNormals,
         table: SeenTable,
         part_3: rt::Scalar<f32>,
@@ -5655,7 +6173,7 @@ impl<'g> Resources<'g> {
 
         told = seen;
         let before_2 = (seen.normal * rt::Scalar(seen.length));
-        let _e9 = self.v_from_tangent_space(at_29, table.mean);
+        let _e9 = self.v_from_tangent_space(at_32, table.mean);
         let mean_3 = (before_2 + ((_e9 - before_2) * part_3));
         told.normal = mean_3.normalize();
         rt::Scalar(told.length) = mean_3.length().min(rt::Scalar(1f32));
@@ -5696,63 +6214,63 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_between(
         &self,
-        a_1: SeenTexel,
-        b_1: SeenTexel,
+        a_2: SeenTexel,
+        b_2: SeenTexel,
         part_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_between(a_1, b_1, rt::into(part_4)))
+        rt::into(self.v_seen_between(a_2, b_2, rt::into(part_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_between(
         &self,
-        a_1: SeenTexel,
-        b_1: SeenTexel,
+        a_2: SeenTexel,
+        b_2: SeenTexel,
         part_4: rt::Scalar<f32>,
     ) -> SeenTexel {
-        return <SeenTexel>::new((a_1.first + ((b_1.first - a_1.first) * part_4)), (a_1.second + ((b_1.second - a_1.second) * part_4)));
+        return <SeenTexel>::new((a_2.first + ((b_2.first - a_2.first) * part_4)), (a_2.second + ((b_2.second - a_2.second) * part_4)));
     }
     pub(crate) fn seen_texel(
         &self,
-        uv_14: impl rt::Into<rt::Vec2<f32>>,
+        uv_15: impl rt::Into<rt::Vec2<f32>>,
         azimuth: impl rt::Into<rt::Scalar<i32>>,
         elevation: impl rt::Into<rt::Scalar<i32>>,
         level_21: impl rt::Into<rt::Scalar<u32>>,
     ) -> SeenTexel {
-        rt::into(self.v_seen_texel(rt::into(uv_14), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
+        rt::into(self.v_seen_texel(rt::into(uv_15), rt::into(azimuth), rt::into(elevation), rt::into(level_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_texel(
         &self,
-        uv_14: rt::Vec2<f32>,
+        uv_15: rt::Vec2<f32>,
         azimuth: rt::Scalar<i32>,
         elevation: rt::Scalar<i32>,
         level_21: rt::Scalar<u32>,
     ) -> SeenTexel {
         let layer_8 = (rt::Scalar(2i32) * ((azimuth * rt::Scalar(4i32)) + elevation));
-        let _e9 = self.v_detail_texel_between(uv_14, layer_8, level_21);
-        let _e12 = self.v_detail_texel_between(uv_14, (layer_8 + rt::Scalar(1i32)), level_21);
+        let _e9 = self.v_detail_texel_between(uv_15, layer_8, level_21);
+        let _e12 = self.v_detail_texel_between(uv_15, (layer_8 + rt::Scalar(1i32)), level_21);
         return <SeenTexel>::new(_e9, _e12);
     }
     pub(crate) fn seen_in_levels(
         &self,
-        uv_15: impl rt::Into<rt::Vec2<f32>>,
+        uv_16: impl rt::Into<rt::Vec2<f32>>,
         azimuth_1: impl rt::Into<rt::Scalar<i32>>,
         elevation_1: impl rt::Into<rt::Scalar<i32>>,
         levels_1: Levels,
     ) -> SeenTexel {
-        rt::into(self.v_seen_in_levels(rt::into(uv_15), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
+        rt::into(self.v_seen_in_levels(rt::into(uv_16), rt::into(azimuth_1), rt::into(elevation_1), levels_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_in_levels(
         &self,
-        uv_15: rt::Vec2<f32>,
+        uv_16: rt::Vec2<f32>,
         azimuth_1: rt::Scalar<i32>,
         elevation_1: rt::Scalar<i32>,
         levels_1: Levels,
     ) -> SeenTexel {
-        let _e5 = self.v_seen_texel(uv_15, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
+        let _e5 = self.v_seen_texel(uv_16, azimuth_1, elevation_1, rt::Scalar(levels_1.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(levels_1.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e12 = self.v_seen_texel(uv_15, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
+            let _e12 = self.v_seen_texel(uv_16, azimuth_1, elevation_1, (rt::Scalar(levels_1.fine) + rt::Scalar(1u32)));
             let _e14 = self.v_seen_between(_e5, _e12, rt::Scalar(levels_1.part));
             return _e14;
         }
@@ -5760,22 +6278,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_30: Entered,
-        uv_16: impl rt::Into<rt::Vec2<f32>>,
+        at_33: Entered,
+        uv_17: impl rt::Into<rt::Vec2<f32>>,
         view_7: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_30, rt::into(uv_16), rt::into(view_7), levels_2))
+        rt::into(self.v_table_of(at_33, rt::into(uv_17), rt::into(view_7), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_30: Entered,
-        uv_16: rt::Vec2<f32>,
+        at_33: Entered,
+        uv_17: rt::Vec2<f32>,
         view_7: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_30, view_7);
+        let _e4 = self.v_climb(at_33, view_7);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -5786,17 +6304,17 @@ impl<'g> Resources<'g> {
         let a0_ = (azimuth_3.floor().cast_elem_as_i32() % rt::Scalar(8i32));
         let a1_ = ((a0_ + rt::Scalar(1i32)) % rt::Scalar(8i32));
         let e0_ = elevation_3.floor().cast_elem_as_i32();
-        let e1_ = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
+        let e1_1 = (e0_ + rt::Scalar(1i32)).min(rt::Scalar(3i32));
         let across_4 = (azimuth_3 - azimuth_3.floor());
-        let _e48 = self.v_seen_in_levels(uv_16, a0_, e0_, levels_2);
-        let _e49 = self.v_seen_in_levels(uv_16, a1_, e0_, levels_2);
+        let _e48 = self.v_seen_in_levels(uv_17, a0_, e0_, levels_2);
+        let _e49 = self.v_seen_in_levels(uv_17, a1_, e0_, levels_2);
         let _e50 = self.v_seen_between(_e48, _e49, across_4);
-        let _e51 = self.v_seen_in_levels(uv_16, a0_, e1_, levels_2);
-        let _e52 = self.v_seen_in_levels(uv_16, a1_, e1_, levels_2);
+        let _e51 = self.v_seen_in_levels(uv_17, a0_, e1_1, levels_2);
+        let _e52 = self.v_seen_in_levels(uv_17, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_4);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_30.tangent.normalize().dot(at_30.tangent)) / at_30.tangent.dot(at_30.tangent));
-        let y_4 = ((tile_1.y() * at_30.bitangent.normalize().dot(at_30.bitangent)) / at_30.bitangent.dot(at_30.bitangent));
+        let x_5 = ((tile_1.x() * at_33.tangent.normalize().dot(at_33.tangent)) / at_33.tangent.dot(at_33.tangent));
+        let y_4 = ((tile_1.y() * at_33.bitangent.normalize().dot(at_33.bitangent)) / at_33.bitangent.dot(at_33.bitangent));
         let mean_4 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_4.x() * x_5), (mean_4.y() * y_4), mean_4.z());
         let squared_3 = (mean_4.dot(mean_4) / flatter_1.dot(flatter_1));
@@ -5805,46 +6323,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_31: Entered,
-        uv_17: impl rt::Into<rt::Vec2<f32>>,
+        at_34: Entered,
+        uv_18: impl rt::Into<rt::Vec2<f32>>,
         view_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_31, rt::into(uv_17), rt::into(view_8)))
+        rt::into(self.v_mesostructure_normals(at_34, rt::into(uv_18), rt::into(view_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_31: Entered,
-        uv_17: rt::Vec2<f32>,
+        at_34: Entered,
+        uv_18: rt::Vec2<f32>,
         view_8: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
-        let upright_3 = at_31.normal.dot(view_8);
+        let upright_3 = at_34.normal.dot(view_8);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_2 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_31.fade)));
+        let width_2 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_34.fade)));
         let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_2 = ((rt::Scalar(at_31.footprint) * _e15) * width_2);
+        let texels_3 = ((rt::Scalar(at_34.footprint) * _e15) * width_2);
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
-        let _e21 = self.v_levels_of(texels_2, _e20);
+        let _e21 = self.v_levels_of(texels_3, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_36 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_37 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_36 = rt::Scalar(false);
+            local_37 = rt::Scalar(false);
         }
-        let _e32 = local_36;
+        let _e32 = local_37;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_31, uv_17);
+            let _e33 = self.v_finest_normal(at_34, uv_18);
             let _e34 = self.v_one_seen(_e33);
             return _e34;
         }
-        let _e36 = self.v_normals_of_level(at_31, uv_17, rt::Scalar(_e21.fine));
+        let _e36 = self.v_normals_of_level(at_34, uv_18, rt::Scalar(_e21.fine));
         first_1 = _e36.first;
         second = _e36.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e47 = self.v_normals_of_level(at_31, uv_17, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+            let _e47 = self.v_normals_of_level(at_34, uv_18, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
             let _e48 = first_1;
             let _e50 = first_1;
             first_1 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
@@ -5854,15 +6372,15 @@ impl<'g> Resources<'g> {
         }
         let _e62 = first_1;
         let _e63 = second;
-        let _e65 = self.v_seen_normals(at_31, <Normals>::new(_e62, _e63), view_8);
-        let _e66 = self.v_table_part(at_31);
+        let _e65 = self.v_seen_normals(at_34, <Normals>::new(_e62, _e63), view_8);
+        let _e66 = self.v_table_part(at_34);
         if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
             let _e72 = rt::Scalar(self.surface_settings.height_levels);
-            let _e73 = self.v_levels_of(rt::Scalar(at_31.footprint), _e72);
+            let _e73 = self.v_levels_of(rt::Scalar(at_34.footprint), _e72);
             let _e74 = self.v_has_table(_e73);
             if rt::Scalar::into_branch_condition(_e74) {
-                let _e75 = self.v_table_of(at_31, uv_17, view_8, _e73);
-                let _e76 = self.v_with_table(at_31, _e65, _e75, _e66);
+                let _e75 = self.v_table_of(at_34, uv_18, view_8, _e73);
+                let _e76 = self.v_with_table(at_34, _e65, _e75, _e66);
                 return _e76;
             }
         }
@@ -5870,61 +6388,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_32: Entered,
+        at_35: Entered,
         hit_12: Hit,
         light_5: Toward,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_32, hit_12, light_5, rt::into(params_32)))
+        rt::into(self.v_shadow_ray(at_35, hit_12, light_5, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_32: Entered,
+        at_35: Entered,
         hit_12: Hit,
         light_5: Toward,
-        params_32: rt::Vec4<f32>,
+        params_34: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_32, hit_12, light_5);
+        let _e4 = self.v_free_way(at_35, hit_12, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_33: Entered,
+        at_36: Entered,
         hit_13: Hit,
         light_6: Toward,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_33, hit_13, light_6, rt::into(params_33)))
+        rt::into(self.v_shadow_none(at_36, hit_13, light_6, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_33: Entered,
+        at_36: Entered,
         hit_13: Hit,
         light_6: Toward,
-        params_33: rt::Vec4<f32>,
+        params_35: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_34: Entered,
+        at_37: Entered,
         hit_14: Hit,
         light_7: Toward,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_34, hit_14, light_7, rt::into(params_34)))
+        rt::into(self.v_shadow_entry(at_37, hit_14, light_7, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_34: Entered,
+        at_37: Entered,
         hit_14: Hit,
         light_7: Toward,
-        params_34: rt::Vec4<f32>,
+        params_36: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_34, hit_14, light_7);
+        let _e4 = self.v_from_hit(at_37, hit_14, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -5943,7 +6461,7 @@ impl<'g> Resources<'g> {
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_1 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_34.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_1.x().max(apart_1.y()).elementwise_le(params_36.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -5969,9 +6487,9 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seed_of(&self, hit_15: Hit) -> rt::Scalar<u32> {
-        let place_9 = ((hit_15.uv - hit_15.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
-        let _e10 = self.v_mixed(place_9.y());
-        let _e12 = self.v_mixed((place_9.x() ^ _e10));
+        let place_10 = ((hit_15.uv - hit_15.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+        let _e10 = self.v_mixed(place_10.y());
+        let _e12 = self.v_mixed((place_10.x() ^ _e10));
         return _e12;
     }
     pub(crate) fn unit_of(&self, bits: impl rt::Into<rt::Scalar<u32>>) -> f32 {
@@ -6013,69 +6531,69 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_10: impl rt::Into<rt::Scalar<u32>>,
+        k_11: impl rt::Into<rt::Scalar<u32>>,
         count_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_10), rt::into(count_1)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_11), rt::into(count_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_disc(
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_10: rt::Scalar<u32>,
+        k_11: rt::Scalar<u32>,
         count_1: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_10) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_11) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_10.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
+        let ring = ((k_11.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned(((k_10.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
-        let place_10 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
+        let _e18 = self.v_turned(((k_11.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let place_11 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
-        let toward_6 = ((light_8.direction + (right_2 * place_10.x())) + (up_1 * place_10.y()));
-        let along_5 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_5)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_5), rt::Scalar(0f32));
+        let toward_6 = ((light_8.direction + (right_2 * place_11.x())) + (up_1 * place_11.y()));
+        let along_10 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_10)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_10), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_35: Entered,
+        at_38: Entered,
         hit_16: Hit,
         light_9: Toward,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_35, hit_16, light_9, rt::into(params_35)))
+        rt::into(self.v_shadow_soft(at_38, hit_16, light_9, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_35: Entered,
+        at_38: Entered,
         hit_16: Hit,
         light_9: Toward,
-        params_35: rt::Vec4<f32>,
+        params_37: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_11: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_12: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_3 = params_35.x().cast_elem_as_u32();
+        let count_3 = params_37.x().cast_elem_as_u32();
         let _e6 = self.v_seed_of(hit_16);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_11;
+                let _e11 = k_12;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_3)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_11;
+                    let _e14 = k_12;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_3);
-                    let _e16 = self.v_free_way(at_35, hit_16, _e15);
+                    let _e16 = self.v_free_way(at_38, hit_16, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_11;
-                    k_11 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_12;
+                    k_12 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -6084,92 +6602,92 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_36: Entered,
+        at_39: Entered,
         hit_17: Hit,
         light_10: Toward,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_36, hit_17, light_10, rt::into(params_36)))
+        rt::into(self.v_shadow_heuristic(at_39, hit_17, light_10, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_36: Entered,
+        at_39: Entered,
         hit_17: Hit,
         light_10: Toward,
-        params_36: rt::Vec4<f32>,
+        params_38: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_13: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_36, hit_17, light_10);
+        let _e4 = self.v_from_hit(at_39, hit_17, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_12;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_36.x())) {
+                let _e16 = k_13;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_38.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_12;
-                    let part_7 = (_e19 / params_36.x());
+                    let _e19 = k_13;
+                    let part_7 = (_e19 / params_38.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_7 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_7)));
-                    let _e31 = k_12;
-                    k_12 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_13;
+                    k_13 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_36.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_38.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
-        place_4: impl rt::Into<rt::Vec2<i32>>,
+        place_5: impl rt::Into<rt::Vec2<i32>>,
         layer_6: impl rt::Into<rt::Scalar<i32>>,
         level_22: impl rt::Into<rt::Scalar<i32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel(rt::into(place_4), rt::into(layer_6), rt::into(level_22)))
+        rt::into(self.v_shadow_texel(rt::into(place_5), rt::into(layer_6), rt::into(level_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel(
         &self,
-        place_4: rt::Vec2<i32>,
+        place_5: rt::Vec2<i32>,
         layer_6: rt::Scalar<i32>,
         level_22: rt::Scalar<i32>,
     ) -> rt::Vec4<f32> {
-        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_4, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_22));
+        let _e4 = rt::texture::Read::read_texel((&self.shadow_texels), place_5, rt::Scalar::into_inner(layer_6), 0i32, rt::Scalar::into_inner(level_22));
         let _e8 = self.surface_settings.maps[3usize];
         let _e9 = self.v_decoded(_e4, _e8);
         return _e9;
     }
     pub(crate) fn shadow_texel_between(
         &self,
-        uv_18: impl rt::Into<rt::Vec2<f32>>,
+        uv_19: impl rt::Into<rt::Vec2<f32>>,
         layer_7: impl rt::Into<rt::Scalar<i32>>,
         level_23: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_shadow_texel_between(rt::into(uv_18), rt::into(layer_7), rt::into(level_23)))
+        rt::into(self.v_shadow_texel_between(rt::into(uv_19), rt::into(layer_7), rt::into(level_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_texel_between(
         &self,
-        uv_18: rt::Vec2<f32>,
+        uv_19: rt::Vec2<f32>,
         layer_7: rt::Scalar<i32>,
         level_23: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
-        let _e4 = self.v_texels_around(uv_18, _e3);
-        let k_22 = level_23.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_22);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_22);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_22);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_22);
+        let _e4 = self.v_texels_around(uv_19, _e3);
+        let k_23 = level_23.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_23);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_23);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_23);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_23);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -6183,311 +6701,383 @@ impl<'g> Resources<'g> {
         let _e1 = self.v_grid_of(way_1);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
-        let end_12 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        let end_13 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
         level_24 = way_1;
         level_24.h = <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_24.exit) = end_12;
+        rt::Scalar(level_24.exit) = end_13;
         let _e18 = level_24;
         let _e21 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_12))));
+        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_13))));
     }
-    pub(crate) fn part_above(&self, height_1: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_1)))
+    pub(crate) fn part_above(&self, height_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_part_above(&self, height_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_7 = height_1.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+    fn v_part_above(&self, height_2: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_7 = height_2.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
         let s_3 = (x_7 * x_7);
         return (rt::Scalar(0.5f32) + (x_7 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_37: Entered,
+        at_40: Entered,
         hit_18: Hit,
         light_11: Toward,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_37, hit_18, light_11, rt::into(params_37)))
+        rt::into(self.v_shadow_horizon(at_40, hit_18, light_11, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_37: Entered,
+        at_40: Entered,
         hit_18: Hit,
         light_11: Toward,
-        params_37: rt::Vec4<f32>,
+        params_39: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_37, light_11.direction);
+        let _e5 = self.v_climb(at_40, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
-        let along_6 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_6);
-        let azimuth_4 = (_e13 * params_37.x());
+        let along_11 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_11);
+        let azimuth_4 = (_e13 * params_39.x());
         let first_8 = azimuth_4.floor();
-        let count_4 = params_37.x().cast_elem_as_i32();
+        let count_4 = params_39.x().cast_elem_as_i32();
         let before_3 = (first_8.cast_elem_as_i32() % count_4);
         let part_8 = (azimuth_4 - first_8);
-        let _e24 = self.v_shadow_texel_between(hit_18.uv, before_3, rt::Scalar(at_37.level));
+        let _e24 = self.v_shadow_texel_between(hit_18.uv, before_3, rt::Scalar(at_40.level));
         let low_3 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_18.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_37.level));
+        let _e31 = self.v_shadow_texel_between(hit_18.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_40.level));
         let sine = (low_3 + ((_e31.x() - low_3) * part_8));
         let squared_4 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_4 * along_6.dot(along_6)).sqrt();
-        let _e48 = self.v_from_hit(at_37, hit_18, light_11);
+        let far_9 = (squared_4 * along_11.dot(along_11)).sqrt();
+        let _e48 = self.v_from_hit(at_40, hit_18, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e49 * _e52);
         let horizon = far_9.max(near_8);
-        let up_2 = at_37.normal.dot(light_11.direction);
+        let up_2 = at_40.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_2 * up_2)).max(rt::Scalar(0f32));
-        let beside = (flat + (up_2 * horizon));
-        if rt::Scalar::into_branch_condition((!beside.elementwise_gt(rt::Scalar(0f32)))) {
+        let beside_1 = (flat + (up_2 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_1.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside_1 * rt::Scalar(light_11.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_38: Entered,
+        at_41: Entered,
         hit_19: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_38, hit_19, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_41, hit_19, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_38: Entered,
+        at_41: Entered,
         hit_19: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_19.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_38.level));
+        let _e9 = self.v_shadow_texel_between(hit_19.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_41.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_39: Entered,
+        at_42: Entered,
         hit_20: Hit,
         light_12: Toward,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_39, hit_20, light_12, rt::into(params_38)))
+        rt::into(self.v_shadow_visibility(at_42, hit_20, light_12, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_39: Entered,
+        at_42: Entered,
         hit_20: Hit,
         light_12: Toward,
-        params_38: rt::Vec4<f32>,
+        params_40: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_39, light_12.direction);
+        let _e5 = self.v_climb(at_42, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[3usize];
-        let along_7 = (_e5.xy() * map_2.tile_m);
+        let along_12 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_4 = (_e5.z() * _e21);
-        let squared_5 = ((height_4 * height_4) / (along_7.dot(along_7) + (height_4 * height_4)));
-        let azimuths = params_38.x().cast_elem_as_i32();
-        let elevations_1 = params_38.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_7);
-        let azimuth_5 = (_e32 * params_38.x());
-        let elevation_4 = ((squared_5 * params_38.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_38.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_38.z().elementwise_lt(rt::Scalar(2f32))) {
-            let a_8 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_39, hit_20, a_8, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+        let height_5 = (_e5.z() * _e21);
+        let squared_5 = ((height_5 * height_5) / (along_12.dot(along_12) + (height_5 * height_5)));
+        let azimuths = params_40.x().cast_elem_as_i32();
+        let elevations_1 = params_40.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_12);
+        let azimuth_5 = (_e32 * params_40.x());
+        let elevation_4 = ((squared_5 * params_40.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_40.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_40.z().elementwise_lt(rt::Scalar(2f32))) {
+            let a_9 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
+            let _e56 = self.v_open_part(at_42, hit_20, a_9, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
         let a1_1 = ((a0_1 + rt::Scalar(1i32)) % azimuths);
         let e0_1 = elevation_4.floor().cast_elem_as_i32();
-        let e1_1 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
+        let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_39, hit_20, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_39, hit_20, a0_1, e1_1, elevations_1);
+        let _e74 = self.v_open_part(at_42, hit_20, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_42, hit_20, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_39, hit_20, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_42, hit_20, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_39, hit_20, a1_1, e1_1, elevations_1);
+        let _e86 = self.v_open_part(at_42, hit_20, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_40: Entered, hit_21: Hit, light_13: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_40, hit_21, light_13))
+    pub(crate) fn shadow_stage(&self, at_43: Entered, hit_21: Hit, light_13: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_43, hit_21, light_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_40: Entered, hit_21: Hit, light_13: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_43: Entered, hit_21: Hit, light_13: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_40, hit_21, light_13, _e12);
+                let _e13 = self.v_shadow_ray(at_43, hit_21, light_13, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_40, hit_21, light_13, _e18);
+                let _e19 = self.v_shadow_none(at_43, hit_21, light_13, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_40, hit_21, light_13, _e24);
+                let _e25 = self.v_shadow_entry(at_43, hit_21, light_13, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_40, hit_21, light_13, _e30);
+                let _e31 = self.v_shadow_soft(at_43, hit_21, light_13, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_40, hit_21, light_13, _e36);
+                let _e37 = self.v_shadow_heuristic(at_43, hit_21, light_13, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_40, hit_21, light_13, _e42);
+                let _e43 = self.v_shadow_horizon(at_43, hit_21, light_13, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_40, hit_21, light_13, _e48);
+                let _e49 = self.v_shadow_visibility(at_43, hit_21, light_13, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_17: PixelIn, at_41: Entered, hit_22: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_17, at_41, hit_22))
+    pub(crate) fn mirrored_light(&self, pixel_25: PixelIn, at_44: Entered, hit_22: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_25, at_44, hit_22))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_17: PixelIn, at_41: Entered, hit_22: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_25: PixelIn, at_44: Entered, hit_22: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_22.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_17.direction.normalize();
-        let up_3 = (down_2 - (at_41.normal * (rt::Scalar(2f32) * down_2.dot(at_41.normal))));
-        let _e23 = self.v_shadow_stage(at_41, hit_22, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        let down_2 = pixel_25.direction.normalize();
+        let up_3 = (down_2 - (at_44.normal * (rt::Scalar(2f32) * down_2.dot(at_44.normal))));
+        let _e23 = self.v_shadow_stage(at_44, hit_22, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
         return _e23;
     }
-    pub(crate) fn pixel_direction(&self, pixel_18: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_18)))
+    pub(crate) fn pixel_direction(&self, pixel_26: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_direction(&self, pixel_18: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_26: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_18.x())) + (_e14.xyz() * pixel_18.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_26.x())) + (_e14.xyz() * pixel_26.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_19: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_19)))
+    pub(crate) fn pixel_eye(&self, pixel_27: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_eye(&self, pixel_19: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_27: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_19.x())) + (_e14.xyz() * pixel_19.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_27.x())) + (_e14.xyz() * pixel_27.y()));
     }
     pub(crate) fn pixel_of(
         &self,
-        a_2: Corner,
-        b_2: Corner,
+        a_3: Corner,
+        b_3: Corner,
         c_4: Corner,
-        side: impl rt::Into<rt::Scalar<f32>>,
-        point_1: impl rt::Into<rt::Vec2<f32>>,
+        shell: Shell,
+        side_1: impl rt::Into<rt::Scalar<f32>>,
+        point_2: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_2, b_2, c_4, rt::into(side), rt::into(point_1)))
+        rt::into(self.v_pixel_of(a_3, b_3, c_4, shell, rt::into(side_1), rt::into(point_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_pixel_of(
         &self,
-        a_2: Corner,
-        b_2: Corner,
+        a_3: Corner,
+        b_3: Corner,
         c_4: Corner,
-        side: rt::Scalar<f32>,
-        point_1: rt::Vec2<f32>,
+        shell: Shell,
+        side_1: rt::Scalar<f32>,
+        point_2: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e5 = self.v_pixel_eye(point_1);
-        let _e6 = self.v_pixel_direction(point_1);
-        return <PixelIn>::new(_e5, _e6, side, a_2, b_2, c_4);
+        let _e6 = self.v_pixel_eye(point_2);
+        let _e7 = self.v_pixel_direction(point_2);
+        return <PixelIn>::new(_e6, _e7, side_1, a_3, b_3, c_4, shell);
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_20: PixelIn,
-        at_42: Entered,
-        path_49: Path,
+        pixel_28: PixelIn,
+        at_45: Entered,
+        path_53: Path,
         hit_23: Hit,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_20, at_42, path_49, hit_23, rt::into(params_39)))
+        rt::into(self.v_surface_plane_place(pixel_28, at_45, path_53, hit_23, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_place(
         &self,
-        pixel_20: PixelIn,
-        at_42: Entered,
-        path_49: Path,
+        pixel_28: PixelIn,
+        at_45: Entered,
+        path_53: Path,
         hit_23: Hit,
-        params_39: rt::Vec4<f32>,
+        params_41: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_5 = (hit_23.uv - at_42.uv);
+        let aside_6 = (hit_23.uv - at_45.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_23.uv, rt::Scalar(at_42.level));
-        let height_5 = (_e10 + (_e13 * _e16));
-        placed = at_42;
-        placed.point = (((at_42.point + (at_42.tangent * aside_5.x())) + (at_42.bitangent * aside_5.y())) + (at_42.normal * height_5));
+        let _e16 = self.v_height_at(hit_23.uv, rt::Scalar(at_45.level));
+        let height_6 = (_e10 + (_e13 * _e16));
+        placed = at_45;
+        placed.point = (((at_45.point + (at_45.tangent * aside_6.x())) + (at_45.bitangent * aside_6.y())) + (at_45.normal * height_6));
         placed.uv = hit_23.uv;
         let _e35 = placed;
         return _e35;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_21: PixelIn, at_43: Entered, path_50: Path, hit_24: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_21, at_43, path_50, hit_24))
+    pub(crate) fn surface_tetrahedra_place(
+        &self,
+        pixel_29: PixelIn,
+        at_46: Entered,
+        path_54: Path,
+        hit_24: Hit,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_tetrahedra_place(pixel_29, at_46, path_54, hit_24, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_21: PixelIn, at_43: Entered, path_50: Path, hit_24: Hit) -> Entered {
+    fn v_surface_tetrahedra_place(
+        &self,
+        pixel_29: PixelIn,
+        at_46: Entered,
+        path_54: Path,
+        hit_24: Hit,
+        params_42: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut nearest: Tetrahedron;
+        let mut beside: rt::Scalar<f32>;
+        let mut number_1: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut placed_1: Entered;
+
+        let along_13 = pixel_29.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_29, along_13);
+        let t_31 = ((rt::Scalar(path_54.start) + rt::Scalar(hit_24.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_29, along_13, _e7, rt::Scalar(0u32));
+        nearest = _e13;
+        let _e17 = nearest.inside.x();
+        let _e21 = nearest.inside.y();
+        beside = (_e17 - t_31).max((t_31 - _e21));
+        'naga_break: loop {
+            'naga_continue: {
+                let _e27 = number_1;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e30 = number_1;
+                    let _e31 = self.v_tetrahedron(pixel_29, along_13, _e7, _e30);
+                    let aside_7 = (_e31.inside.x() - t_31).max((t_31 - _e31.inside.y()));
+                    let _e39 = beside;
+                    if rt::Scalar::into_branch_condition(aside_7.elementwise_lt(_e39)) {
+                        nearest = _e31;
+                        beside = aside_7;
+                    }
+                    let _e41 = number_1;
+                    number_1 = (_e41 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e45 = nearest.weights;
+        let _e47 = nearest.change;
+        let weights_1 = (_e45 + (_e47 * t_31));
+        let point_9 = (pixel_29.origin + (along_13 * (rt::Scalar(path_54.start) + rt::Scalar(hit_24.t))));
+        let _e59 = self.v_frame_at(pixel_29, weights_1.xyz(), point_9, hit_24.uv, at_46.facing);
+        placed_1 = _e59;
+        rt::Scalar(placed_1.level) = rt::Scalar(at_46.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_46.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_46.fade);
+        let _e67 = placed_1;
+        return _e67;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_30: PixelIn, at_47: Entered, path_55: Path, hit_25: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_30, at_47, path_55, hit_25))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_30: PixelIn, at_47: Entered, path_55: Path, hit_25: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
-            _ => {
+            0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_21, at_43, path_50, hit_24, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_30, at_47, path_55, hit_25, _e13);
                 return _e14;
+            }
+            _ => {
+                let _e19 = self.surface_settings.choices[0usize].params;
+                let _e20 = self.v_surface_tetrahedra_place(pixel_30, at_47, path_55, hit_25, _e19);
+                return _e20;
             }
         }
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_22: PixelIn,
-        at_44: Entered,
+        pixel_31: PixelIn,
+        at_48: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_25: Hit,
+        hit_26: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_22, at_44, rt::into(segment), hit_25))
+        rt::into(self.v_place_hit(pixel_31, at_48, rt::into(segment), hit_26))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_place_hit(
         &self,
-        pixel_22: PixelIn,
-        at_44: Entered,
+        pixel_31: PixelIn,
+        at_48: Entered,
         segment: rt::Scalar<u32>,
-        hit_25: Hit,
+        hit_26: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_22, at_44, segment);
-        let _e5 = self.v_surface_place_stage(pixel_22, at_44, _e4, hit_25);
+        let _e4 = self.v_segment_of(pixel_31, at_48, segment);
+        let _e5 = self.v_surface_place_stage(pixel_31, at_48, _e4, hit_26);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -6514,36 +7104,36 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_45: Entered,
-        hit_26: Hit,
-        number: impl rt::Into<rt::Scalar<u32>>,
-        k_13: impl rt::Into<rt::Scalar<u32>>,
+        at_49: Entered,
+        hit_27: Hit,
+        number_2: impl rt::Into<rt::Scalar<u32>>,
+        k_14: impl rt::Into<rt::Scalar<u32>>,
         count_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_45, hit_26, rt::into(number), rt::into(k_13), rt::into(count_2)))
+        rt::into(self.v_ray_to_light(at_49, hit_27, rt::into(number_2), rt::into(k_14), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_45: Entered,
-        hit_26: Hit,
-        number: rt::Scalar<u32>,
-        k_13: rt::Scalar<u32>,
+        at_49: Entered,
+        hit_27: Hit,
+        number_2: rt::Scalar<u32>,
+        k_14: rt::Scalar<u32>,
         count_2: rt::Scalar<u32>,
     ) -> LightRay {
         let mut toward: Toward;
 
-        let _e8 = self.frame.lights[rt::Scalar::into_array_index(number)];
-        let _e10 = self.v_toward_light(_e8, at_45.point);
+        let _e8 = self.frame.lights[rt::Scalar::into_array_index(number_2)];
+        let _e10 = self.v_toward_light(_e8, at_49.point);
         toward = _e10;
         if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
             let _e14 = toward;
-            let _e15 = self.v_seed_of(hit_26);
-            let _e16 = self.v_point_of_disc(_e14, _e15, k_13, count_2);
+            let _e15 = self.v_seed_of(hit_27);
+            let _e16 = self.v_point_of_disc(_e14, _e15, k_14, count_2);
             toward = _e16;
         }
         let _e17 = toward;
-        let _e18 = self.v_light_ray(at_45, hit_26, _e17);
+        let _e18 = self.v_light_ray(at_49, hit_27, _e17);
         return _e18;
     }
     pub(crate) fn table_cosine(
@@ -6571,16 +7161,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_46: Entered,
+        at_50: Entered,
         seen_1: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_46, seen_1, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_50, seen_1, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_46: Entered,
+        at_50: Entered,
         seen_1: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -6589,10 +7179,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_1.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_46, toward_2);
-        let middle_6 = seen_1.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_6, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_6.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_50, toward_2);
+        let middle_8 = seen_1.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_8, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_8.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_1.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         cosine = _e28;
@@ -6630,19 +7220,19 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let mut result: rt::Scalar<f32> = rt::Scalar(1f32);
         let mut square: rt::Scalar<f32>;
-        let mut rest: rt::Scalar<u32>;
+        let mut rest_1: rt::Scalar<u32>;
 
         square = base;
-        rest = exponent;
+        rest_1 = exponent;
         'naga_break: loop {
             'naga_continue: {
-                let _e6 = rest;
+                let _e6 = rest_1;
                 if rt::Scalar::into_branch_condition(_e6.elementwise_gt(rt::Scalar(0u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e9 = rest;
+                    let _e9 = rest_1;
                     if rt::Scalar::into_branch_condition((_e9 % rt::Scalar(2u32)).elementwise_eq(rt::Scalar(1u32))) {
                         let _e14 = result;
                         let _e15 = square;
@@ -6651,8 +7241,8 @@ impl<'g> Resources<'g> {
                     let _e17 = square;
                     let _e18 = square;
                     square = (_e17 * _e18);
-                    let _e20 = rest;
-                    rest = (_e20 / rt::Scalar(2u32));
+                    let _e20 = rest_1;
+                    rest_1 = (_e20 / rt::Scalar(2u32));
                 }
             }
         }
@@ -6667,9 +7257,9 @@ impl<'g> Resources<'g> {
         view_9: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_3), rt::into(color_7), rt::into(params_40)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_10), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_3), rt::into(color_7), rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
@@ -6680,7 +7270,7 @@ impl<'g> Resources<'g> {
         view_9: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_40: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -6737,124 +7327,124 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_47: Entered,
-        hit_27: Hit,
+        at_51: Entered,
+        hit_28: Hit,
         seen_2: SeenNormals,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_47, hit_27, seen_2, rt::into(view_11), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_51, hit_28, seen_2, rt::into(view_11), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_47: Entered,
-        hit_27: Hit,
+        at_51: Entered,
+        hit_28: Hit,
         seen_2: SeenNormals,
         view_11: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_15: rt::Vec3<f32>;
-        let mut k_14: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_15: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_47, hit_27, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
+        let _e20 = self.v_ambient_stage(at_51, hit_28, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
         light_15 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_14;
+                let _e24 = k_15;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_14;
+                    let _e31 = k_15;
                     let _e33 = self.frame.lights[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_toward_light(_e33, at_47.point);
-                    let _e37 = self.v_seen_cosine(at_47, seen_2, _e35.direction);
+                    let _e35 = self.v_toward_light(_e33, at_51.point);
+                    let _e37 = self.v_seen_cosine(at_51, seen_2, _e35.direction);
                     let _e41 = self.v_shade_stage(seen_2.normal, rt::Scalar(seen_2.length), _e37, view_11, _e35.direction, diffuse);
                     let _e42 = light_15;
-                    let _e45 = k_14;
+                    let _e45 = k_15;
                     let _e48 = self.frame.lights[rt::Scalar::into_array_index(_e45)].color;
-                    let _e52 = k_14;
+                    let _e52 = k_15;
                     light_15 = (_e42 + ((_e41 * _e48.xyz()) * (rt::Scalar(_e35.falloff) * visible[rt::Scalar::into_array_index(_e52)].x())));
-                    let _e58 = k_14;
-                    k_14 = (_e58 + rt::Scalar(1u32));
+                    let _e58 = k_15;
+                    k_15 = (_e58 + rt::Scalar(1u32));
                 }
             }
         }
         let _e61 = light_15;
         return _e61;
     }
-    pub(crate) fn shade_hit(&self, pixel_23: PixelIn, at_48: Entered, hit_28: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_23, at_48, hit_28, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_32: PixelIn, at_52: Entered, hit_29: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_32, at_52, hit_29, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_23: PixelIn, at_48: Entered, hit_28: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_28.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_28.cost.x(), hit_28.cost.y(), hit_28.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
-        }
-        let _e42 = self.v_height_at(hit_28.uv, rt::Scalar(at_48.level));
-        let view_12 = (pixel_23.origin - at_48.point).normalize();
-        let _e48 = self.v_mesostructure_normals(at_48, hit_28.uv, view_12);
-        let _e51 = self.v_color_or_white(hit_28.uv, rt::Scalar(at_48.footprint));
-        let _e52 = self.v_reflected_light(at_48, hit_28, _e48, view_12, _e51, visible_1);
-        let _e58 = self.frame.forward;
-        let depth_1 = (at_48.point - pixel_23.origin).dot(_e58.xyz());
-        let _e63 = self.v_height_size(rt::Scalar(0u32));
-        let _e69 = self.v_cell_of(((hit_28.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_28.exhausted), hit_28.uv, _e42, at_48.point, _e48.normal, depth_1, rt::Scalar(hit_28.t), _e69.cast_elem_as_i32(), hit_28.cost.x(), hit_28.cost.y(), hit_28.cost.z(), visible_1[0usize].x(), rt::Scalar(at_48.level));
-    }
-    pub(crate) fn visible_lights(&self, at_49: Entered, hit_29: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_49, hit_29))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_49: Entered, hit_29: Hit) -> [rt::Vec4<f32>; 8] {
-        let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_15: rt::Scalar<u32> = rt::Scalar(0u32);
-
+    fn v_shade_hit(&self, pixel_32: PixelIn, at_52: Entered, hit_29: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_29.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_29.cost.x(), hit_29.cost.y(), hit_29.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
+        }
+        let _e42 = self.v_height_at(hit_29.uv, rt::Scalar(at_52.level));
+        let view_12 = (pixel_32.origin - at_52.point).normalize();
+        let _e48 = self.v_mesostructure_normals(at_52, hit_29.uv, view_12);
+        let _e51 = self.v_color_or_white(hit_29.uv, rt::Scalar(at_52.footprint));
+        let _e52 = self.v_reflected_light(at_52, hit_29, _e48, view_12, _e51, visible_1);
+        let _e58 = self.frame.forward;
+        let depth_1 = (at_52.point - pixel_32.origin).dot(_e58.xyz());
+        let _e63 = self.v_height_size(rt::Scalar(0u32));
+        let _e69 = self.v_cell_of(((hit_29.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_29.exhausted), hit_29.uv, _e42, at_52.point, _e48.normal, depth_1, rt::Scalar(hit_29.t), _e69.cast_elem_as_i32(), hit_29.cost.x(), hit_29.cost.y(), hit_29.cost.z(), visible_1[0usize].x(), rt::Scalar(at_52.level));
+    }
+    pub(crate) fn visible_lights(&self, at_53: Entered, hit_30: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_53, hit_30))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_visible_lights(&self, at_53: Entered, hit_30: Hit) -> [rt::Vec4<f32>; 8] {
+        let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
+        let mut k_16: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_30.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_15;
+                let _e10 = k_16;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = k_15;
+                    let _e17 = k_16;
                     let _e19 = self.frame.lights[rt::Scalar::into_array_index(_e17)];
-                    let _e21 = self.v_toward_light(_e19, at_49.point);
-                    let _e22 = self.v_shadow_stage(at_49, hit_29, _e21);
-                    let _e23 = k_15;
+                    let _e21 = self.v_toward_light(_e19, at_53.point);
+                    let _e22 = self.v_shadow_stage(at_53, hit_30, _e21);
+                    let _e23 = k_16;
                     visible_2[rt::Scalar::into_array_index(_e23)] = <rt::Vec4<f32>>::from_scalars(_e22, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e29 = k_15;
-                    k_15 = (_e29 + rt::Scalar(1u32));
+                    let _e29 = k_16;
+                    k_16 = (_e29 + rt::Scalar(1u32));
                 }
             }
         }
         let _e32 = visible_2;
         return _e32;
     }
-    pub(crate) fn shade_pixel(&self, pixel_24: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_24))
+    pub(crate) fn shade_pixel(&self, pixel_33: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_33))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_24: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_24);
-        let _e2 = self.v_first_hit(pixel_24, _e1);
-        let _e5 = self.v_place_hit(pixel_24, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_33: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_33);
+        let _e2 = self.v_first_hit(pixel_33, _e1);
+        let _e5 = self.v_place_hit(pixel_33, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e8 = self.v_visible_lights(_e5, _e2.hit);
-        let _e9 = self.v_shade_hit(pixel_24, _e5, _e2.hit, _e8);
+        let _e9 = self.v_shade_hit(pixel_33, _e5, _e2.hit, _e8);
         return _e9;
     }
 }

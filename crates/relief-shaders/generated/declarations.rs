@@ -11,6 +11,8 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/base", head: r#"// A pixel's base triangle, as a plane.
 "# },
+    Module { path: "shared/bounding_box", head: r#"// Boxes around the shells of base triangles, for the rasteriser.
+"# },
     Module { path: "shared/cell", head: r#"// Ray against one dual cell, shared by the searches that visit cells and the patch refinement.
 //
 // In a cell the bilinear surface along the path is a quadratic: the gap between path and surface, with s
@@ -89,15 +91,27 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/shadow_ray", head: r#"// Whether a ray to a light is free, by the search for shadows.
 "# },
+    Module { path: "shared/shell", head: r#"// The shell of a base triangle: the space between its corners moved along their normals, as far as heights 0
+// and 1 are.
+"# },
     Module { path: "shared/tangent_plane", head: r#"// The surface's tangent plane at a point, for the refinements that take the slope into account.
 "# },
     Module { path: "shared/types", head: r#"// What the stages hand to each other. The Rust side of these structs is written by the linker.
+"# },
+    Module { path: "shared/under", head: r#"// Paths that begin under the surface, as they do where a ray comes into a shell from the inside of a mesh.
 "# },
     Module { path: "surface/plane", head: r#"// The flat base surface: one straight segment a ray.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 4, equations 7 and 11. The frame is interpolated over the
 // triangle, so that relief runs smoothly from one triangle to the next; the segment lies in the frame of the
 // base point.
+"# },
+    Module { path: "surface/tetrahedra", head: r#"// Shells of the base triangles in three tetrahedra each: the ray is straight in each of them.
+//
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2. The corners of a shell are those of its triangle, moved along
+// their normals. Texture coordinates and heights are linear in a tetrahedron, so that they are continuous over
+// the whole mesh where neighbours cut their common side along the same diagonal: it runs from the lower corner
+// that comes first in the order of both to the upper one of the other.
 "# },
     Module { path: "detail/fade", head: r#"// From displacement to bump mapping with distance: as `footprint`, and what is hardly deeper than a pixel is
 // traced flatter.
@@ -708,6 +722,13 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "BOX_VERTICES",
+        sampling: None,
+        uses: &[],
+        text: r#"const BOX_VERTICES = 36u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "SEEN_AZIMUTHS",
         sampling: None,
         uses: &[],
@@ -819,7 +840,7 @@ fn turned(turn: f32) -> vec2f {
         name: "plane_distance",
         sampling: None,
         uses: &["PixelIn"],
-        text: r#"// Where on the ray the triangle's plane is. `normal` is the triangle's, of any length.
+        text: r#"// Where on the ray the plane of that normal, of any length, through the triangle is.
 fn plane_distance(pixel: PixelIn, normal: vec3f) -> f32 {
     return dot(normal, pixel.a.position - pixel.origin) / dot(normal, pixel.direction);
 }"#,
@@ -833,6 +854,119 @@ fn plane_distance(pixel: PixelIn, normal: vec3f) -> f32 {
 fn plane_normal(pixel: PixelIn) -> vec3f {
     let a = pixel.a.position;
     return cross(pixel.b.position - a, pixel.c.position - a);
+}"#,
+    },
+    Declaration {
+        module: "shared/bounding_box",
+        name: "BOX_MARGIN",
+        sampling: None,
+        uses: &[],
+        text: r#"// Pixels by which a box is larger than its shell: rasterisers know places to some hundredths of a pixel.
+const BOX_MARGIN = 0.0625;"#,
+    },
+    Declaration {
+        module: "shared/bounding_box",
+        name: "BOX_ROUNDING",
+        sampling: None,
+        uses: &[],
+        text: r#"// The part of the distances in play by which it is larger besides: rounding.
+const BOX_ROUNDING = 0.000002;"#,
+    },
+    Declaration {
+        module: "shared/bounding_box",
+        name: "widened",
+        sampling: None,
+        uses: &["Corner", "raised"],
+        text: r#"// An extent along an axis, widened to hold a corner at both heights.
+fn widened(extent: vec2f, axis: vec3f, corner: Corner, heights: vec2f, side: f32) -> vec2f {
+    let low = dot(raised(corner, side, heights.x), axis);
+    let high = dot(raised(corner, side, heights.y), axis);
+    return vec2f(min(extent.x, min(low, high)), max(extent.y, max(low, high)));
+}"#,
+    },
+    Declaration {
+        module: "shared/bounding_box",
+        name: "extent_along",
+        sampling: None,
+        uses: &["Triangle", "raised", "widened"],
+        text: r#"// The extent of a triangle's shell along an axis, with a margin.
+fn extent_along(triangle: Triangle, axis: vec3f, side: f32, margin: f32) -> vec2f {
+    let heights = triangle.shell.heights;
+    let first = dot(raised(triangle.a, side, heights.x), axis);
+    var extent = vec2f(first, first);
+    extent = widened(extent, axis, triangle.a, heights, side);
+    extent = widened(extent, axis, triangle.b, heights, side);
+    extent = widened(extent, axis, triangle.c, heights, side);
+    return extent + vec2f(0.0 - margin, margin);
+}"#,
+    },
+    Declaration {
+        module: "shared/bounding_box",
+        name: "depth_of",
+        sampling: None,
+        uses: &["frame"],
+        text: r#"// Metres of a place from the eye along the view axis.
+fn depth_of(position: vec3f) -> f32 {
+    return dot(position - frame.eye.xyz, frame.forward.xyz);
+}"#,
+    },
+    Declaration {
+        module: "shared/bounding_box",
+        name: "margin_of",
+        sampling: None,
+        uses: &["BOX_MARGIN", "BOX_ROUNDING", "Triangle", "depth_of", "frame", "surface_settings"],
+        text: r#"// Metres by which a box is larger than a shell.
+fn margin_of(triangle: Triangle) -> f32 {
+    let first = max(depth_of(triangle.a.position), depth_of(triangle.b.position));
+    let beyond = abs(surface_settings.shell_m.x) + abs(surface_settings.shell_m.y);
+    let depth = max(max(first, depth_of(triangle.c.position)), 0.0) + beyond;
+    let pixel = length(frame.eye_right.xyz + frame.right.xyz * depth);
+    let place = abs(triangle.a.position);
+    return BOX_MARGIN * pixel + BOX_ROUNDING * (max(max(place.x, place.y), place.z) + depth);
+}"#,
+    },
+    Declaration {
+        module: "shared/bounding_box",
+        name: "box_corner",
+        sampling: None,
+        uses: &["Triangle", "extent_along", "margin_of"],
+        text: r#"// A vertex of the box around a triangle's shell, along the triangle's own axes. Seen from outside, the
+// vertices of its sides run counter-clockwise.
+fn box_corner(triangle: Triangle, side: f32, vertex: u32) -> vec3f {
+    let edge = triangle.b.position - triangle.a.position;
+    let across = cross(edge, triangle.c.position - triangle.a.position);
+    var x = vec3f(1.0, 0.0, 0.0);
+    var z = vec3f(0.0, 0.0, 1.0);
+    if (dot(across, across) > 0.0) {
+        x = normalize(edge);
+        z = normalize(across);
+    }
+    let y = cross(z, x);
+    let margin = margin_of(triangle);
+    let along_x = extent_along(triangle, x, side, margin);
+    let along_y = extent_along(triangle, y, side, margin);
+    let along_z = extent_along(triangle, z, side, margin);
+
+    // Of a side's corners 0 to 3, which are numbered by rows, the triangles are 0, 1, 2 and 2, 1, 3.
+    let place = vertex % 6u;
+    var corner = select(place, 5u - place, place > 2u);
+    if (place == 5u) {
+        corner = 3u;
+    }
+    let number = vertex / 6u;
+    let is_upper = number % 2u;
+    // The lower side is seen from the other side.
+    let u = select(corner / 2u, corner % 2u, is_upper == 1u);
+    let v = select(corner % 2u, corner / 2u, is_upper == 1u);
+    var upper = vec3u(is_upper, u, v);
+    if (number / 2u == 1u) {
+        upper = vec3u(v, is_upper, u);
+    }
+    if (number / 2u == 2u) {
+        upper = vec3u(u, v, is_upper);
+    }
+    return x * select(along_x.x, along_x.y, upper.x == 1u) + y * select(along_y.x, along_y.y, upper.y == 1u)
+        + z * select(along_z.x, along_z.y, upper.z == 1u);
 }"#,
     },
     Declaration {
@@ -1475,12 +1609,12 @@ fn footprint_axis(
         module: "shared/footprint",
         name: "footprint_of",
         sampling: None,
-        uses: &["Entered", "PixelIn", "footprint_axis", "frame", "plane_distance", "plane_normal"],
+        uses: &["Entered", "PixelIn", "footprint_axis", "frame", "plane_distance"],
         text: r#"// Width of the footprint on the base surface, in texels of the height map's finest level. It is an ellipse,
 // and its shorter axis decides, as in anisotropic filtering; the longer one may be `anisotropy` times as
 // long.
 fn footprint_of(pixel: PixelIn, at: Entered, anisotropy: f32) -> f32 {
-    let normal = plane_normal(pixel);
+    let normal = at.facing;
     let t = plane_distance(pixel, normal);
     let right = footprint_axis(pixel, at, normal, t, frame.eye_right.xyz, frame.right.xyz);
     let down = footprint_axis(pixel, at, normal, t, frame.eye_down.xyz, frame.down.xyz);
@@ -1500,10 +1634,10 @@ fn footprint_of(pixel: PixelIn, at: Entered, anisotropy: f32) -> f32 {
         module: "shared/footprint",
         name: "depth_in_samples",
         sampling: None,
-        uses: &["PixelIn", "frame", "plane_distance", "plane_normal", "surface_settings"],
+        uses: &["Entered", "PixelIn", "frame", "plane_distance", "surface_settings"],
         text: r#"// How many samples of a pixel wide the relief is deep, seen from the distance of the base point.
-fn depth_in_samples(pixel: PixelIn) -> f32 {
-    let t = plane_distance(pixel, plane_normal(pixel));
+fn depth_in_samples(pixel: PixelIn, at: Entered) -> f32 {
+    let t = plane_distance(pixel, at.facing);
     let width = length(frame.eye_right.xyz + frame.right.xyz * t) * frame.sample_width;
     return surface_settings.scale_m / width;
 }"#,
@@ -2183,7 +2317,7 @@ struct Traced {
         text: r#"// The ray through a point of the picture that meets the triangle of that number.
 fn numbered_pixel(triangle: u32, side: f32, point: vec2f) -> PixelIn {
     let corners = triangles[triangle];
-    return pixel_of(corners.a, corners.b, corners.c, side, point);
+    return pixel_of(corners.a, corners.b, corners.c, corners.shell, side, point);
 }"#,
     },
     Declaration {
@@ -2346,11 +2480,11 @@ fn pixel_direction(pixel: vec2f) -> vec3f {
         module: "shared/pixel",
         name: "pixel_of",
         sampling: None,
-        uses: &["Corner", "PixelIn", "pixel_direction", "pixel_eye"],
+        uses: &["Corner", "PixelIn", "Shell", "pixel_direction", "pixel_eye"],
         text: r#"// A pixel's ray, through a point in pixels from the picture's top-left corner, and the triangle that it
 // meets.
-fn pixel_of(a: Corner, b: Corner, c: Corner, side: f32, point: vec2f) -> PixelIn {
-    return PixelIn(pixel_eye(point), pixel_direction(point), side, a, b, c);
+fn pixel_of(a: Corner, b: Corner, c: Corner, shell: Shell, side: f32, point: vec2f) -> PixelIn {
+    return PixelIn(pixel_eye(point), pixel_direction(point), side, a, b, c, shell);
 }"#,
     },
     Declaration {
@@ -2618,12 +2752,13 @@ fn add_sample(sum: vec4f, color: vec4f, weight: f32) -> vec4f {
         module: "shared/records",
         name: "Triangle",
         sampling: None,
-        uses: &["Corner"],
+        uses: &["Corner", "Shell"],
         text: r#"// A base triangle, in the world.
 struct Triangle {
     a: Corner,
     b: Corner,
     c: Corner,
+    shell: Shell,
 }"#,
     },
     Declaration {
@@ -3318,6 +3453,8 @@ struct SurfaceSettings {
     has_shadows: u32,
     scale_m: f32,
     bias_m: f32,
+    // Metres along the normals at which the heights 0 and 1 lie in shells, which have a thickness always.
+    shell_m: vec2f,
     // The mean of the height map, where pixels are seen in levels of detail.
     mean_height: f32,
     // The part of the light that is refracted where it enters the surface, not scattered, and the index of
@@ -3389,6 +3526,112 @@ fn free_way(at: Entered, hit: Hit, light: Toward) -> f32 {
     }
     let found = shadow_search_stage(ray.path);
     return select(0.0, 1.0, found.status == FOUND_MISS);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "SHELL_ROUNDING",
+        sampling: None,
+        uses: &[],
+        text: r#"// Roundings, relative to the distances in play, by which a shell is larger than it is: smaller, and rays pass
+// between neighbours; larger, and what lies beside a triangle is seen through its edge.
+const SHELL_ROUNDING = 0.00000095367431640625;"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "LEAST_FACING",
+        sampling: None,
+        uses: &[],
+        text: r#"// Cosine of the angle between ray and base beyond which footprints are not longer.
+const LEAST_FACING = 0.0625;"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "ordered",
+        sampling: None,
+        uses: &["Corner", "PixelIn"],
+        text: r#"// Corner of the triangle, by its place in the order that all triangles at an edge agree on.
+fn ordered(pixel: PixelIn, place: u32) -> Corner {
+    let corner = (pixel.shell.order >> (2u * place)) & 3u;
+    if (corner == 0u) {
+        return pixel.a;
+    }
+    if (corner == 1u) {
+        return pixel.b;
+    }
+    return pixel.c;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "raised",
+        sampling: None,
+        uses: &["Corner", "surface_settings"],
+        text: r#"// Where a corner of the triangle is at a height.
+fn raised(corner: Corner, side: f32, height: f32) -> vec3f {
+    let shell = surface_settings.shell_m;
+    return corner.position + corner.normal * (side * (shell.x + (shell.y - shell.x) * height));
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "middle_of",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"// Metres along the ray to where it comes nearest to the triangle: what is measured from there has all of its
+// bits.
+fn middle_of(pixel: PixelIn, along: vec3f) -> f32 {
+    let centre = (pixel.a.position + pixel.b.position + pixel.c.position) * (1.0 / 3.0);
+    return dot(centre - pixel.origin, along);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "shell_slack",
+        sampling: None,
+        uses: &["PixelIn", "SHELL_ROUNDING"],
+        text: r#"// Metres by which rounding may move a ray beside a shell.
+fn shell_slack(pixel: PixelIn, middle: f32) -> f32 {
+    let origin = abs(pixel.origin);
+    return SHELL_ROUNDING * (max(max(origin.x, origin.y), origin.z) + abs(middle));
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "facing_of",
+        sampling: None,
+        uses: &["LEAST_FACING", "PixelIn", "plane_normal"],
+        text: r#"// The normal of the plane in which footprints of pixels are measured: the triangle's, turned toward the eye
+// where that sees it from the side or from behind.
+fn facing_of(pixel: PixelIn, along: vec3f) -> vec3f {
+    let normal = plane_normal(pixel);
+    let unit = normal * (pixel.side / sqrt(dot(normal, normal)));
+    let cosine = 0.0 - dot(unit, along);
+    return unit - along * max(LEAST_FACING - cosine, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "frame_at",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "ordered", "surface_settings"],
+        text: r#"// The frame at a point of the triangle, by the weights of its corners in their order. The level of detail and
+// what goes with it are those of the finest.
+fn frame_at(pixel: PixelIn, weights: vec3f, point: vec3f, uv: vec2f, facing: vec3f) -> Entered {
+    let a = ordered(pixel, 0u);
+    let b = ordered(pixel, 1u);
+    let c = ordered(pixel, 2u);
+    let tangent = a.tangent * weights.x + b.tangent * weights.y + c.tangent * weights.z;
+    let bitangent = a.bitangent * weights.x + b.bitangent * weights.y + c.bitangent * weights.z;
+    let normal = a.normal * weights.x + b.normal * weights.y + c.normal * weights.z;
+    let metric = vec4f(
+        dot(tangent, tangent),
+        dot(tangent, bitangent),
+        dot(bitangent, bitangent),
+        surface_settings.scale_m,
+    );
+    let unit = normalize(normal) * pixel.side;
+    return Entered(1u, point, uv, tangent, bitangent, unit, metric, 0u, facing, 0.0, 0.0);
 }"#,
     },
     Declaration {
@@ -3513,9 +3756,23 @@ struct Corner {
     },
     Declaration {
         module: "shared/types",
+        name: "Shell",
+        sampling: None,
+        uses: &[],
+        text: r#"// The space that the relief of a base triangle may take, between its corners moved along their normals.
+struct Shell {
+    // The least and the greatest height under the triangle.
+    heights: vec2f,
+    // The places of the corners, 0 to 2, in an order that all triangles at an edge agree on: two bits for
+    // each, the first lowest.
+    order: u32,
+}"#,
+    },
+    Declaration {
+        module: "shared/types",
         name: "PixelIn",
         sampling: None,
-        uses: &["Corner"],
+        uses: &["Corner", "Shell"],
         text: r#"// A pixel's ray and the base triangle that it meets. The direction's component along the view axis is 1.
 struct PixelIn {
     origin: vec3f,
@@ -3525,6 +3782,7 @@ struct PixelIn {
     a: Corner,
     b: Corner,
     c: Corner,
+    shell: Shell,
 }"#,
     },
     Declaration {
@@ -3545,6 +3803,8 @@ struct Entered {
     // As in `Path`.
     metric: vec4f,
     level: u32,
+    // The normal, of any length, of the plane in which footprints of pixels are measured.
+    facing: vec3f,
     // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     // the finest level.
     footprint: f32,
@@ -3636,6 +3896,70 @@ struct PixelOut {
 }"#,
     },
     Declaration {
+        module: "shared/under",
+        name: "rounded_gap",
+        sampling: None,
+        uses: &["Path", "ROUNDING", "cell_of", "height_cell", "height_size"],
+        text: r#"// How far below the surface rounding may see a path that is on it, in heights: `slack` is what rounding moves
+// it by, in metres.
+fn rounded_gap(path: Path, slack: f32) -> f32 {
+    let size = height_size(path.level);
+    let h = height_cell(vec2i(cell_of(path.uv * size - vec2f(0.5, 0.5))), path.level);
+    let range = max(max(h.x, h.y), max(h.z, h.w)) - min(min(h.x, h.y), min(h.z, h.w));
+    let texels = abs(path.duv) * size;
+    let places = abs(path.uv) * size * ROUNDING;
+    let aside = (texels.x + texels.y) * slack + places.x + places.y;
+    return abs(path.h.y) * slack + range * aside + ROUNDING;
+}"#,
+    },
+    Declaration {
+        module: "shared/under",
+        name: "out_of_ground",
+        sampling: None,
+        uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "rounded_gap"],
+        text: r#"// The parameter at which a path that begins lower than that under the surface is as high above it: 0 where it
+// does not begin so low, its exit where it never comes out.
+fn out_of_ground(path: Path, slack: f32) -> f32 {
+    let grid = grid_of(path);
+    let least = rounded_gap(path, slack);
+    var cell = cell_of(grid.origin);
+    var t = 0.0;
+    if (cell_gap(path, grid, cell, 0.0).x >= 0.0 - least) {
+        return 0.0;
+    }
+    while (t < path.exit) {
+        let leave = cell_leave(grid, cell);
+        let end = min(min(leave.x, leave.y), path.exit);
+        let below = vec3f(least, 0.0, 0.0) - cell_gap(path, grid, cell, t);
+        if (!(below.x > 0.0)) {
+            return t;
+        }
+        let s = first_root(below, max(end - t, 0.0));
+        if (s < NEVER) {
+            return t + s;
+        }
+        cell = cell_next(grid, cell, leave);
+        t = max(t, end);
+    }
+    return path.exit;
+}"#,
+    },
+    Declaration {
+        module: "shared/under",
+        name: "path_from",
+        sampling: None,
+        uses: &["Path", "path_uv"],
+        text: r#"// The rest of a path from a parameter on.
+fn path_from(path: Path, t: f32) -> Path {
+    var rest = path;
+    rest.uv = path_uv(path, t);
+    rest.h = vec3f(path.h.x + t * (path.h.y + t * path.h.z), path.h.y + 2.0 * t * path.h.z, path.h.z);
+    rest.exit = path.exit - t;
+    rest.start = path.start + t;
+    return rest;
+}"#,
+    },
+    Declaration {
         module: "surface/plane",
         name: "surface_plane_enter",
         sampling: None,
@@ -3660,7 +3984,7 @@ struct PixelOut {
     let area = tt * bb - tb * tb;
     let metric = vec4f(tt, tb, bb, surface_settings.scale_m);
     let segments = select(0u, 1u, area > 0.0 && dot(normal, pixel.direction) < 0.0);
-    return Entered(segments, point, uv, tangent, bitangent, normal, metric, 0u, 0.0, 0.0);
+    return Entered(segments, point, uv, tangent, bitangent, normal, metric, 0u, n, 0.0, 0.0);
 }"#,
     },
     Declaration {
@@ -3726,6 +4050,217 @@ fn surface_plane_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params
 }"#,
     },
     Declaration {
+        module: "surface/tetrahedra",
+        name: "BEYOND_HEIGHTS",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far below the least height and above the greatest one segments go, in heights: rays that end at a floor
+// must cross it.
+const BEYOND_HEIGHTS = 0.000001;"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
+        name: "Tetrahedron",
+        sampling: None,
+        uses: &[],
+        text: r#"// A tetrahedron along a ray, in metres from the ray's middle: where the ray is inside, and the weights of the
+// triangle's corners, in their order, with that of the upper side.
+struct Tetrahedron {
+    inside: vec2f,
+    weights: vec4f,
+    // Their change with a metre.
+    change: vec4f,
+}"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
+        name: "where_positive",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// The part of an interval in which a weight is not negative, but for some slack.
+fn where_positive(interval: vec2f, weight: f32, change: f32, slack: f32) -> vec2f {
+    if (change == 0.0) {
+        return vec2f(select(NEVER, interval.x, weight >= 0.0 - slack), interval.y);
+    }
+    let t = (0.0 - slack - weight) / change;
+    if (change > 0.0) {
+        return vec2f(max(interval.x, t), interval.y);
+    }
+    return vec2f(interval.x, min(interval.y, t));
+}"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
+        name: "tetrahedron",
+        sampling: None,
+        uses: &["NEVER", "PixelIn", "Tetrahedron", "ordered", "raised", "shell_slack", "where_positive"],
+        text: r#"// The tetrahedron of that number of three. It reaches as far beyond its faces as rounding may move the ray, so
+// that no ray passes between two.
+//
+// Its corners are lower ones from the first on and upper ones to the last: one lower one in number 2, all
+// three in number 0.
+fn tetrahedron(pixel: PixelIn, along: vec3f, middle: f32, number: u32) -> Tetrahedron {
+    let origin = pixel.origin + along * middle;
+    let is_first = number == 0u;
+    let is_last = number == 2u;
+    let q0 = raised(ordered(pixel, 0u), pixel.side, 0.0) - origin;
+    let q1 = raised(ordered(pixel, select(1u, 0u, is_last)), pixel.side, select(0.0, 1.0, is_last)) - origin;
+    let q2 = raised(ordered(pixel, select(1u, 2u, is_first)), pixel.side, select(1.0, 0.0, is_first)) - origin;
+    let q3 = raised(ordered(pixel, 2u), pixel.side, 1.0) - origin;
+    let e1 = q1 - q0;
+    let e2 = q2 - q0;
+    let e3 = q3 - q0;
+    let n1 = cross(e2, e3);
+    let n2 = cross(e3, e1);
+    let n3 = cross(e1, e2);
+    let n0 = cross(e2 - e1, e3 - e1);
+    let volume = dot(e1, n1);
+    let w1 = (0.0 - dot(q0, n1)) / volume;
+    let w2 = (0.0 - dot(q0, n2)) / volume;
+    let w3 = (0.0 - dot(q0, n3)) / volume;
+    let w0 = dot(q1, n0) / volume;
+    let g1 = dot(along, n1) / volume;
+    let g2 = dot(along, n2) / volume;
+    let g3 = dot(along, n3) / volume;
+    let g0 = 0.0 - dot(along, n0) / volume;
+
+    let slack = shell_slack(pixel, middle) / abs(volume);
+    var inside = vec2f(0.0 - middle, NEVER);
+    inside = where_positive(inside, w0, g0, slack * length(n0));
+    inside = where_positive(inside, w1, g1, slack * length(n1));
+    inside = where_positive(inside, w2, g2, slack * length(n2));
+    inside = where_positive(inside, w3, g3, slack * length(n3));
+    if (!(abs(volume) > 0.0) || !(inside.y < NEVER)) {
+        inside = vec2f(NEVER, 0.0 - NEVER);
+    }
+    if (is_first) {
+        return Tetrahedron(inside, vec4f(w0, w1, w2 + w3, w3), vec4f(g0, g1, g2 + g3, g3));
+    }
+    if (is_last) {
+        let upper = vec2f(w1 + w2 + w3, g1 + g2 + g3);
+        return Tetrahedron(inside, vec4f(w0 + w1, w2, w3, upper.x), vec4f(g0 + g1, g2, g3, upper.y));
+    }
+    return Tetrahedron(inside, vec4f(w0, w1 + w2, w3, w2 + w3), vec4f(g0, g1 + g2, g3, g2 + g3));
+}"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
+        name: "comes_before",
+        sampling: None,
+        uses: &[],
+        text: r#"// Whether the ray comes first to the first of two intervals; of two that begin together the first one counts.
+fn comes_before(a: vec2f, b: vec2f) -> u32 {
+    return select(0u, 1u, a.x <= b.x);
+}"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
+        name: "surface_tetrahedra_enter",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "facing_of", "frame_at", "middle_of"],
+        text: r#"fn surface_tetrahedra_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    let along = normalize(pixel.direction);
+    let uv = (pixel.a.uv + pixel.b.uv + pixel.c.uv) * (1.0 / 3.0);
+    let third = vec3f(1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
+    let point = pixel.origin + along * middle_of(pixel, along);
+    var at = frame_at(pixel, third, point, uv, facing_of(pixel, along));
+    at.segments = 3u;
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
+        name: "surface_tetrahedra_segment",
+        sampling: None,
+        uses: &["BEYOND_HEIGHTS", "Entered", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "comes_before", "inside_unit", "middle_of", "ordered", "out_of_ground", "path_from", "shell_slack", "surface_settings", "tetrahedron", "where_positive"],
+        text: r#"fn surface_tetrahedra_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    let along = normalize(pixel.direction);
+    let middle = middle_of(pixel, along);
+    let first = tetrahedron(pixel, along, middle, 0u);
+    let second = tetrahedron(pixel, along, middle, 1u);
+    let third = tetrahedron(pixel, along, middle, 2u);
+    // How many are before each of them.
+    let first_second = comes_before(first.inside, second.inside);
+    let first_third = comes_before(first.inside, third.inside);
+    let second_third = comes_before(second.inside, third.inside);
+    var chosen = first;
+    if (first_second + (1u - second_third) == k) {
+        chosen = second;
+    }
+    if (first_third + second_third == k) {
+        chosen = third;
+    }
+
+    let a = ordered(pixel, 0u);
+    let b = ordered(pixel, 1u);
+    let c = ordered(pixel, 2u);
+    let w = chosen.weights;
+    let g = chosen.change;
+    let uv = a.uv * w.x + b.uv * w.y + c.uv * w.z;
+    let duv = a.uv * g.x + b.uv * g.y + c.uv * g.z;
+    // Only the heights under the triangle can be hit.
+    let slack = shell_slack(pixel, middle);
+    let beyond = BEYOND_HEIGHTS + slack * abs(g.w);
+    var inside = chosen.inside;
+    inside = where_positive(inside, w.w - pixel.shell.heights.x, g.w, beyond);
+    inside = where_positive(inside, pixel.shell.heights.y - w.w, 0.0 - g.w, beyond);
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        inside = inside_unit(uv.x, duv.x, inside);
+        inside = inside_unit(uv.y, duv.y, inside);
+    }
+    let whole = max(first.inside.y - first.inside.x, 0.0) + max(second.inside.y - second.inside.x, 0.0)
+        + max(third.inside.y - third.inside.x, 0.0);
+    var path = Path(
+        uv + duv * inside.x,
+        duv,
+        vec3f(w.w + g.w * inside.x, g.w, 0.0),
+        inside.y - inside.x,
+        0.0,
+        at.metric,
+        RAY_VIEW,
+        at.level,
+        middle + inside.x,
+        (inside.y - inside.x) / whole,
+    );
+    if (path.exit > 0.0) {
+        path = path_from(path, out_of_ground(path, 4.0 * slack));
+    }
+    return path;
+}"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
+        name: "surface_tetrahedra_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "frame_at", "middle_of", "tetrahedron"],
+        text: r#"// Where the ray is at the hit, with the frame of that point of the triangle.
+fn surface_tetrahedra_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    let along = normalize(pixel.direction);
+    let middle = middle_of(pixel, along);
+    let t = path.start + hit.t - middle;
+    // The one that the hit lies in, or is nearest to.
+    var nearest = tetrahedron(pixel, along, middle, 0u);
+    var beside = max(nearest.inside.x - t, t - nearest.inside.y);
+    var number = 1u;
+    while (number < 3u) {
+        let other = tetrahedron(pixel, along, middle, number);
+        let aside = max(other.inside.x - t, t - other.inside.y);
+        if (aside < beside) {
+            nearest = other;
+            beside = aside;
+        }
+        number = number + 1u;
+    }
+    let weights = nearest.weights + nearest.change * t;
+    let point = pixel.origin + along * (path.start + hit.t);
+    var placed = frame_at(pixel, weights.xyz, point, hit.uv, at.facing);
+    placed.level = at.level;
+    placed.footprint = at.footprint;
+    placed.fade = at.fade;
+    return placed;
+}"#,
+    },
+    Declaration {
         module: "detail/fade",
         name: "FLATTEST",
         sampling: None,
@@ -3749,7 +4284,7 @@ const LEAST_RANGE = 0.000001;"#,
         text: r#"fn detail_fade(pixel: PixelIn, at: Entered, params: vec4f) -> Detail {
     let footprint = footprint_of(pixel, at, params.x);
     let begin = params.z * params.w;
-    let part = (begin - depth_in_samples(pixel)) / max(begin - params.z, LEAST_RANGE);
+    let part = (begin - depth_in_samples(pixel, at)) / max(begin - params.z, LEAST_RANGE);
     let level = levels_of(footprint / params.y, surface_settings.height_levels).fine;
     return Detail(level, footprint, clamp(part, 0.0, FLATTEST));
 }"#,
@@ -5476,13 +6011,30 @@ fn show_main(@builtin(global_invocation_id) id: vec3u) {
         text: r#"struct Varying {
     @builtin(position) position: vec4f,
     @location(0) @interpolate(flat) triangle: u32,
+    // 1 or -1 where that is known of the triangle, 0 where its winding tells.
+    @location(1) @interpolate(flat) side: f32,
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "clip_of",
+        sampling: None,
+        uses: &["frame", "pass_settings"],
+        text: r#"// A point of the world in the clip space of the pass.
+fn clip_of(position: vec3f) -> vec4f {
+    let columns = frame.view_projection;
+    let view_projection = mat4x4f(columns[0], columns[1], columns[2], columns[3]);
+    let clip = view_projection * vec4f(position, 1.0);
+    let x = clip.x + pass_settings.shift.x * clip.w;
+    let y = clip.y * pass_settings.zoom + pass_settings.shift.y * clip.w;
+    return vec4f(x, y, clip.z, clip.w);
 }"#,
     },
     Declaration {
         module: "roots/trace",
         name: "vertex_main",
         sampling: None,
-        uses: &["Varying", "frame", "pass_settings", "triangles"],
+        uses: &["Varying", "clip_of", "triangles"],
         text: r#"@vertex
 fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
     let triangle = vertex / 3u;
@@ -5494,12 +6046,23 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
     if (corner == 2u) {
         position = triangles[triangle].c.position;
     }
-    let columns = frame.view_projection;
-    let view_projection = mat4x4f(columns[0], columns[1], columns[2], columns[3]);
-    let clip = view_projection * vec4f(position, 1.0);
-    let x = clip.x + pass_settings.shift.x * clip.w;
-    let y = clip.y * pass_settings.zoom + pass_settings.shift.y * clip.w;
-    return Varying(vec4f(x, y, clip.z, clip.w), triangle);
+    return Varying(clip_of(position), triangle, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "roots/trace",
+        name: "shell_vertex",
+        sampling: None,
+        uses: &["BOX_VERTICES", "Varying", "box_corner", "clip_of", "triangles", "turned"],
+        text: r#"// A shell is looked for in all of a box around it, of which the far sides are drawn.
+@vertex
+fn shell_vertex(@builtin(vertex_index) vertex: u32, @builtin(instance_index) turned: u32) -> Varying {
+    let triangle = vertex / BOX_VERTICES;
+    let side = select(1.0, -1.0, turned == 1u);
+    let position = box_corner(triangles[triangle], side, vertex % BOX_VERTICES);
+    let clip = clip_of(position);
+    // What is seen is decided by keys; no plane cuts a box off.
+    return Varying(vec4f(clip.xy, 0.5 * clip.w, clip.w), triangle, side);
 }"#,
     },
     Declaration {
@@ -5509,7 +6072,7 @@ fn vertex_main(@builtin(vertex_index) vertex: u32) -> Varying {
         uses: &["EXHAUSTED_BIT", "STEPS_BITS", "Traced", "Varying", "enter_relief", "first_hit", "numbered_pixel", "pass_settings"],
         text: r#"@fragment
 fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
-    let side = select(-1.0, 1.0, front);
+    let side = select(select(-1.0, 1.0, front), in.side, in.side != 0.0);
     let point = in.position.xy + vec2f(0.0, f32(pass_settings.first_row)) + pass_settings.offset;
     let pixel = numbered_pixel(in.triangle, side, point);
     let first = first_hit(pixel, enter_relief(pixel));
@@ -5520,7 +6083,7 @@ fn fragment_main(in: Varying, @builtin(front_facing) front: bool) -> Traced {
     let number = i32(in.triangle) + 1;
     let reads = i32(hit.cost.x) + select(0, EXHAUSTED_BIT, hit.exhausted == 1u);
     let steps = i32(hit.cost.y + (first.segment << STEPS_BITS));
-    let what = vec4i(select(-number, number, front), reads, steps, i32(hit.cost.z));
+    let what = vec4i(select(-number, number, side > 0.0), reads, steps, i32(hit.cost.z));
     return Traced(vec4f(hit.uv, hit.height, hit.t), what, first.key);
 }"#,
     },

@@ -146,7 +146,7 @@ impl Shared for MapSettings {
 }
 
 impl Shared for SurfaceSettings {
-    const SIZE: usize = 784;
+    const SIZE: usize = 800;
 
     fn write(&self, bytes: &mut [u8]) {
         self.choices.write(&mut bytes[0..]);
@@ -169,11 +169,12 @@ impl Shared for SurfaceSettings {
         self.has_shadows.write(&mut bytes[744..]);
         self.scale_m.write(&mut bytes[748..]);
         self.bias_m.write(&mut bytes[752..]);
-        self.mean_height.write(&mut bytes[756..]);
-        self.transmission.write(&mut bytes[760..]);
-        self.ior.write(&mut bytes[764..]);
-        self.environment_side.write(&mut bytes[768..]);
-        self.environment_levels.write(&mut bytes[772..]);
+        self.shell_m.write(&mut bytes[760..]);
+        self.mean_height.write(&mut bytes[768..]);
+        self.transmission.write(&mut bytes[772..]);
+        self.ior.write(&mut bytes[776..]);
+        self.environment_side.write(&mut bytes[780..]);
+        self.environment_levels.write(&mut bytes[784..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -198,11 +199,12 @@ impl Shared for SurfaceSettings {
             has_shadows: Shared::read(&bytes[744..]),
             scale_m: Shared::read(&bytes[748..]),
             bias_m: Shared::read(&bytes[752..]),
-            mean_height: Shared::read(&bytes[756..]),
-            transmission: Shared::read(&bytes[760..]),
-            ior: Shared::read(&bytes[764..]),
-            environment_side: Shared::read(&bytes[768..]),
-            environment_levels: Shared::read(&bytes[772..]),
+            shell_m: Shared::read(&bytes[760..]),
+            mean_height: Shared::read(&bytes[768..]),
+            transmission: Shared::read(&bytes[772..]),
+            ior: Shared::read(&bytes[776..]),
+            environment_side: Shared::read(&bytes[780..]),
+            environment_levels: Shared::read(&bytes[784..]),
         }
     }
 }
@@ -229,21 +231,39 @@ impl Shared for Corner {
     }
 }
 
+impl Shared for Shell {
+    const SIZE: usize = 16;
+
+    fn write(&self, bytes: &mut [u8]) {
+        self.heights.write(&mut bytes[0..]);
+        self.order.write(&mut bytes[8..]);
+    }
+
+    fn read(bytes: &[u8]) -> Self {
+        Self {
+            heights: Shared::read(&bytes[0..]),
+            order: Shared::read(&bytes[8..]),
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 /// A base triangle, in the world.
 pub struct Triangle {
     pub a: Corner,
     pub b: Corner,
     pub c: Corner,
+    pub shell: Shell,
 }
 
 impl Shared for Triangle {
-    const SIZE: usize = 240;
+    const SIZE: usize = 256;
 
     fn write(&self, bytes: &mut [u8]) {
         self.a.write(&mut bytes[0..]);
         self.b.write(&mut bytes[80..]);
         self.c.write(&mut bytes[160..]);
+        self.shell.write(&mut bytes[240..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -251,6 +271,7 @@ impl Shared for Triangle {
             a: Shared::read(&bytes[0..]),
             b: Shared::read(&bytes[80..]),
             c: Shared::read(&bytes[160..]),
+            shell: Shared::read(&bytes[240..]),
         }
     }
 }
@@ -314,7 +335,7 @@ impl Shared for Record {
 }
 
 impl Shared for PixelIn {
-    const SIZE: usize = 272;
+    const SIZE: usize = 288;
 
     fn write(&self, bytes: &mut [u8]) {
         self.origin.write(&mut bytes[0..]);
@@ -323,6 +344,7 @@ impl Shared for PixelIn {
         self.a.write(&mut bytes[32..]);
         self.b.write(&mut bytes[112..]);
         self.c.write(&mut bytes[192..]);
+        self.shell.write(&mut bytes[272..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -333,6 +355,7 @@ impl Shared for PixelIn {
             a: Shared::read(&bytes[32..]),
             b: Shared::read(&bytes[112..]),
             c: Shared::read(&bytes[192..]),
+            shell: Shared::read(&bytes[272..]),
         }
     }
 }

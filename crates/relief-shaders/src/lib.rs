@@ -35,7 +35,9 @@ pub use maps::{MapError, MapNeed, MapProblem, SlotMaps};
 pub use methods::{METHODS, Method, method};
 pub use selection::{Choice, Selection, SelectionError};
 pub use slots::MapSlot;
-pub use stages::{AMBIENT, Call, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, stage};
+pub use stages::{
+    AMBIENT, Call, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage, stage,
+};
 
 /// The most lights of a picture: the length of the shaders' array of lights.
 pub const MAX_LIGHTS: usize = 8;

@@ -7,8 +7,9 @@ use relief_core::{FoundState, HeightMap};
 
 use crate::Method;
 use crate::stages::{
-    AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, Stage, entry_place, stage,
+    AMBIENT, DETAIL, REFINE, SEARCH, SHADOW, SHADOW_SEARCH, STAGES, SURFACE, Stage, entry_place, stage,
 };
+use crate::surface::{PATHS, Paths};
 
 /// A stage's variant, and its parameters.
 #[derive(Clone, Copy, Debug)]
@@ -77,6 +78,20 @@ pub enum SelectionError {
         entry: &'static str,
         /// The rays.
         rays: &'static str,
+    },
+    /// A surface's segments are of no use to another stage's variant.
+    #[error("the {stage} '{entry}' cannot be used with the surface '{surface}': {reason}")]
+    Surface {
+        /// The other stage's title.
+        stage: &'static str,
+        /// The other stage's key.
+        key: &'static str,
+        /// What is chosen for it.
+        entry: &'static str,
+        /// The chosen surface.
+        surface: &'static str,
+        /// Why.
+        reason: String,
     },
     /// A variant's baked map knows the finest level of detail alone.
     #[error(
@@ -263,7 +278,41 @@ impl Selection {
         }
         self.check_pair()?;
         self.check_levels()?;
+        self.check_surface()?;
         if self.uses(SHADOW_SEARCH) { self.check_taken(SHADOW_SEARCH, SHADOW) } else { Ok(()) }
+    }
+
+    /// What the chosen surface makes of rays.
+    pub fn paths(&self) -> &'static Paths {
+        &PATHS[self.choices[SURFACE].number as usize]
+    }
+
+    /// Whether all other stages make something of the surface's segments.
+    ///
+    /// # Errors
+    ///
+    /// When one does not.
+    fn check_surface(&self) -> Result<(), SelectionError> {
+        let Paths { rays, refused, .. } = self.paths();
+        let surface = self.choices[SURFACE].entry.name;
+        let error = |place: usize, reason| {
+            let (Stage { title: stage, key, .. }, entry) = (&STAGES[place], self.choices[place].entry.name);
+            Err(SelectionError::Surface { stage, key, entry, surface, reason })
+        };
+        for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
+            let of_stage = refused.iter().filter(|refused| refused.stage == stage.key);
+            if let Some(refused) = of_stage.into_iter().find(|it| it.names.contains(&choice.entry.name)) {
+                return error(place, refused.reason.to_owned());
+            }
+        }
+        for place in [SEARCH, REFINE] {
+            let promises = self.choices[place].promises();
+            let impossible = |rays: &&RayClass| promises.of(**rays) == Guarantee::Impossible;
+            if let Some(rays) = rays.iter().find(impossible) {
+                return error(place, format!("its segments include {} rays", rays.name()));
+            }
+        }
+        Ok(())
     }
 
     /// Whether pixels are seen in several levels of detail.

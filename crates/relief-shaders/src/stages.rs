@@ -158,6 +158,9 @@ pub const STAGES: [Stage; 8] = [
     },
 ];
 
+/// Place of the stage `surface` in [`STAGES`].
+pub const SURFACE: usize = place("surface");
+
 /// Place of the stage `detail` in [`STAGES`].
 pub const DETAIL: usize = place("detail");
 

@@ -33,6 +33,9 @@ pub const PROBE_GROUP: u32 = 64;
 /// Rays of a row of the probe's workgroups, so that more rays fit than a dispatch has columns.
 pub const PROBE_ROW: u32 = 65_536;
 
+/// Vertices of the box that [`Root::TraceShells`] draws for a triangle.
+pub const BOX_VERTICES: u32 = 36;
+
 /// How textures are read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Sampling {
@@ -79,6 +82,9 @@ pub enum Root {
     Functions,
     /// Rasterises the base mesh and traces it: `vertex_main`, `fragment_main`.
     Trace,
+    /// Rasterises boxes around the shells of the base mesh and traces it: `shell_vertex`, `fragment_main`.
+    /// Each triangle has [`BOX_VERTICES`]; a second instance is the mesh turned over.
+    TraceShells,
     /// Shades what was traced: `shade_main`.
     Shade,
     /// Adds what was shaded to the samples before: `resolve_main`.
@@ -94,14 +100,23 @@ pub enum Root {
 
 impl Root {
     /// Every root.
-    pub const ALL: [Root; 7] =
-        [Root::Functions, Root::Trace, Root::Shade, Root::Resolve, Root::Show, Root::Probe, Root::Pyramid];
+    pub const ALL: [Root; 8] = [
+        Root::Functions,
+        Root::Trace,
+        Root::TraceShells,
+        Root::Shade,
+        Root::Resolve,
+        Root::Show,
+        Root::Probe,
+        Root::Pyramid,
+    ];
 
     /// The functions that it is assembled for.
     pub const fn functions(self) -> &'static [&'static str] {
         match self {
             Root::Functions => &["pixel_of", "shade_pixel"],
             Root::Trace => &["vertex_main", "fragment_main"],
+            Root::TraceShells => &["shell_vertex", "fragment_main"],
             Root::Shade => &["shade_main"],
             Root::Resolve => &["resolve_main"],
             Root::Show => &["show_main"],

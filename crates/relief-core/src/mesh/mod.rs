@@ -134,6 +134,11 @@ impl Mesh {
         &self.triangles
     }
 
+    /// For every vertex the number of the first one at the same place.
+    pub fn welded(&self) -> Vec<u32> {
+        topology::weld(self.vertices.iter().map(|vertex| vertex.position))
+    }
+
     /// The corners of one triangle. Panics when there is no such triangle.
     #[inline]
     pub fn corners(&self, triangle: u32) -> [&Vertex; 3] {

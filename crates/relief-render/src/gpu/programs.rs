@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::hash::Hash;
 
+use relief_shaders::surface::Proposal;
 use relief_shaders::wgsl::{Root, Sampling, assemble};
 use relief_shaders::{MapSlot, STAGES, Selection};
 use wgpu::{
@@ -162,12 +163,16 @@ impl Programs {
         two_sided: bool,
     ) -> Result<RenderPipeline, GpuError> {
         let groups = [self.layouts.maps(sampling).clone(), self.layouts.mesh.clone()];
-        let text = || assemble(selection, Root::Trace, sampling);
+        // Of boxes the far sides are drawn: an eye inside of one sees these alone.
+        let (root, cull_mode) = match selection.paths().proposal {
+            Proposal::Polygons => (Root::Trace, (!two_sided).then_some(Face::Back)),
+            Proposal::Shells => (Root::TraceShells, Some(Face::Front)),
+        };
+        let text = || assemble(selection, root, sampling);
         let compile = |text: &str| {
-            let cull_mode = (!two_sided).then_some(Face::Back);
             let groups = groups.each_ref().map(Some);
             let targets = [HIT, WHAT].map(|format| Some(ColorTargetState::from(format)));
-            raster(gpu.device(), text, Root::Trace, &groups, cull_mode, Some(nearest()), &targets)
+            raster(gpu.device(), text, root, &groups, cull_mode, Some(nearest()), &targets)
         };
         let kept = &mut self.trace[usize::from(two_sided)];
         kept.get(gpu, &mut self.compiled, Variant::new(selection, sampling), text, compile).await
@@ -261,7 +266,7 @@ fn pipeline_layout(device: &Device, label: &str, groups: &[Option<&BindGroupLayo
 fn label(root: Root) -> &'static str {
     match root {
         Root::Functions => "functions",
-        Root::Trace => "trace",
+        Root::Trace | Root::TraceShells => "trace",
         Root::Shade => "shade",
         Root::Resolve => "resolve",
         Root::Show => "show",

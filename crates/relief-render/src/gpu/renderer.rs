@@ -5,7 +5,8 @@ use std::ops::ControlFlow;
 
 use relief_shaders::MapNeed;
 use relief_shaders::cpu::{Frame, PixelOut, Record, Shared, Triangle, read_all};
-use relief_shaders::wgsl::{SHADE_GROUP, Sampling};
+use relief_shaders::surface::Proposal;
+use relief_shaders::wgsl::{BOX_VERTICES, SHADE_GROUP, Sampling};
 use wgpu::{
     BindGroup, Color, CommandEncoder, ComputePipeline, LoadOp, Operations, RenderPassColorAttachment,
     RenderPassDepthStencilAttachment, RenderPassDescriptor, RenderPipeline, StoreOp, Texture,
@@ -51,7 +52,8 @@ struct Ready {
     shade: ComputePipeline,
     maps: BindGroup,
     mesh: BindGroup,
-    vertices: u32,
+    /// Vertices and instances.
+    drawn: [u32; 2],
 }
 
 /// All that the passes of a picture need.
@@ -273,7 +275,7 @@ impl GpuRenderer {
                 let each = job.surfaces.iter().zip(surfaces.iter_mut()).map(|(surface, resident)| {
                     let maps = resident.maps(&gpu, surface, sampling, layouts.maps(sampling), &common)?;
                     let mesh = resident.mesh(&gpu, &surface.triangles, &layouts.mesh)?;
-                    Ok((maps, mesh, 3 * surface.triangles.len() as u32))
+                    Ok((maps, mesh, drawn(surface)))
                 });
                 each.collect::<Result<Vec<_>, GpuError>>()
             })
@@ -281,13 +283,8 @@ impl GpuRenderer {
         // After an error it is not known what arrived.
         let uploaded = uploaded.inspect_err(|_| self.forget())?;
         let ready = programs.into_iter().zip(uploaded);
-        let surfaces = ready.map(|((trace, shade), (maps, mesh, vertices))| Ready {
-            trace,
-            shade,
-            maps,
-            mesh,
-            vertices,
-        });
+        let surfaces =
+            ready.map(|((trace, shade), (maps, mesh, drawn))| Ready { trace, shade, maps, mesh, drawn });
         Ok(Passes { surfaces: surfaces.collect(), resolve })
     }
 
@@ -331,8 +328,23 @@ impl GpuRenderer {
 /// The number of a triangle travels as a signed integer, that of a vertex as an unsigned one.
 fn check_triangles(gpu: &Gpu, surface: &JobSurface) -> Result<(), GpuError> {
     let (count, limit) = (surface.triangles.len(), gpu.storage_capacity(Triangle::SIZE));
-    let limit = limit.min(u64::from(u32::MAX / 3));
+    let limit = limit.min(u64::from(u32::MAX / vertices_of(surface)));
     if count as u64 > limit { Err(GpuError::TooManyTriangles { count, limit }) } else { Ok(()) }
+}
+
+/// The vertices that are drawn for a triangle.
+fn vertices_of(surface: &JobSurface) -> u32 {
+    match surface.selection.paths().proposal {
+        Proposal::Polygons => 3,
+        Proposal::Shells => BOX_VERTICES,
+    }
+}
+
+/// The vertices and the instances that are drawn for a surface. Shells have an instance for each side, as
+/// polygons have faces.
+fn drawn(surface: &JobSurface) -> [u32; 2] {
+    let both = surface.two_sided && surface.selection.paths().proposal == Proposal::Shells;
+    [vertices_of(surface) * surface.triangles.len() as u32, 1 + u32::from(both)]
 }
 
 /// Traces and shades the rows of a band, sample after sample, so that no submission takes long; `finish` ends
@@ -389,7 +401,8 @@ fn trace(encoder: &mut CommandEncoder, targets: &Targets, surface: &Ready, pass:
     drawn.set_pipeline(&surface.trace);
     drawn.set_bind_group(0, &surface.maps, &[pass.offset]);
     drawn.set_bind_group(1, &surface.mesh, &[]);
-    drawn.draw(0..surface.vertices, 0..1);
+    let [vertices, instances] = surface.drawn;
+    drawn.draw(0..vertices, 0..instances);
 }
 
 /// Runs a program over the pixels of a band. Group 0 has the offset of the pass.

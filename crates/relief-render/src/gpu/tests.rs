@@ -7,7 +7,7 @@ use glam::DVec3;
 use relief_core::{HeightMap, Wrap};
 use relief_io::Picture;
 use relief_maps::Maps;
-use relief_shaders::cpu::{Corner, Frame, PixelIn, SurfaceSettings};
+use relief_shaders::cpu::{Corner, Frame, PixelIn, Shell, SurfaceSettings};
 use relief_shaders::wgsl::Sampling;
 use relief_shaders::{Selection, SlotMaps};
 use wgpu::{BufferUsages, DeviceDescriptor, Features, Limits};
@@ -80,6 +80,7 @@ fn ray() -> PixelIn {
         corner(-1.0, -1.0),
         corner(0.0, 1.0),
         corner(1.0, -1.0),
+        Shell::whole(),
     )
 }
 

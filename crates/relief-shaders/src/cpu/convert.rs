@@ -2,7 +2,9 @@
 
 use relief_core::{BakedMap, Cost, HeightMap, MapFormat, PathMetric, RayUse};
 
-use super::{Bound, Choice, Frame, Hit, Light, MapSettings, MapTexture, Path, SurfaceSettings, Vec4};
+use super::{
+    Bound, Choice, Frame, Hit, Light, MapSettings, MapTexture, Path, Shell, SurfaceSettings, Vec2, Vec4,
+};
 use crate::{MAX_LIGHTS, MapSlot, Selection, SlotMaps};
 
 impl From<&Path> for relief_core::Path {
@@ -67,6 +69,22 @@ impl From<&relief_core::Hit> for Hit {
     }
 }
 
+impl Shell {
+    /// A shell of which nothing is known but that heights are from 0 to 1, with corners in the order of the
+    /// triangle.
+    pub fn whole() -> Self {
+        Self::new([0.0, 1.0], Self::order_of([0, 1, 2]))
+    }
+
+    /// The places of a triangle's corners, as the shaders have them: by rising numbers, which all triangles
+    /// that share a corner know it by.
+    pub fn order_of(numbers: [u32; 3]) -> u32 {
+        let mut places = [0u32, 1, 2];
+        places.sort_by_key(|place| numbers[*place as usize]);
+        places[0] | (places[1] << 2) | (places[2] << 4)
+    }
+}
+
 impl From<&crate::Choice> for Choice {
     fn from(choice: &crate::Choice) -> Self {
         Self::new(choice.number, choice.params)
@@ -96,7 +114,23 @@ impl SlotMaps<'_> {
     }
 }
 
+/// The thickness of shells of relief without any, in metres, where nothing is known of the mesh.
+const LEAST_SHELL_M: f32 = 1e-9;
+
+/// How far along the normals the heights 0 and 1 lie in shells of at least that thickness, in metres.
+fn shell_m(map: &HeightMap, least_m: f32) -> Vec2<f32> {
+    let (low, scale) = (map.bias_m() as f32, map.scale_m() as f32);
+    [low, low + scale.max(least_m)].into()
+}
+
 impl SurfaceSettings {
+    /// The same with shells of at least that thickness, in metres: where the relief is thinner than a
+    /// hundred-thousandth of the mesh, `f32` has no room between the lower and the upper side.
+    #[must_use]
+    pub fn with_least_shell(self, map: &HeightMap, least_m: f32) -> Self {
+        Self { shell_m: shell_m(map, least_m), ..self }
+    }
+
     /// Settings for tracing a map with the stages chosen and the baked maps that they read: no colours.
     pub fn tracing(map: &HeightMap, selection: &Selection, maps: &SlotMaps) -> Self {
         let surroundings = maps.get(MapSlot::Environment).map(BakedMap::layout);
@@ -123,6 +157,7 @@ impl SurfaceSettings {
             has_shadows: u32::from(selection.has_shadows()),
             scale_m: map.scale_m() as f32,
             bias_m: map.bias_m() as f32,
+            shell_m: shell_m(map, LEAST_SHELL_M),
             mean_height: if selection.has_levels() { map.mean() } else { 0.0 },
             transmission: 0.0,
             ior: 1.0,

@@ -23,7 +23,7 @@ mod runtime;
 pub use bytes::{Shared, read_all, write_all};
 pub use generated::{
     Choice, Corner, Entered, FirstHit, Found, Frame, Hit, Light, LightRay, MapSettings, Path, PixelIn,
-    PixelOut, SurfaceSettings,
+    PixelOut, Shell, SurfaceSettings,
 };
 pub use layout::{PassSettings, Probe, PyramidPass, Record, Triangle};
 pub use method_tracer::MethodTracer;

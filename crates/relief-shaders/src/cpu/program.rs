@@ -1,7 +1,7 @@
 //! The shaders' functions that hosts call.
 
 use super::generated::Resources;
-use super::{Bound, Corner, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Vec3, Vec4};
+use super::{Bound, Entered, FirstHit, Found, Hit, LightRay, Path, PixelIn, PixelOut, Triangle, Vec3, Vec4};
 use crate::MAX_LIGHTS;
 
 /// The shaders with what is bound to them: the same functions that GPUs run, with the same bits in exact
@@ -35,9 +35,9 @@ impl<'a> Program<'a> {
     /// What the stages are given of a point of the picture that a triangle covers. `side` is 1 on its front,
     /// -1 on its back.
     #[inline]
-    pub fn pixel_of(&self, corners: [Corner; 3], side: f32, point: [f32; 2]) -> PixelIn {
-        let [a, b, c] = corners;
-        self.0.pixel_of(a, b, c, side, point)
+    pub fn pixel_of(&self, triangle: &Triangle, side: f32, point: [f32; 2]) -> PixelIn {
+        let Triangle { a, b, c, shell } = *triangle;
+        self.0.pixel_of(a, b, c, shell, side, point)
     }
 
     /// The stages surface and detail: where the ray meets the surface, in how many segments it goes through

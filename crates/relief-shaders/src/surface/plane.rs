@@ -1,6 +1,8 @@
 //! Registry entry of the flat base surface.
 
-use relief_core::registry::{Entry, Guarantee, Guarantees, Publication};
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+
+use super::{Paths, Proposal};
 
 /// The flat base surface.
 pub const ENTRY: Entry = Entry {
@@ -16,3 +18,6 @@ pub const ENTRY: Entry = Entry {
         polygons and is the approximation made on curved meshes. The entry lies at height 1 to a rounding of f32, the \
         exit a millionth of the relief below height 0, so that rounding cannot end a path above a floor.",
 };
+
+/// What it makes of rays.
+pub const PATHS: Paths = Paths { rays: &[RayClass::View], proposal: Proposal::Polygons, refused: &[] };

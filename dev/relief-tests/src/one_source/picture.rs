@@ -10,7 +10,7 @@ use relief_render::camera::Camera;
 use relief_render::environment::Environment;
 use relief_render::job::{Job, JobSurface, Rendering, uncovered};
 use relief_render::mipmaps::Mipmaps;
-use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, SurfaceSettings, Triangle};
+use relief_shaders::cpu::{Corner, Frame, Light, PixelOut, Program, Shell, SurfaceSettings, Triangle};
 use relief_shaders::{MapSlot, Selection};
 
 /// How near to a triangle's edge, in barycentric coordinates, either side may count: the rasteriser rounds
@@ -212,7 +212,7 @@ impl Picture {
             return None;
         }
         let side = if front { 1.0 } else { -1.0 };
-        let pixel = program.pixel_of([triangle.a, triangle.b, triangle.c], side, point);
+        let pixel = program.pixel_of(triangle, side, point);
         Some(Met { depth, certain: least > EDGE, pixel: program.shade_pixel(pixel) })
     }
 }
@@ -242,6 +242,7 @@ fn is_close(answer: Option<&PixelOut>, pixel: &PixelOut) -> bool {
 
 /// A unit tile, a floor below it with nine tiles, and a triangle in front whose back faces the eye.
 fn triangles() -> Vec<Triangle> {
+    let shell = Shell::whole();
     let corner = |position: [f32; 3], normal: [f32; 3], length: f32, uv: [f32; 2]| {
         Corner::new(position, normal, [length, 0.0, 0.0], [0.0, 0.0, length], uv)
     };
@@ -251,13 +252,14 @@ fn triangles() -> Vec<Triangle> {
             corner([2.0 * x * half, y, 2.0 * z * half], [0.0, 1.0, 0.0], 2.0 * half / tiles, uv)
         };
         let [a, b, c, d] = [at(-0.5, -0.5), at(-0.5, 0.5), at(0.5, 0.5), at(0.5, -0.5)];
-        [Triangle { a, b, c }, Triangle { a, b: c, c: d }]
+        [Triangle { a, b, c, shell }, Triangle { a, b: c, c: d, shell }]
     };
     let down = [0.0, -1.0, 0.0];
     let back = Triangle {
         a: corner([-0.2, 0.15, 0.3], down, 1.0, [0.1, 0.2]),
         b: corner([0.2, 0.15, 0.3], down, 1.0, [0.5, 0.2]),
         c: corner([0.0, 0.15, 0.6], down, 1.0, [0.3, 0.5]),
+        shell,
     };
     [&level(0.0, 0.5, 1.0)[..], &level(-0.2, 0.75, 3.0), &[back]].concat()
 }

@@ -4,7 +4,7 @@ use crate::rays::{RayKind, Rays};
 use crate::rng::Rng;
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use relief_core::{HeightMap, Path};
-use relief_shaders::cpu::{Corner, PixelIn};
+use relief_shaders::cpu::{Corner, PixelIn, Shell};
 
 /// The kinds of paths that can be view rays; those that do not descend are left out one by one.
 const KINDS: [RayKind; 7] = [
@@ -58,7 +58,7 @@ fn pixel(rng: &mut Rng, map: &HeightMap, path: &Path) -> PixelIn {
     let [origin, direction] = [origin, direction].map(|v| v.as_vec3().to_array());
     let turned = rng.unit();
     let (a, b, c) = (corner(-0.3, -0.2 - turned), corner(0.9, turned), corner(-0.1, 0.8));
-    PixelIn::new(origin, direction, side as f32, a, b, c)
+    PixelIn::new(origin, direction, side as f32, a, b, c, Shell::whole())
 }
 
 /// Tangent, bitangent (as long as one tile) and unit normal.

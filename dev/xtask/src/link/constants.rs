@@ -33,6 +33,7 @@ pub fn module() -> String {
     constant("SHADE_GROUP", wgsl::SHADE_GROUP);
     constant("PROBE_GROUP", wgsl::PROBE_GROUP);
     constant("PROBE_ROW", wgsl::PROBE_ROW);
+    constant("BOX_VERTICES", wgsl::BOX_VERTICES);
     constant("SEEN_AZIMUTHS", seen_normal::AZIMUTHS);
     constant("SEEN_ELEVATIONS", seen_normal::ELEVATIONS);
     constant("SEEN_FIRST_LEVEL", seen_normal::FIRST_LEVEL);

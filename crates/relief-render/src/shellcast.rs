@@ -1,0 +1,164 @@
+//! Which shells of base triangles a ray may meet.
+//!
+//! A hierarchy of boxes around shells, built by `obvhs`, only proposes triangles: the shaders decide what the
+//! ray meets in them.
+
+use std::fmt;
+
+use glam::{DVec3, Vec3, Vec3A};
+use obvhs::BvhBuildParams;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::{Bvh2, builder::build_bvh2};
+use relief_shaders::cpu::{Corner, Triangle};
+
+use crate::camera::Ray;
+
+/// How far boxes are grown, relative to the largest coordinate in play: more than the shaders' own slack for
+/// rounding, so that no triangle is left out that they would have hit.
+const BOX_SLACK: f64 = 4e-6;
+
+/// The shells of a mesh, prepared for rays.
+pub struct ShellCaster {
+    bvh: Bvh2,
+    /// The largest absolute coordinate of a box.
+    extent: f64,
+}
+
+impl fmt::Debug for ShellCaster {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "ShellCaster({} nodes)", self.bvh.nodes.len())
+    }
+}
+
+impl ShellCaster {
+    /// Prepares shells between two distances along the corners' normals, at which the heights 0 and 1 lie, in
+    /// metres; with `both`, those of the mesh turned over as well. Takes about 100 bytes a triangle.
+    pub fn new(triangles: &[Triangle], shell_m: [f32; 2], both: bool) -> Self {
+        let boxes: Vec<Aabb> = triangles.iter().map(|triangle| bounds(triangle, shell_m, both)).collect();
+        let bvh = if boxes.is_empty() {
+            Bvh2::default()
+        } else {
+            build_bvh2(&boxes, BvhBuildParams::medium_build(), &mut Default::default())
+        };
+        let largest =
+            |extent: f32, of: &Aabb| extent.max(of.min.abs().max_element()).max(of.max.abs().max_element());
+        Self { bvh, extent: boxes.iter().fold(0.0, largest).into() }
+    }
+
+    /// Calls `visit` with the numbers of triangles whose shells the ray may meet, roughly from near to far.
+    /// It tells up to which parameter of the ray shells are still of interest.
+    pub fn each(&self, ray: &Ray, mut visit: impl FnMut(u32) -> f64) {
+        let longest = ray.direction.abs().max_element();
+        if !(longest > 0.0 && ray.direction.is_finite() && ray.origin.is_finite()) {
+            return;
+        }
+        let inverse = ray.direction.recip();
+        let slack = DVec3::splat(self.extent.max(ray.origin.abs().max_element()) * BOX_SLACK);
+        let enter = |node: u32| {
+            let bounds = self.bvh.nodes.get(node as usize)?.aabb();
+            let a = (bounds.min.as_dvec3() - slack - ray.origin) * inverse;
+            let b = (bounds.max.as_dvec3() + slack - ray.origin) * inverse;
+            let (entry, exit) = (a.min(b).max_element(), a.max(b).min_element());
+            (entry <= exit && exit >= 0.0).then_some((entry, node))
+        };
+        let mut reach = f64::INFINITY;
+        let mut waiting = Vec::with_capacity(64);
+        waiting.extend(enter(0));
+        while let Some((entry, number)) = waiting.pop() {
+            if entry > reach {
+                continue;
+            }
+            let node = &self.bvh.nodes[number as usize];
+            if node.is_leaf() {
+                let first = node.first_index as usize;
+                for triangle in &self.bvh.primitive_indices[first..first + node.prim_count as usize] {
+                    reach = reach.min(visit(*triangle));
+                }
+                continue;
+            }
+            let [left, right] = [node.first_index, node.first_index + 1].map(enter);
+            // The nearer one is taken first.
+            let is_right_nearer = right.zip(left).is_some_and(|(right, left)| right.0 < left.0);
+            let (first, second) = if is_right_nearer { (right, left) } else { (left, right) };
+            waiting.extend(second);
+            waiting.extend(first);
+        }
+    }
+}
+
+/// The box around the shell of a triangle.
+fn bounds(triangle: &Triangle, shell_m: [f32; 2], both: bool) -> Aabb {
+    let Triangle { a, b, c, shell } = triangle;
+    let [bottom, top] = shell_m;
+    let at = |height: f32| bottom + (top - bottom) * height;
+    let [low, high] = [at(shell.heights.x), at(shell.heights.y)];
+    let mut points = Vec::with_capacity(12);
+    for corner in [a, b, c] {
+        let Corner { position, normal, .. } = corner;
+        let (position, normal) =
+            (Vec3::new(position.x, position.y, position.z), Vec3::new(normal.x, normal.y, normal.z));
+        points.extend([low, high].map(|offset| Vec3A::from(position + normal * offset)));
+        if both {
+            points.extend([low, high].map(|offset| Vec3A::from(position - normal * offset)));
+        }
+    }
+    Aabb::from_points(&points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use relief_shaders::cpu::Shell;
+
+    /// Triangles side by side along x, facing along z.
+    fn row(count: usize) -> Vec<Triangle> {
+        let corner = |x: f32, y: f32| {
+            Corner::new([x, y, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [x, y])
+        };
+        let of = |number: usize| {
+            let x = number as f32;
+            let (a, b, c) = (corner(x, 0.0), corner(x + 1.0, 0.0), corner(x, 1.0));
+            Triangle { a, b, c, shell: Shell::whole() }
+        };
+        (0..count).map(of).collect()
+    }
+
+    #[test]
+    fn shells_are_proposed_that_a_ray_passes_beside_their_triangles() {
+        let caster = ShellCaster::new(&row(40), [0.1, 0.3], false);
+        let along = |z: f64| {
+            let ray = Ray { origin: DVec3::new(-5.0, 0.25, z), direction: DVec3::X };
+            let mut proposed = Vec::new();
+            caster.each(&ray, |triangle| {
+                proposed.push(triangle);
+                f64::INFINITY
+            });
+            proposed.sort_unstable();
+            proposed
+        };
+        assert_eq!(along(0.2), Vec::from_iter(0..40));
+        assert_eq!(along(0.0), []);
+        assert_eq!(along(-0.2), []);
+        let both = ShellCaster::new(&row(1), [0.1, 0.3], true);
+        let mut count = 0;
+        both.each(&Ray { origin: DVec3::new(-5.0, 0.25, -0.2), direction: DVec3::X }, |_| {
+            count += 1;
+            0.0
+        });
+        assert_eq!(count, 1);
+    }
+
+    #[test]
+    fn what_is_behind_the_reach_is_left_out() {
+        let caster = ShellCaster::new(&row(40), [0.0, 0.3], false);
+        let ray = Ray { origin: DVec3::new(-5.0, 0.25, 0.2), direction: DVec3::X };
+        let mut proposed = Vec::new();
+        caster.each(&ray, |triangle| {
+            proposed.push(triangle);
+            7.5
+        });
+        assert!(proposed.contains(&0) && proposed.contains(&2) && !proposed.contains(&20), "{proposed:?}");
+        caster.each(&Ray { direction: DVec3::ZERO, ..ray }, |_| panic!("a ray without a direction"));
+        ShellCaster::new(&[], [0.0, 1.0], false).each(&ray, |_| panic!("a mesh without triangles"));
+    }
+}

@@ -1,0 +1,26 @@
+//! Registry entry of shells in tetrahedra.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Publication, RayClass};
+
+use super::{Paths, Proposal, SEGMENTS_REFUSE};
+
+/// Shells in tetrahedra.
+pub const ENTRY: Entry = Entry {
+    name: "tetrahedra",
+    summary: "the triangle's shell in three tetrahedra: silhouettes, with up to three straight segments a ray",
+    publication: Publication { paper: super::SURVEY, section: "5.2" },
+    maps: &[],
+    params: &[],
+    states: &[],
+    guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Impossible, shadow: Guarantee::Exact },
+    weakened: &[],
+    argument: "A tetrahedron maps linearly onto texture coordinates and heights, so a ray is straight in it. \
+        The displaced surface is that of this map: it bends at the tetrahedra's faces, and is up to some \
+        texels beside the one that runs along interpolated normals. Neighbours share their sides, cut along \
+        the same diagonal, and reach beyond them by the rounding of where the ray is, so that nothing passes \
+        between. A segment that begins under the surface by more than rounding begins where it comes out.",
+};
+
+/// What it makes of rays.
+pub const PATHS: Paths =
+    Paths { rays: &[RayClass::View, RayClass::Shadow], proposal: Proposal::Shells, refused: SEGMENTS_REFUSE };
