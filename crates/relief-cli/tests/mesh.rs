@@ -142,7 +142,13 @@ fn meshes_are_inspected() {
         (&torus["charts"], &torus["seams"], &torus["open_edges"]),
         (&json!(1), &json!(128 + 64), &json!(0))
     );
+    // The tube folds inward at its radius, the hole closes outward at its own.
+    for (way, metres) in [("inward", 0.15), ("outward", 0.2)] {
+        let fold = torus["first_fold_m"][way].as_f64().expect("metres");
+        assert!((fold - metres).abs() < 1e-3, "{way}: {fold}");
+    }
     let boxed = inspect("cube.obj --project box");
+    assert_eq!(boxed["first_fold_m"], json!({ "inward": null, "outward": null }));
     assert_eq!(
         (&boxed["charts"], &boxed["hard_edges"], &boxed["points"]),
         (&json!(6), &json!(12), &json!(8))
@@ -154,6 +160,12 @@ fn meshes_are_inspected() {
     {
         assert!(text.contains(part), "'{part}' is missing:\n{text}");
     }
+    let lines = |text: &str, words: [&str; 2]| {
+        text.lines().filter(|line| words.iter().all(|word| line.contains(word))).count()
+    };
+    assert_eq!([lines(&text, ["inward", " m "]), lines(&text, ["outward", " m "])], [1, 1], "{text}");
+    let text = folder.relief("inspect cube.obj --project box").fine().stdout;
+    assert_eq!([lines(&text, ["inward", "none"]), lines(&text, ["outward", "none"])], [1, 1], "{text}");
     assert_refused(&folder, &folder.relief("inspect cube.obj"), 1, &["cube.obj", "--project"]);
     for flag in ["--channel r", "--raw 4x4,le", "--fill", "--normal hills.png"] {
         let ran = folder.relief(&format!("inspect meshes/torus.obj {flag}"));

@@ -1,11 +1,11 @@
-//! What a mesh is like: sizes, charts, edges, tiles and the angles between its normals.
+//! What a mesh is like: sizes, charts, edges, tiles, the angles between its normals, and where it folds.
 
 use super::topology::{HalfEdge, Sets, half_edges, weld};
 use super::{Mesh, Vertex};
 use glam::{DVec3, Vec2, Vec3};
 
 /// The least angle in degrees between normals that differ.
-const HARD_DEG: f64 = 0.1;
+pub(super) const HARD_DEG: f64 = 0.1;
 
 /// The least, the mean and the greatest of something.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -47,6 +47,11 @@ pub struct MeshMeasures {
     pub tile_m: [Spread; 2],
     /// The greatest angle in degrees between normals of a triangle, over the triangles.
     pub normal_angle_deg: Spread,
+    /// The offsets in metres, inward and outward, between which no triangle is folded
+    /// ([`Mesh::unfolded_range`]): infinite where none ever folds, both 0 where one is folded already.
+    pub unfolded_m: [f64; 2],
+    /// Triangles that are folded without any displacement.
+    pub folded: usize,
 }
 
 impl Mesh {
@@ -111,6 +116,8 @@ impl Mesh {
             hard_edges,
             tile_m: [lengths(|vertex| vertex.tangent), lengths(|vertex| vertex.bitangent)],
             normal_angle_deg: spread(corners().map(widest)),
+            unfolded_m: self.unfolded_range(),
+            folded: self.folded([0.0; 2]),
         }
     }
 }

@@ -76,7 +76,23 @@ fn print(
         writeln!(out, "  tile {axis}      {least} m to {greatest} m, {mean} m on the mean")?;
     }
     let [_, mean, greatest] = parts(measures.normal_angle_deg);
-    writeln!(out, "  normals     up to {greatest}° apart within a triangle, {mean}° on the mean")
+    writeln!(out, "  normals     up to {greatest}° apart within a triangle, {mean}° on the mean")?;
+    let already = match measures.folded {
+        0 => String::new(),
+        count => format!(", {count} triangles undisplaced"),
+    };
+    for (way, offset) in ["inward", "outward"].iter().zip(furthest_m(measures)) {
+        match offset {
+            Some(offset) => writeln!(out, "  {way:<10}  folds from {} m on{already}", six_digits(offset))?,
+            None => writeln!(out, "  {way:<10}  folds: none")?,
+        }
+    }
+    Ok(())
+}
+
+/// The largest displacement inward and outward before the first fold, in metres. None where nothing folds.
+fn furthest_m(measures: &MeshMeasures) -> [Option<f64>; 2] {
+    measures.unfolded_m.map(|offset| offset.is_finite().then_some(offset.abs()))
 }
 
 fn parts(spread: Spread) -> [f64; 3] {
@@ -88,6 +104,7 @@ fn as_json(arguments: &Arguments, file: &MeshFile, measures: &MeshMeasures) -> V
         |spread: Spread| json!({ "least": spread.least, "mean": spread.mean, "greatest": spread.greatest });
     let [least, most] = measures.bounds_m.map(|corner| corner.to_array());
     let [u, v] = measures.tile_m.map(spread);
+    let [inward, outward] = furthest_m(measures);
     json!({
         "input": arguments.file.display().to_string(), "format": file.format.name(),
         "vertices": measures.vertices, "points": measures.points, "triangles": measures.triangles,
@@ -97,5 +114,6 @@ fn as_json(arguments: &Arguments, file: &MeshFile, measures: &MeshMeasures) -> V
         "branching_edges": measures.branching_edges,
         "seams": measures.seams, "hard_edges": measures.hard_edges,
         "tile_m": { "u": u, "v": v }, "normal_angle_deg": spread(measures.normal_angle_deg),
+        "first_fold_m": { "inward": inward, "outward": outward }, "folded": measures.folded,
     })
 }
