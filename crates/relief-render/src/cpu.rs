@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use glam::Vec3;
 use rayon::prelude::*;
 use relief_core::exact::FastTracer;
+use relief_core::registry::RayClass;
 use relief_core::{Cost, HeightMap};
 use relief_shaders::cpu::{
     Corner, Entered, FirstHit, Frame, Hit, PixelIn, PixelOut, Program, Triangle, Vec4,
@@ -116,7 +117,9 @@ impl CpuRenderer {
                     Base::Shells(kept(&mut shells, &self.shells, triangles, caster))
                 }
             };
-            let tracer = selection.is_exact().then(|| {
+            // The tracer is for straight paths.
+            let is_straight = !selection.paths().rays.contains(&RayClass::Bent);
+            let tracer = (selection.is_exact() && is_straight).then(|| {
                 kept(&mut tracers, &self.tracers, height_map, || {
                     (0..surface.settings.height_levels)
                         .map(|k| FastTracer::new(&height_map.level(k)))
@@ -306,6 +309,7 @@ impl<'a> Ready<'a> {
             if path.exit > 0.0 {
                 let hit = Hit::from(&tracer.trace(&(&path).into()).hit);
                 if hit.found == 1 {
+                    let hit = self.program.polish(pixel, at, path, hit);
                     return FirstHit { hit, segment: number, key: self.program.key(pixel, path, hit) };
                 }
             }

@@ -68,7 +68,6 @@ impl Preparer {
         let maps = self.maps.iter().chain(std::iter::repeat(&none));
         let environment = || scene.environment().map_or_else(Environment::sky, Arc::clone);
         let surfaces = scene.surfaces().iter().zip(maps).map(|(surface, maps)| {
-            let of_surface = triangles.of(surface, &self.triangles);
             let levels = surface.selection().has_levels();
             let color = surface.color().map(|picture| pictures.of(picture, levels, &self.pictures));
             let normal_map = match surface.normal_map() {
@@ -81,8 +80,11 @@ impl Preparer {
                 maps.push((MapSlot::Environment, Arc::clone(environment().map())));
             }
             let slots = maps.iter().map(|(slot, map)| (*slot, &**map)).collect();
+            let settings = surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref());
+            let shell_m = [settings.shell_m.x, settings.shell_m.y];
+            let of_surface = triangles.of(surface, shell_m, &self.triangles);
             JobSurface {
-                settings: surface_settings(surface, &slots, color.as_deref(), normal_map.as_deref()),
+                settings,
                 selection: *surface.selection(),
                 triangles: of_surface,
                 height_map: Arc::clone(surface.height_map()),

@@ -16,24 +16,42 @@ pub struct KeptTriangles {
     /// Of meshes alone.
     polygons: Vec<(Arc<Mesh>, Arc<[Triangle]>)>,
     /// Of meshes under height maps.
-    shells: Vec<(Arc<Mesh>, Arc<HeightMap>, Arc<[Triangle]>)>,
+    shells: Vec<(ShellsOf, Arc<[Triangle]>)>,
+}
+
+/// What shells are made of.
+#[derive(Clone, Debug)]
+struct ShellsOf {
+    mesh: Arc<Mesh>,
+    map: Arc<HeightMap>,
+    /// Where the heights 0 and 1 lie along the normals, in metres.
+    shell_m: [f32; 2],
+    /// Whether the base is smooth.
+    lifted: bool,
+}
+
+impl ShellsOf {
+    fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.mesh, &other.mesh)
+            && Arc::ptr_eq(&self.map, &other.map)
+            && (self.shell_m, self.lifted) == (other.shell_m, other.lifted)
+    }
 }
 
 impl KeptTriangles {
-    /// The triangles of a surface: those made for it before, if any were.
-    pub fn of(&mut self, surface: &Surface, before: &Self) -> Arc<[Triangle]> {
-        let mesh = surface.mesh();
-        if surface.selection().paths().proposal == Proposal::Polygons {
+    /// The triangles of a surface whose heights 0 and 1 lie at these distances along the normals, in metres:
+    /// those made for it before, if any were.
+    pub fn of(&mut self, surface: &Surface, shell_m: [f32; 2], before: &Self) -> Arc<[Triangle]> {
+        let (mesh, selection) = (surface.mesh(), surface.selection());
+        if selection.paths().proposal == Proposal::Polygons {
             return kept(&mut self.polygons, &before.polygons, mesh, || polygons(mesh));
         }
-        let map = surface.height_map();
-        let known = self.shells.iter().chain(&before.shells);
-        let is_same = |known: &&(Arc<Mesh>, Arc<HeightMap>, Arc<[Triangle]>)| {
-            Arc::ptr_eq(&known.0, mesh) && Arc::ptr_eq(&known.1, map)
-        };
-        let made = known.into_iter().find(is_same).map(|(.., made)| Arc::clone(made));
-        let made = made.unwrap_or_else(|| shells(mesh, map));
-        self.shells.push((Arc::clone(mesh), Arc::clone(map), Arc::clone(&made)));
+        let (mesh, map) = (Arc::clone(mesh), Arc::clone(surface.height_map()));
+        let of = ShellsOf { mesh, map, shell_m, lifted: selection.has_smooth_base() };
+        let mut known = self.shells.iter().chain(&before.shells);
+        let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
+        let made = made.unwrap_or_else(|| shells(&of));
+        self.shells.push((of, Arc::clone(&made)));
         made
     }
 }
@@ -44,13 +62,18 @@ fn polygons(mesh: &Mesh) -> Arc<[Triangle]> {
 }
 
 /// The triangles of a mesh with their shells.
-fn shells(mesh: &Mesh, map: &HeightMap) -> Arc<[Triangle]> {
-    let welded = mesh.welded();
+fn shells(of: &ShellsOf) -> Arc<[Triangle]> {
+    let ShellsOf { mesh, map, shell_m, lifted } = of;
+    let (welded, lifts) = (mesh.welded(), lifted.then(|| mesh.lifts()));
     let [low, high] = map.extremes();
     let numbered = (0u32..).zip(mesh.triangles());
     let triangles = numbered.map(|(number, corners)| {
-        let order = Shell::order_of(corners.map(|corner| welded[corner as usize]));
-        triangle(mesh, number, Shell::new([low, high], order))
+        let places = Shell::places_of(corners.map(|corner| welded[corner as usize]));
+        let lift = lifts.as_ref().map_or([0.0; 3], |lifts| lifts[number as usize]);
+        let shell = Shell::between([low, high], places, places.map(|place| lift[place as usize]));
+        let ([lowest, highest], [down, up]) = (shell.offsets_m(*shell_m), mesh.fold_range(number));
+        let is_folded = f64::from(lowest) <= down || f64::from(highest) >= up;
+        triangle(mesh, number, if is_folded { shell.folded() } else { shell })
     });
     triangles.collect()
 }

@@ -106,6 +106,14 @@ pub const MODULES: &[Module] = &[
 // triangle, so that relief runs smoothly from one triangle to the next; the segment lies in the frame of the
 // base point.
 "# },
+    Module { path: "surface/prism", head: r#"// Shells of the base triangles as normals that are interpolated, and not normalised, span them.
+//
+// After Ogaki 2023, Nonlinear Ray Tracing for Displacement. The ray's way through texture coordinates and heights
+// is curved. It is cut into chords: straight in texture coordinates, with heights that bend through their
+// middle. Where along the ray a chord is, is known by the ray's own parameter, which also serves where the ray
+// runs along the shell. `params.x` is how far chords may be beside the way, in texels; with `params.y` of 1
+// the base is smooth.
+"# },
     Module { path: "surface/tetrahedra", head: r#"// Shells of the base triangles in three tetrahedra each: the ray is straight in each of them.
 //
 // Szirmay-Kalos and Umenhoffer 2008, section 5.2. The corners of a shell are those of its triangle, moved along
@@ -729,6 +737,13 @@ pub const DECLARATIONS: &[Declaration] = &[
     },
     Declaration {
         module: "constants",
+        name: "SHELL_FOLDED",
+        sampling: None,
+        uses: &[],
+        text: r#"const SHELL_FOLDED = 64u;"#,
+    },
+    Declaration {
+        module: "constants",
         name: "SEEN_AZIMUTHS",
         sampling: None,
         uses: &[],
@@ -876,11 +891,11 @@ const BOX_ROUNDING = 0.000002;"#,
         module: "shared/bounding_box",
         name: "widened",
         sampling: None,
-        uses: &["Corner", "raised"],
-        text: r#"// An extent along an axis, widened to hold a corner at both heights.
-fn widened(extent: vec2f, axis: vec3f, corner: Corner, heights: vec2f, side: f32) -> vec2f {
-    let low = dot(raised(corner, side, heights.x), axis);
-    let high = dot(raised(corner, side, heights.y), axis);
+        uses: &["Corner", "moved_out"],
+        text: r#"// An extent along an axis, widened to hold a corner at both offsets.
+fn widened(extent: vec2f, axis: vec3f, corner: Corner, offsets: vec2f, side: f32) -> vec2f {
+    let low = dot(moved_out(corner, side, offsets.x), axis);
+    let high = dot(moved_out(corner, side, offsets.y), axis);
     return vec2f(min(extent.x, min(low, high)), max(extent.y, max(low, high)));
 }"#,
     },
@@ -888,15 +903,15 @@ fn widened(extent: vec2f, axis: vec3f, corner: Corner, heights: vec2f, side: f32
         module: "shared/bounding_box",
         name: "extent_along",
         sampling: None,
-        uses: &["Triangle", "raised", "widened"],
+        uses: &["Triangle", "moved_out", "offsets_of", "widened"],
         text: r#"// The extent of a triangle's shell along an axis, with a margin.
 fn extent_along(triangle: Triangle, axis: vec3f, side: f32, margin: f32) -> vec2f {
-    let heights = triangle.shell.heights;
-    let first = dot(raised(triangle.a, side, heights.x), axis);
+    let offsets = offsets_of(triangle.shell);
+    let first = dot(moved_out(triangle.a, side, offsets.x), axis);
     var extent = vec2f(first, first);
-    extent = widened(extent, axis, triangle.a, heights, side);
-    extent = widened(extent, axis, triangle.b, heights, side);
-    extent = widened(extent, axis, triangle.c, heights, side);
+    extent = widened(extent, axis, triangle.a, offsets, side);
+    extent = widened(extent, axis, triangle.b, offsets, side);
+    extent = widened(extent, axis, triangle.c, offsets, side);
     return extent + vec2f(0.0 - margin, margin);
 }"#,
     },
@@ -914,11 +929,12 @@ fn depth_of(position: vec3f) -> f32 {
         module: "shared/bounding_box",
         name: "margin_of",
         sampling: None,
-        uses: &["BOX_MARGIN", "BOX_ROUNDING", "Triangle", "depth_of", "frame", "surface_settings"],
+        uses: &["BOX_MARGIN", "BOX_ROUNDING", "Triangle", "depth_of", "frame", "offsets_of"],
         text: r#"// Metres by which a box is larger than a shell.
 fn margin_of(triangle: Triangle) -> f32 {
     let first = max(depth_of(triangle.a.position), depth_of(triangle.b.position));
-    let beyond = abs(surface_settings.shell_m.x) + abs(surface_settings.shell_m.y);
+    let offsets = offsets_of(triangle.shell);
+    let beyond = abs(offsets.x) + abs(offsets.y);
     let depth = max(max(first, depth_of(triangle.c.position)), 0.0) + beyond;
     let pixel = length(frame.eye_right.xyz + frame.right.xyz * depth);
     let place = abs(triangle.a.position);
@@ -2535,7 +2551,7 @@ fn trace(path: Path) -> Hit {
         module: "shared/pixel",
         name: "first_hit",
         sampling: None,
-        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "key_of", "miss", "segment_of", "trace"],
+        uses: &["Entered", "FirstHit", "NO_COST", "PixelIn", "key_of", "miss", "polish_hit", "segment_of", "trace"],
         text: r#"// The first hit of a pixel's ray, segment after segment.
 fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
     var cost = NO_COST;
@@ -2547,12 +2563,23 @@ fn first_hit(pixel: PixelIn, at: Entered) -> FirstHit {
             cost = cost + hit.cost;
             if (hit.found == 1u) {
                 hit.cost = cost;
+                hit = polish_hit(pixel, at, path, hit);
                 return FirstHit(hit, k, key_of(pixel, path, hit));
             }
         }
         k = k + 1u;
     }
     return FirstHit(miss(cost), 0u, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/pixel",
+        name: "polish_hit",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "surface_polish_stage"],
+        text: r#"// A hit that the stages have found on a segment, where the segment's ray truly is.
+fn polish_hit(pixel: PixelIn, at: Entered, path: Path, hit: Hit) -> Hit {
+    return surface_polish_stage(pixel, at, path, hit);
 }"#,
     },
     Declaration {
@@ -3566,11 +3593,47 @@ fn ordered(pixel: PixelIn, place: u32) -> Corner {
         module: "shared/shell",
         name: "raised",
         sampling: None,
-        uses: &["Corner", "surface_settings"],
+        uses: &["Corner", "moved_out", "surface_settings"],
         text: r#"// Where a corner of the triangle is at a height.
 fn raised(corner: Corner, side: f32, height: f32) -> vec3f {
     let shell = surface_settings.shell_m;
-    return corner.position + corner.normal * (side * (shell.x + (shell.y - shell.x) * height));
+    return moved_out(corner, side, shell.x + (shell.y - shell.x) * height);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "moved_out",
+        sampling: None,
+        uses: &["Corner"],
+        text: r#"// The same at an offset in metres.
+fn moved_out(corner: Corner, side: f32, offset: f32) -> vec3f {
+    return corner.position + corner.normal * (side * offset);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "offsets_of",
+        sampling: None,
+        uses: &["Shell", "surface_settings"],
+        text: r#"// The offsets along the normals, in metres, between which the relief of a shell lies.
+fn offsets_of(shell: Shell) -> vec2f {
+    let width = surface_settings.shell_m.y - surface_settings.shell_m.x;
+    let quarter = vec3f(0.25, 0.25, 0.25);
+    let zero = vec3f(0.0, 0.0, 0.0);
+    // A product of two weights is at most a quarter.
+    let lowered = dot(min(shell.lift, zero), quarter);
+    let lifted = dot(max(shell.lift, zero), quarter);
+    return surface_settings.shell_m.x + width * shell.heights + vec2f(lowered, lifted);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "lift_of",
+        sampling: None,
+        uses: &[],
+        text: r#"// How much higher the smooth base is at a point of the triangle.
+fn lift_of(lift: vec3f, w: vec3f) -> f32 {
+    return lift.x * w.y * w.z + lift.y * w.z * w.x + lift.z * w.x * w.y;
 }"#,
     },
     Declaration {
@@ -3631,7 +3694,21 @@ fn frame_at(pixel: PixelIn, weights: vec3f, point: vec3f, uv: vec2f, facing: vec
         surface_settings.scale_m,
     );
     let unit = normalize(normal) * pixel.side;
-    return Entered(1u, point, uv, tangent, bitangent, unit, metric, 0u, facing, 0.0, 0.0);
+    return Entered(1u, point, uv, tangent, bitangent, unit, metric, 0u, facing, vec2f(0.0, 0.0), 0.0, 0.0);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "placed_at",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "frame_at"],
+        text: r#"// The same at a hit, in the detail in which the ray is seen.
+fn placed_at(pixel: PixelIn, at: Entered, weights: vec3f, point: vec3f, uv: vec2f) -> Entered {
+    var placed = frame_at(pixel, weights, point, uv, at.facing);
+    placed.level = at.level;
+    placed.footprint = at.footprint;
+    placed.fade = at.fade;
+    return placed;
 }"#,
     },
     Declaration {
@@ -3764,8 +3841,11 @@ struct Shell {
     // The least and the greatest height under the triangle.
     heights: vec2f,
     // The places of the corners, 0 to 2, in an order that all triangles at an edge agree on: two bits for
-    // each, the first lowest.
+    // each, the first lowest. Above these SHELL_FOLDED, where the shell overlaps itself.
     order: u32,
+    // Metres by which the smooth base is higher than the triangle: of each edge, opposite to the corners in
+    // that order, the number that is multiplied by the weights of its ends.
+    lift: vec3f,
 }"#,
     },
     Declaration {
@@ -3805,6 +3885,8 @@ struct Entered {
     level: u32,
     // The normal, of any length, of the plane in which footprints of pixels are measured.
     facing: vec3f,
+    // Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
+    span: vec2f,
     // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     // the finest level.
     footprint: f32,
@@ -3901,14 +3983,14 @@ struct PixelOut {
         sampling: None,
         uses: &["Path", "ROUNDING", "cell_of", "height_cell", "height_size"],
         text: r#"// How far below the surface rounding may see a path that is on it, in heights: `slack` is what rounding moves
-// it by, in metres.
-fn rounded_gap(path: Path, slack: f32) -> f32 {
+// it by, in metres, `texels` what else may.
+fn rounded_gap(path: Path, slack: f32, texels: f32) -> f32 {
     let size = height_size(path.level);
     let h = height_cell(vec2i(cell_of(path.uv * size - vec2f(0.5, 0.5))), path.level);
     let range = max(max(h.x, h.y), max(h.z, h.w)) - min(min(h.x, h.y), min(h.z, h.w));
-    let texels = abs(path.duv) * size;
+    let change = abs(path.duv) * size;
     let places = abs(path.uv) * size * ROUNDING;
-    let aside = (texels.x + texels.y) * slack + places.x + places.y;
+    let aside = (change.x + change.y) * slack + places.x + places.y + texels;
     return abs(path.h.y) * slack + range * aside + ROUNDING;
 }"#,
     },
@@ -3919,9 +4001,9 @@ fn rounded_gap(path: Path, slack: f32) -> f32 {
         uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "rounded_gap"],
         text: r#"// The parameter at which a path that begins lower than that under the surface is as high above it: 0 where it
 // does not begin so low, its exit where it never comes out.
-fn out_of_ground(path: Path, slack: f32) -> f32 {
+fn out_of_ground(path: Path, slack: f32, texels: f32) -> f32 {
     let grid = grid_of(path);
-    let least = rounded_gap(path, slack);
+    let least = rounded_gap(path, slack, texels);
     var cell = cell_of(grid.origin);
     var t = 0.0;
     if (cell_gap(path, grid, cell, 0.0).x >= 0.0 - least) {
@@ -3984,7 +4066,7 @@ fn path_from(path: Path, t: f32) -> Path {
     let area = tt * bb - tb * tb;
     let metric = vec4f(tt, tb, bb, surface_settings.scale_m);
     let segments = select(0u, 1u, area > 0.0 && dot(normal, pixel.direction) < 0.0);
-    return Entered(segments, point, uv, tangent, bitangent, normal, metric, 0u, n, 0.0, 0.0);
+    return Entered(segments, point, uv, tangent, bitangent, normal, metric, 0u, n, vec2f(0.0, 0.0), 0.0, 0.0);
 }"#,
     },
     Declaration {
@@ -4036,6 +4118,15 @@ fn path_from(path: Path, t: f32) -> Path {
     },
     Declaration {
         module: "surface/plane",
+        name: "surface_plane_polish",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_plane_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    return hit;
+}"#,
+    },
+    Declaration {
+        module: "surface/plane",
         name: "surface_plane_place",
         sampling: None,
         uses: &["Entered", "Hit", "Path", "PixelIn", "height_at", "surface_settings"],
@@ -4047,6 +4138,359 @@ fn surface_plane_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params
     placed.point = at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * height;
     placed.uv = hit.uv;
     return placed;
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "NEWTON_STEPS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Steps of Newton's method from the middle of a shell to a point of it. Fewer, and hits are beside the ray
+// where shells are strongly curved.
+const NEWTON_STEPS = 6u;"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "POLISH_STEPS",
+        sampling: None,
+        uses: &[],
+        text: r#"// Steps from a chord's hit to that of the way.
+const POLISH_STEPS = 3u;"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "MOST_CHORDS",
+        sampling: None,
+        uses: &[],
+        text: r#"// The most chords of a ray in a shell.
+const MOST_CHORDS = 32.0;"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "HEIGHTS_A_TEXEL",
+        sampling: None,
+        uses: &[],
+        text: r#"// Heights that count as much as a texel beside the way.
+const HEIGHTS_A_TEXEL = 0.0625;"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "Prism",
+        sampling: None,
+        uses: &[],
+        text: r#"// A shell, seen from the place of the ray that is nearest to the triangle: corners, their normals, and the
+// numbers of the smooth base.
+struct Prism {
+    p0: vec3f,
+    p1: vec3f,
+    p2: vec3f,
+    n0: vec3f,
+    n1: vec3f,
+    n2: vec3f,
+    lift: vec3f,
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "ShellPoint",
+        sampling: None,
+        uses: &[],
+        text: r#"// A point of a shell: weights of the corners, and the height.
+struct ShellPoint {
+    weights: vec3f,
+    height: f32,
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "prism_of",
+        sampling: None,
+        uses: &["PixelIn", "Prism", "ordered"],
+        text: r#"fn prism_of(pixel: PixelIn, along: vec3f, middle: f32, params: vec4f) -> Prism {
+    let origin = pixel.origin + along * middle;
+    let a = ordered(pixel, 0u);
+    let b = ordered(pixel, 1u);
+    let c = ordered(pixel, 2u);
+    return Prism(
+        a.position - origin,
+        b.position - origin,
+        c.position - origin,
+        a.normal * pixel.side,
+        b.normal * pixel.side,
+        c.normal * pixel.side,
+        pixel.shell.lift * (params.y * pixel.side),
+    );
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "shell_point",
+        sampling: None,
+        uses: &["NEWTON_STEPS", "Prism", "ShellPoint", "lift_of", "surface_settings"],
+        text: r#"// The point of a shell that is at a place, by Newton's method.
+fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
+    let low = surface_settings.shell_m.x;
+    let width = surface_settings.shell_m.y - low;
+    let l = prism.lift;
+    var w = vec3f(1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
+    var h = height;
+    var step = 0u;
+    while (step < NEWTON_STEPS) {
+        step = step + 1u;
+        let offset = low + width * h + lift_of(l, w);
+        let normal = prism.n0 * w.x + prism.n1 * w.y + prism.n2 * w.z;
+        let base = prism.p0 * w.x + prism.p1 * w.y + prism.p2 * w.z;
+        let rest = place - base - normal * offset;
+        // The change of the point with the second weight and with the third, at the cost of the first, and
+        // with the height.
+        let second = (l.z * (w.x - w.y) + w.z * (l.x - l.y));
+        let third = (l.y * (w.x - w.z) + w.y * (l.x - l.z));
+        let a = (prism.p1 - prism.p0) + (prism.n1 - prism.n0) * offset + normal * second;
+        let b = (prism.p2 - prism.p0) + (prism.n2 - prism.n0) * offset + normal * third;
+        let c = normal * width;
+        let across = cross(b, c);
+        let volume = dot(a, across);
+        let db = dot(rest, across) / volume;
+        let dc = dot(rest, cross(c, a)) / volume;
+        let dh = dot(rest, cross(a, b)) / volume;
+        w = vec3f(w.x - db - dc, w.y + db, w.z + dc);
+        h = h + dh;
+    }
+    return ShellPoint(w, h);
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "uv_of",
+        sampling: None,
+        uses: &["PixelIn", "ordered"],
+        text: r#"// The texture coordinates of weights.
+fn uv_of(pixel: PixelIn, weights: vec3f) -> vec2f {
+    return ordered(pixel, 0u).uv * weights.x + ordered(pixel, 1u).uv * weights.y
+        + ordered(pixel, 2u).uv * weights.z;
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "in_slab",
+        sampling: None,
+        uses: &["Prism", "where_positive"],
+        text: r#"// The part of an interval in which the ray is in the slab of that normal that holds all of a shell.
+fn in_slab(interval: vec2f, normal: vec3f, prism: Prism, offsets: vec2f, along: vec3f, slack: f32) -> vec2f {
+    let a = vec2f(dot(normal, prism.p0 + prism.n0 * offsets.x), dot(normal, prism.p0 + prism.n0 * offsets.y));
+    let b = vec2f(dot(normal, prism.p1 + prism.n1 * offsets.x), dot(normal, prism.p1 + prism.n1 * offsets.y));
+    let c = vec2f(dot(normal, prism.p2 + prism.n2 * offsets.x), dot(normal, prism.p2 + prism.n2 * offsets.y));
+    let least = min(min(min(a.x, a.y), min(b.x, b.y)), min(c.x, c.y));
+    let most = max(max(max(a.x, a.y), max(b.x, b.y)), max(c.x, c.y));
+    let beyond = slack * length(normal);
+    let change = dot(normal, along);
+    let inside = where_positive(interval, 0.0 - least, change, beyond);
+    return where_positive(inside, most, 0.0 - change, beyond);
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "span_of",
+        sampling: None,
+        uses: &["NEVER", "PixelIn", "Prism", "in_slab", "offsets_of", "shell_slack"],
+        text: r#"// Where the ray may be in the shell, in metres from the place nearest to the triangle.
+fn span_of(pixel: PixelIn, prism: Prism, along: vec3f, middle: f32, params: vec4f) -> vec2f {
+    var shell = pixel.shell;
+    shell.lift = shell.lift * params.y;
+    let offsets = offsets_of(shell);
+    let slack = shell_slack(pixel, middle);
+    let low0 = prism.p0 + prism.n0 * offsets.x;
+    let low1 = prism.p1 + prism.n1 * offsets.x;
+    let low2 = prism.p2 + prism.n2 * offsets.x;
+    let high0 = prism.p0 + prism.n0 * offsets.y;
+    let high1 = prism.p1 + prism.n1 * offsets.y;
+    let high2 = prism.p2 + prism.n2 * offsets.y;
+    var span = vec2f(0.0 - middle, NEVER);
+    span = in_slab(span, cross(low1 - low0, low2 - low0), prism, offsets, along, slack);
+    span = in_slab(span, cross(high1 - high0, high2 - high0), prism, offsets, along, slack);
+    span = in_slab(span, cross(high1 - low0, low1 - high0), prism, offsets, along, slack);
+    span = in_slab(span, cross(high2 - low1, low2 - high1), prism, offsets, along, slack);
+    span = in_slab(span, cross(high0 - low2, low0 - high2), prism, offsets, along, slack);
+    return span;
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "beside_chord",
+        sampling: None,
+        uses: &["HEIGHTS_A_TEXEL", "PixelIn", "ShellPoint", "height_size", "uv_of"],
+        text: r#"// How far a point of the way is beside the straight line, in units of the tolerance's texels: `part` is where
+// between the ends, of which the heights are a quadratic through the middle.
+fn beside_chord(pixel: PixelIn, a: ShellPoint, m: ShellPoint, b: ShellPoint, at: ShellPoint, part: f32) -> f32 {
+    let line = a.weights + (b.weights - a.weights) * part;
+    let apart = abs(uv_of(pixel, at.weights - line) * height_size(0u));
+    let bend = 2.0 * (a.height + b.height - 2.0 * m.height);
+    let slope = b.height - a.height - bend;
+    let height = a.height + part * (slope + part * bend);
+    return max(max(apart.x, apart.y), abs(at.height - height) / HEIGHTS_A_TEXEL);
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "surface_prism_enter",
+        sampling: None,
+        uses: &["Entered", "MOST_CHORDS", "NEVER", "PixelIn", "SHELL_FOLDED", "beside_chord", "middle_of", "prism_of", "shell_point", "span_of", "surface_tetrahedra_enter"],
+        text: r#"fn surface_prism_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    var at = surface_tetrahedra_enter(pixel, params);
+    if (pixel.shell.order >= SHELL_FOLDED) {
+        return at;
+    }
+    let along = normalize(pixel.direction);
+    let middle = middle_of(pixel, along);
+    let prism = prism_of(pixel, along, middle, params);
+    at.span = span_of(pixel, prism, along, middle, params);
+    at.segments = 0u;
+    let long = at.span.y - at.span.x;
+    if (!(long > 0.0) || !(long < NEVER)) {
+        return at;
+    }
+    let height = 0.5 * (pixel.shell.heights.x + pixel.shell.heights.y);
+    let a = shell_point(prism, along * at.span.x, height);
+    let b = shell_point(prism, along * at.span.y, height);
+    let m = shell_point(prism, along * (at.span.x + 0.5 * long), height);
+    let before = shell_point(prism, along * (at.span.x + 0.25 * long), height);
+    let after = shell_point(prism, along * (at.span.x + 0.75 * long), height);
+    let quarters = max(beside_chord(pixel, a, m, b, before, 0.25), beside_chord(pixel, a, m, b, after, 0.75));
+    let most = max(beside_chord(pixel, a, m, b, m, 0.5), quarters);
+    // Half as many chords are four times as far beside.
+    at.segments = u32(clamp(ceil(sqrt(most / params.x)), 1.0, MOST_CHORDS));
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "chord_end",
+        sampling: None,
+        uses: &["Entered"],
+        text: r#"// The end of a chord on the ray, in metres from the place nearest to the triangle.
+fn chord_end(at: Entered, k: u32) -> f32 {
+    return at.span.x + (at.span.y - at.span.x) * (f32(k) / f32(at.segments));
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "surface_prism_segment",
+        sampling: None,
+        uses: &["Entered", "Path", "PixelIn", "RAY_VIEW", "SHELL_FOLDED", "WRAP_CLAMP", "chord_end", "first_root", "height_size", "inside_unit", "middle_of", "out_of_ground", "path_from", "prism_of", "shell_point", "shell_slack", "surface_settings", "surface_tetrahedra_segment", "uv_of", "where_positive"],
+        text: r#"fn surface_prism_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    if (pixel.shell.order >= SHELL_FOLDED) {
+        return surface_tetrahedra_segment(pixel, at, k, params);
+    }
+    let along = normalize(pixel.direction);
+    let middle = middle_of(pixel, along);
+    let prism = prism_of(pixel, along, middle, params);
+    let heights = pixel.shell.heights;
+    let mean = 0.5 * (heights.x + heights.y);
+    let first = chord_end(at, k);
+    let long = chord_end(at, k + 1u) - first;
+    let a = shell_point(prism, along * first, mean);
+    let m = shell_point(prism, along * (first + 0.5 * long), mean);
+    let b = shell_point(prism, along * (first + long), mean);
+    let uv = uv_of(pixel, a.weights);
+    let duv = (uv_of(pixel, b.weights) - uv) / long;
+    let bend = 2.0 * (a.height + b.height - 2.0 * m.height);
+    let slope = b.height - a.height - bend;
+
+    // It reaches beyond the triangle's sides by rounding, and by as much as chords may be beside the way.
+    let slack = shell_slack(pixel, middle);
+    let change = (b.weights - a.weights) / long;
+    let texel = sqrt(max(at.metric.x, at.metric.z)) / max(height_size(0u).x, height_size(0u).y);
+    let edges = vec3f(
+        length(prism.p2 - prism.p1),
+        length(prism.p0 - prism.p2),
+        length(prism.p1 - prism.p0),
+    );
+    let twice = length(cross(prism.p1 - prism.p0, prism.p2 - prism.p0));
+    let beyond = edges * ((slack + 2.0 * params.x * texel) / twice);
+    var inside = vec2f(0.0, long);
+    inside = where_positive(inside, a.weights.x, change.x, beyond.x);
+    inside = where_positive(inside, a.weights.y, change.y, beyond.y);
+    inside = where_positive(inside, a.weights.z, change.z, beyond.z);
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        inside = inside_unit(uv.x, duv.x, inside);
+        inside = inside_unit(uv.y, duv.y, inside);
+    }
+    var path = Path(
+        uv,
+        duv,
+        vec3f(a.height, slope / long, bend / (long * long)),
+        inside.y,
+        0.0,
+        at.metric,
+        RAY_VIEW,
+        at.level,
+        middle + first,
+        1.0 / f32(at.segments),
+    );
+    if (!(inside.y > inside.x)) {
+        path.exit = 0.0;
+        return path;
+    }
+    path = path_from(path, inside.x);
+    // Above the highest there is nothing to be hit.
+    let above = path.h.x - heights.y;
+    if (above > 0.0) {
+        path = path_from(path, min(first_root(vec3f(above, path.h.y, path.h.z), path.exit), path.exit));
+    }
+    if (path.exit > 0.0) {
+        path = path_from(path, out_of_ground(path, 4.0 * slack, params.x));
+    }
+    return path;
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "surface_prism_polish",
+        sampling: None,
+        uses: &["Entered", "HEIGHTS_A_TEXEL", "Hit", "POLISH_STEPS", "Path", "PixelIn", "SHELL_FOLDED", "cell_gap", "cell_of", "grid_of", "height_at", "middle_of", "path_gap", "path_height", "prism_of", "shell_point", "uv_of"],
+        text: r#"// The chord's hit is moved along the ray until the way is as high above the surface there as the chord was.
+fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    if (pixel.shell.order >= SHELL_FOLDED) {
+        return hit;
+    }
+    let along = normalize(pixel.direction);
+    let middle = middle_of(pixel, along);
+    let prism = prism_of(pixel, along, middle, params);
+    let wanted = path_gap(path, hit.t);
+    let grid = grid_of(path);
+    let texels = abs(grid.step);
+    // No farther than chords may be beside the way.
+    let most = 2.0 * params.x / max(max(texels.x, texels.y), abs(path.h.y) / HEIGHTS_A_TEXEL);
+    var t = hit.t;
+    var point = shell_point(prism, along * (path.start + t - middle), path_height(path, t));
+    var step = 0u;
+    while (step < POLISH_STEPS) {
+        step = step + 1u;
+        let gap = point.height - height_at(uv_of(pixel, point.weights), path.level) - wanted;
+        let change = cell_gap(path, grid, cell_of(grid.origin + grid.step * t), t).y;
+        if (change < 0.0) {
+            t = clamp(t - gap / change, hit.t - most, hit.t + most);
+        }
+        point = shell_point(prism, along * (path.start + t - middle), path_height(path, t));
+    }
+    return Hit(1u, hit.exhausted, uv_of(pixel, point.weights), point.height, t, hit.cost);
+}"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "surface_prism_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "SHELL_FOLDED", "middle_of", "placed_at", "prism_of", "shell_point", "surface_tetrahedra_place"],
+        text: r#"fn surface_prism_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    if (pixel.shell.order >= SHELL_FOLDED) {
+        return surface_tetrahedra_place(pixel, at, path, hit, params);
+    }
+    let along = normalize(pixel.direction);
+    let middle = middle_of(pixel, along);
+    let prism = prism_of(pixel, along, middle, params);
+    let s = path.start + hit.t - middle;
+    let weights = shell_point(prism, along * s, hit.height).weights;
+    return placed_at(pixel, at, weights, pixel.origin + along * (path.start + hit.t), hit.uv);
 }"#,
     },
     Declaration {
@@ -4223,16 +4667,25 @@ fn comes_before(a: vec2f, b: vec2f) -> u32 {
         (inside.y - inside.x) / whole,
     );
     if (path.exit > 0.0) {
-        path = path_from(path, out_of_ground(path, 4.0 * slack));
+        path = path_from(path, out_of_ground(path, 4.0 * slack, 0.0));
     }
     return path;
 }"#,
     },
     Declaration {
         module: "surface/tetrahedra",
+        name: "surface_tetrahedra_polish",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_tetrahedra_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    return hit;
+}"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
         name: "surface_tetrahedra_place",
         sampling: None,
-        uses: &["Entered", "Hit", "Path", "PixelIn", "frame_at", "middle_of", "tetrahedron"],
+        uses: &["Entered", "Hit", "Path", "PixelIn", "middle_of", "placed_at", "tetrahedron"],
         text: r#"// Where the ray is at the hit, with the frame of that point of the triangle.
 fn surface_tetrahedra_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
     let along = normalize(pixel.direction);
@@ -4253,11 +4706,7 @@ fn surface_tetrahedra_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, p
     }
     let weights = nearest.weights + nearest.change * t;
     let point = pixel.origin + along * (path.start + hit.t);
-    var placed = frame_at(pixel, weights.xyz, point, hit.uv, at.facing);
-    placed.level = at.level;
-    placed.footprint = at.footprint;
-    placed.fade = at.fade;
-    return placed;
+    return placed_at(pixel, at, weights.xyz, point, hit.uv);
 }"#,
     },
     Declaration {
@@ -5784,7 +6233,7 @@ const LEAST = 0.000001;"#,
         module: "roots/probe",
         name: "probe_main",
         sampling: None,
-        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "enter_relief", "key_of", "mirrored_light", "pixels", "place_hit", "probes", "refine_stage", "search_stage", "segment_of"],
+        uses: &["PROBE_GROUP", "PROBE_ROW", "Probe", "enter_relief", "key_of", "mirrored_light", "pixels", "place_hit", "polish_hit", "probes", "refine_stage", "search_stage", "segment_of"],
         text: r#"@compute @workgroup_size(PROBE_GROUP)
 fn probe_main(@builtin(global_invocation_id) id: vec3u) {
     let index = id.y * PROBE_ROW + id.x;
@@ -5802,7 +6251,10 @@ fn probe_main(@builtin(global_invocation_id) id: vec3u) {
             continue;
         }
         let found = search_stage(path);
-        let hit = refine_stage(path, found);
+        var hit = refine_stage(path, found);
+        if (hit.found == 1u) {
+            hit = polish_hit(pixel, at, path, hit);
+        }
         probes[index] = Probe(
             k,
             path.uv,

@@ -232,17 +232,19 @@ impl Shared for Corner {
 }
 
 impl Shared for Shell {
-    const SIZE: usize = 16;
+    const SIZE: usize = 32;
 
     fn write(&self, bytes: &mut [u8]) {
         self.heights.write(&mut bytes[0..]);
         self.order.write(&mut bytes[8..]);
+        self.lift.write(&mut bytes[16..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             heights: Shared::read(&bytes[0..]),
             order: Shared::read(&bytes[8..]),
+            lift: Shared::read(&bytes[16..]),
         }
     }
 }
@@ -257,7 +259,7 @@ pub struct Triangle {
 }
 
 impl Shared for Triangle {
-    const SIZE: usize = 256;
+    const SIZE: usize = 272;
 
     fn write(&self, bytes: &mut [u8]) {
         self.a.write(&mut bytes[0..]);
@@ -335,7 +337,7 @@ impl Shared for Record {
 }
 
 impl Shared for PixelIn {
-    const SIZE: usize = 288;
+    const SIZE: usize = 304;
 
     fn write(&self, bytes: &mut [u8]) {
         self.origin.write(&mut bytes[0..]);

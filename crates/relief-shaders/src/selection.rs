@@ -282,6 +282,12 @@ impl Selection {
         if self.uses(SHADOW_SEARCH) { self.check_taken(SHADOW_SEARCH, SHADOW) } else { Ok(()) }
     }
 
+    /// Whether the relief lies on a smooth base in place of flat triangles.
+    pub fn has_smooth_base(&self) -> bool {
+        let Choice { entry, params, .. } = &self.choices[SURFACE];
+        entry.param("lift").is_some_and(|(place, _)| params[place] != 0.0)
+    }
+
     /// What the chosen surface makes of rays.
     pub fn paths(&self) -> &'static Paths {
         &PATHS[self.choices[SURFACE].number as usize]

@@ -65,6 +65,11 @@ pub const STAGES: [Stage; 8] = [
                 returns: "Path",
             },
             Call {
+                name: "polish",
+                inputs: &[("pixel", "PixelIn"), ("at", "Entered"), ("path", "Path"), ("hit", "Hit")],
+                returns: "Hit",
+            },
+            Call {
                 name: "place",
                 inputs: &[("pixel", "PixelIn"), ("at", "Entered"), ("path", "Path"), ("hit", "Hit")],
                 returns: "Entered",

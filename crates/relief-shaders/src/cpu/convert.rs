@@ -73,15 +73,37 @@ impl Shell {
     /// A shell of which nothing is known but that heights are from 0 to 1, with corners in the order of the
     /// triangle.
     pub fn whole() -> Self {
-        Self::new([0.0, 1.0], Self::order_of([0, 1, 2]))
+        Self::between([0.0, 1.0], [0, 1, 2], [0.0; 3])
     }
 
-    /// The places of a triangle's corners, as the shaders have them: by rising numbers, which all triangles
-    /// that share a corner know it by.
-    pub fn order_of(numbers: [u32; 3]) -> u32 {
+    /// A shell between two heights with corners in that order, and with the numbers of a smooth base in the
+    /// same order.
+    pub fn between(heights: [f32; 2], places: [u32; 3], lift: [f32; 3]) -> Self {
+        Self::new(heights, places[0] | (places[1] << 2) | (places[2] << 4), lift)
+    }
+
+    /// The offsets along the normals, in metres, between which the relief lies, where the heights 0 and 1 lie
+    /// at those two.
+    pub fn offsets_m(&self, [bottom, top]: [f32; 2]) -> [f32; 2] {
+        let lifts = [self.lift.x, self.lift.y, self.lift.z];
+        // The product of two weights is at most a quarter.
+        let lifted = |side: fn(f32, f32) -> f32| lifts.map(|lift| side(lift, 0.0) / 4.0).iter().sum::<f32>();
+        let at = |height: f32| bottom + (top - bottom) * height;
+        [at(self.heights.x) + lifted(f32::min), at(self.heights.y) + lifted(f32::max)]
+    }
+
+    /// The same shell, which overlaps itself.
+    #[must_use]
+    pub fn folded(self) -> Self {
+        Self { order: self.order | crate::surface::FOLDED, ..self }
+    }
+
+    /// The places of a triangle's corners by rising numbers, by which all triangles know a corner that they
+    /// share.
+    pub fn places_of(numbers: [u32; 3]) -> [u32; 3] {
         let mut places = [0u32, 1, 2];
         places.sort_by_key(|place| numbers[*place as usize]);
-        places[0] | (places[1] << 2) | (places[2] << 4)
+        places
     }
 }
 

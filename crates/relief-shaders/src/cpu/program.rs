@@ -59,6 +59,12 @@ impl<'a> Program<'a> {
         self.0.first_hit(pixel, entered)
     }
 
+    /// A hit that was found on a segment, where the segment's ray truly is.
+    #[inline]
+    pub fn polish(&self, pixel: PixelIn, entered: Entered, path: Path, hit: Hit) -> Hit {
+        self.0.polish_hit(pixel, entered, path, hit)
+    }
+
     /// What orders the hits of a pixel's ray: the greater, the nearer. From 0, infinitely far away, to 1 at
     /// the eye.
     #[inline]

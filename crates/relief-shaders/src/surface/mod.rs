@@ -6,13 +6,17 @@ use relief_core::registry::{Entry, RayClass};
 use crate::SURVEY;
 
 mod plane;
+mod prism;
 mod tetrahedra;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[plane::ENTRY, tetrahedra::ENTRY];
+pub const ENTRIES: &[Entry] = &[plane::ENTRY, prism::ENTRY, tetrahedra::ENTRY];
 
 /// What each of them makes of rays, in the same order.
-pub const PATHS: &[Paths] = &[plane::PATHS, tetrahedra::PATHS];
+pub const PATHS: &[Paths] = &[plane::PATHS, prism::PATHS, tetrahedra::PATHS];
+
+/// What is added to the order of a shell's corners where the shell overlaps itself.
+pub const FOLDED: u32 = 64;
 
 /// What a surface makes of a pixel's ray.
 #[derive(Clone, Copy, Debug)]

@@ -141,7 +141,10 @@ pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
 /// The stages over a segment of a ray.
 fn probe_segment(program: &Program, ray: &PixelIn, at: Entered, number: u32, path: Path) -> Probe {
     let found = program.search(path);
-    let hit = program.refine(path, found);
+    let mut hit = program.refine(path, found);
+    if hit.found == 1 {
+        hit = program.polish(*ray, at, path, hit);
+    }
     Probe {
         segment: number + 1,
         entry: path.uv,

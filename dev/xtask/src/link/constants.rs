@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use relief_core::encoding::cone::HALF_RATIO;
 use relief_core::encoding::seen_normal;
 use relief_core::{FoundState, RayUse, Wrap};
-use relief_shaders::{LightRayState, MAX_LIGHTS, MapSlot, STAGES, wgsl};
+use relief_shaders::{LightRayState, MAX_LIGHTS, MapSlot, STAGES, surface, wgsl};
 
 /// The module's source.
 pub fn module() -> String {
@@ -34,6 +34,7 @@ pub fn module() -> String {
     constant("PROBE_GROUP", wgsl::PROBE_GROUP);
     constant("PROBE_ROW", wgsl::PROBE_ROW);
     constant("BOX_VERTICES", wgsl::BOX_VERTICES);
+    constant("SHELL_FOLDED", surface::FOLDED);
     constant("SEEN_AZIMUTHS", seen_normal::AZIMUTHS);
     constant("SEEN_ELEVATIONS", seen_normal::ELEVATIONS);
     constant("SEEN_FIRST_LEVEL", seen_normal::FIRST_LEVEL);

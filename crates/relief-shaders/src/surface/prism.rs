@@ -1,0 +1,49 @@
+//! Registry entry of shells as they are.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication, RayClass};
+
+use super::{Paths, Proposal, SEGMENTS_REFUSE};
+
+/// Shells with normals interpolated over the triangle.
+pub const ENTRY: Entry = Entry {
+    name: "prism",
+    summary: "the triangle's shell as interpolated normals span it: silhouettes, with bent rays",
+    publication: Publication { paper: "Ogaki 2023, Nonlinear Ray Tracing for Displacement", section: "" },
+    maps: &[],
+    params: &[
+        Param {
+            name: "tolerance",
+            summary: "how far beside the ray a segment of it may run before its hit is made right",
+            unit: "texels",
+            min: 0.000_976_562_5,
+            max: 16.0,
+            default: 0.0625,
+            integer: false,
+        },
+        Param {
+            name: "lift",
+            summary: "1 lays the relief on a smooth base in place of flat triangles",
+            unit: "",
+            min: 0.0,
+            max: 1.0,
+            default: 0.0,
+            integer: true,
+        },
+    ],
+    states: &[],
+    guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Exact, shadow: Guarantee::Exact },
+    weakened: &[],
+    argument: "The displaced surface is that of normals interpolated over the triangle and not normalised, \
+        which neighbours agree on along their common side. A ray is cut into chords whose ends lie on its \
+        way through the shell and whose heights bend with it, as many as the tolerance asks for; what they \
+        miss is at most that wide. The hit is moved by what the chord was beside the ray. Chords reach \
+        beyond the sides by rounding and tolerance, so that nothing passes between neighbours. Shells that \
+        overlap themselves have no such way, and are traced in tetrahedra.",
+};
+
+/// What it makes of rays.
+pub const PATHS: Paths = Paths {
+    rays: &[RayClass::View, RayClass::Bent, RayClass::Shadow],
+    proposal: Proposal::Shells,
+    refused: SEGMENTS_REFUSE,
+};
