@@ -55,6 +55,9 @@ const STRAY: f64 = 0.25;
 /// The rate at which Newton's method then converges at least: `2 STRAY / (1 - STRAY)`.
 const RATE: f64 = 2.0 * STRAY / (1.0 - STRAY);
 
+/// More steps than Newton's method takes to converge at that rate, and mostly it is quadratic.
+const MAX_STEPS: u32 = 64;
+
 impl<'a> Sheet<'a> {
     pub fn new(cell: &'a Cell, corners: [Corner; 3]) -> Self {
         let [a, b, c] = &corners;
@@ -129,12 +132,15 @@ impl<'a> Sheet<'a> {
 
     /// Where the ray goes through the sheet, to `error` metres beside it, if that can be told.
     ///
-    /// Let `G` be the sheet's lateral coordinates, seen through the inverse of the mean of the derivative's
-    /// coefficients. If all of these are within `STRAY` of the identity (in the Frobenius norm), so is the
-    /// derivative, at every point and on the mean between any two, because it is a convex combination of
-    /// them. Then `G` takes no value twice, and a step of Newton's method, brought back to the nearest
-    /// point of the triangle, takes any point of it nearer to a root in it by the factor `RATE` or better.
-    /// Steps that are longer than that allows tell that there is no root.
+    /// Let `F` be the sheet's lateral coordinates as a function of the weights, `J` the mean of its
+    /// derivative's coefficients, and `y = J w`, so that the triangle is about as large in `y` as it looks
+    /// along the ray. If all coefficients, times the inverse of `J`, are within `STRAY` of the identity (in
+    /// the Frobenius norm), so is the derivative of `F` by `y`, at every point and on the mean between any
+    /// two, because it is a convex combination of them. Then `F` takes no value twice, and a step of
+    /// Newton's method, brought back to the nearest point of the triangle in `y`, takes any point of it
+    /// nearer to a root in it by the factor `RATE` or better. Steps that are longer than that allows tell
+    /// that there is no root. A root just outside is taken for the nearest point, which is as near to the
+    /// ray, but for the factor `1 + STRAY`, as the triangle.
     pub fn crossings(&self, error: f64) -> Crossings {
         let derivative = |k: usize| {
             let column = |axis: usize| {
@@ -151,29 +157,30 @@ impl<'a> Sheet<'a> {
         }
         let inverse = mean.inverse();
         let is_near = |matrix: &DMat2| {
-            let off = inverse * *matrix - DMat2::IDENTITY;
+            let off = *matrix * inverse - DMat2::IDENTITY;
             off.x_axis.length_squared() + off.y_axis.length_squared() <= STRAY * STRAY
         };
-        if derivatives.iter().all(is_near) { self.newton(error) } else { Crossings::Unknown }
+        if derivatives.iter().all(is_near) { self.newton(&mean, error) } else { Crossings::Unknown }
     }
 
-    fn newton(&self, error: f64) -> Crossings {
+    fn newton(&self, mean: &DMat2, error: f64) -> Crossings {
         let mut weights = DVec2::splat(1.0 / 3.0);
         let mut here = self.at(weights);
-        // No point of the triangle is further than √2 from the root.
-        let mut distance = std::f64::consts::SQRT_2;
-        for _ in 0..64 {
-            let jacobian = DMat2::from_cols(here.tangents[0].xy(), here.tangents[1].xy());
+        // No point of a triangle is further from another than its longest side is long.
+        let [x, y] = [mean.x_axis, mean.y_axis];
+        let mut distance = x.length().max(y.length()).max((x - y).length());
+        for _ in 0..MAX_STEPS {
             let was_there = here.point.xy().length() <= error;
+            let jacobian = DMat2::from_cols(here.tangents[0].xy(), here.tangents[1].xy());
             let step = jacobian.inverse() * -here.point.xy();
-            if step.length() > (1.0 + RATE) * distance + 1e-9 {
+            if (*mean * step).length() > (1.0 + RATE) * distance + error {
                 return Crossings::None;
             }
-            let next = into_triangle(weights + step);
-            let moved = next.distance(weights);
+            let next = into_triangle(weights + step, mean);
+            let moved = (*mean * (next - weights)).length();
             weights = next;
             here = self.at(weights);
-            if was_there || moved <= 2.0 * f64::EPSILON {
+            if was_there || moved <= 0.01 * error {
                 break;
             }
             distance *= RATE;
@@ -182,21 +189,22 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// The nearest point with `x >= 0`, `y >= 0` and `x + y <= 1`.
-fn into_triangle(point: DVec2) -> DVec2 {
-    if point.x + point.y > 1.0 && point.x - point.y <= 1.0 && point.y - point.x <= 1.0 {
-        let x = (0.5 * (1.0 + point.x - point.y)).clamp(0.0, 1.0);
-        return DVec2::new(x, 1.0 - x);
+/// The point with weights `x >= 0`, `y >= 0` and `x + y <= 1` that is nearest to other weights as a matrix
+/// shows them.
+fn into_triangle(weights: DVec2, shown: &DMat2) -> DVec2 {
+    if weights.min_element() >= 0.0 && weights.x + weights.y <= 1.0 {
+        return weights;
     }
-    // Beyond a corner or a side on an axis.
-    let clamped = point.clamp(DVec2::ZERO, DVec2::ONE);
-    if clamped.x + clamped.y <= 1.0 {
-        clamped
-    } else if point.x > point.y {
-        DVec2::X
-    } else {
-        DVec2::Y
-    }
+    let on_side = |from: DVec2, to: DVec2| {
+        let (side, point) = (*shown * (to - from), *shown * (weights - from));
+        let s = (point.dot(side) / side.length_squared()).clamp(0.0, 1.0);
+        let near = from.lerp(to, s);
+        ((*shown * (weights - near)).length(), near)
+    };
+    let [a, b, c] =
+        [on_side(DVec2::ZERO, DVec2::X), on_side(DVec2::X, DVec2::Y), on_side(DVec2::Y, DVec2::ZERO)];
+    let nearer = |a: (f64, DVec2), b: (f64, DVec2)| if b.0 < a.0 { b } else { a };
+    nearer(a, nearer(b, c)).1
 }
 
 #[cfg(test)]
@@ -301,13 +309,14 @@ mod tests {
     fn points_come_back_to_the_nearest_of_the_triangle() {
         let grid = (0..=200).flat_map(|i| (0..=200 - i).map(move |j| DVec2::new(i.into(), j.into()) / 200.0));
         let grid: Vec<DVec2> = grid.collect();
-        for i in -8..=8 {
-            for j in -8..=8 {
+        for shown in [DMat2::IDENTITY, DMat2::from_cols_array(&[2.0, 0.3, -1.0, 0.5])] {
+            for (i, j) in (-8..=8).flat_map(|i| (-8..=8).map(move |j| (i, j))) {
                 let point = DVec2::new(i.into(), j.into()) * 0.31;
-                let near = into_triangle(point);
-                assert!(near.min_element() >= 0.0 && near.x + near.y <= 1.0);
-                let least = grid.iter().map(|at| at.distance(point)).fold(f64::INFINITY, f64::min);
-                assert!(near.distance(point) <= least + 1e-12, "{point}: {near}");
+                let near = into_triangle(point, &shown);
+                assert!(near.min_element() >= 0.0 && near.x + near.y <= 1.0 + 1e-15);
+                let distance = |at: DVec2| (shown * (at - point)).length();
+                let least = grid.iter().map(|at| distance(*at)).fold(f64::INFINITY, f64::min);
+                assert!(distance(near) <= least + 1e-12, "{point}: {near}");
             }
         }
     }

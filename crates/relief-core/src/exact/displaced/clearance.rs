@@ -55,7 +55,11 @@ fn distance(point: DVec3) -> f64 {
 impl Nearest<'_> {
     /// Distances that are not below are of no interest any more.
     fn limit(&self) -> f64 {
-        self.distance - self.tolerance.max(1e-6 * self.distance)
+        if self.distance.is_finite() {
+            self.distance - self.tolerance.max(1e-6 * self.distance)
+        } else {
+            f64::INFINITY
+        }
     }
 
     fn triangle(&mut self, piece: &Piece) {
