@@ -12,11 +12,14 @@ pub struct Ray {
     pub target: Option<f64>,
 }
 
+/// How many kinds of rays there are.
+pub const KINDS: usize = 9;
+
 /// A ray of one of several kinds; `kind` counts through them.
 pub fn ray(sheet: &Sheet, kind: usize, rng: &mut Rng) -> Ray {
     let size = sheet.size();
     let triangle = rng.below(sheet.triangles() as usize) as u32;
-    match kind % 8 {
+    match kind % KINDS {
         // From anywhere around to anywhere inside.
         0 => {
             let origin = 2.0 * size * rng.direction();
@@ -47,6 +50,8 @@ pub fn ray(sheet: &Sheet, kind: usize, rng: &mut Rng) -> Ray {
         }
         // Tangent, or a little beside.
         6 => tangent(sheet, triangle, rng),
+        // Through two points of the sheet that may be very near each other: nearly tangent, and yet a hit.
+        7 => chord(sheet, triangle, rng),
         // From inside the relief.
         _ => {
             let weights = inside(rng);
@@ -79,6 +84,22 @@ fn aimed(sheet: &Sheet, triangle: u32, weights: [f64; 3], rng: &mut Rng) -> Ray 
     let unit = rng.direction();
     let depth = 2.0 * sheet.size();
     Ray { origin: point - depth * unit, direction: unit * (0.5 + rng.unit()), target: Some(depth) }
+}
+
+/// A ray through two points of the sheet in one triangle, a tenth to a ten-thousandth of it apart. What the
+/// ray runs along is no target: there its depth is lost to rounding.
+fn chord(sheet: &Sheet, triangle: u32, rng: &mut Rng) -> Ray {
+    let (from, towards) = (inside(rng), inside(rng));
+    let apart = 10.0f64.powf(-1.0 - 3.0 * rng.unit());
+    let at = |to: [f64; 3], s: f64| {
+        sheet.point(triangle, std::array::from_fn(|k| from[k] + s * (to[k] - from[k])))
+    };
+    let [a, b] = [0.0, apart].map(|s| at(towards, s));
+    let direction = (b - a).normalize_or(DVec3::X);
+    let depth = sheet.size();
+    let normal = (at(towards, 1e-7) - a).cross(at(inside(rng), 1e-7) - a).normalize_or_zero();
+    let crosses = normal.dot(direction).abs() > 1e-4;
+    Ray { origin: a - depth * direction, direction, target: crosses.then_some(depth) }
 }
 
 /// A ray that touches the sheet at a point, or passes a little above or below.

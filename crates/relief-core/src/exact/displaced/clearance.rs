@@ -7,7 +7,7 @@ use super::hierarchy::Bounds;
 use super::hull::least_distance;
 use super::ray_space::RaySpace;
 use super::relief::Relief;
-use super::search::rounding;
+use super::search::{MAX_HALVINGS, rounding};
 use super::shell::Piece;
 use super::{DisplacedMesh, Sides};
 
@@ -41,10 +41,16 @@ struct Nearest<'a> {
     distance: f64,
 }
 
-/// A lower bound of the distance between the ray and a hull.
+/// A lower bound of the distance between the ray and a hull. It is exact in the limit of a small hull.
 fn below(hull: impl Iterator<Item = DVec3> + Clone) -> f64 {
-    let farthest = hull.clone().map(|point| point.z).fold(f64::NEG_INFINITY, f64::max);
-    least_distance(hull).max(-farthest)
+    let lateral = least_distance(hull.clone());
+    if hull.clone().any(|point| point.z >= 0.0) {
+        return lateral;
+    }
+    // All of it is behind the origin, which is the nearest point of the ray.
+    let nearest = hull.clone().min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+    let Some(direction) = nearest.and_then(DVec3::try_normalize) else { return lateral };
+    hull.map(|point| point.dot(direction)).fold(f64::INFINITY, f64::min).max(lateral)
 }
 
 /// The distance between the ray, which begins at the origin, and a point.
@@ -72,7 +78,7 @@ impl Nearest<'_> {
         if let Some(cell) = piece.only_cell() {
             let patch = self.relief.cell(cell);
             for corners in piece.triangles(cell) {
-                self.sheet(&Sheet::new(&patch, corners));
+                self.sheet(&Sheet::new(&patch, corners), MAX_HALVINGS);
             }
             return;
         }
@@ -85,14 +91,17 @@ impl Nearest<'_> {
         }
     }
 
-    fn sheet(&mut self, sheet: &Sheet) {
+    fn sheet(&mut self, sheet: &Sheet, halvings: u32) {
         let here = sheet.at(DVec2::splat(1.0 / 3.0)).point;
         self.distance = self.distance.min(distance(here));
+        if halvings == 0 {
+            return;
+        }
         let mut parts = sheet.split().map(|part| (below(part.hull()), part));
         parts.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         for (least, part) in &parts {
             if *least < self.limit() {
-                self.sheet(part);
+                self.sheet(part, halvings - 1);
             }
         }
     }

@@ -8,7 +8,7 @@
 use glam::{DVec2, DVec3};
 
 use super::bezier::{Crossings, Sheet, SheetPoint};
-use super::hull::is_missed;
+use super::hull::{entry_depth, is_missed};
 use super::ray_space::RaySpace;
 use super::relief::Relief;
 use super::shell::Piece;
@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// How often a sheet inside a cell is halved at most: more than it takes until the numbers of `f64` lie no
 /// closer.
-const MAX_HALVINGS: u32 = 128;
+pub(super) const MAX_HALVINGS: u32 = 128;
 
 /// Where the sheet is crossed, or touched.
 #[derive(Clone, Copy, Debug)]
@@ -90,7 +90,12 @@ impl<'a> Search<'a> {
         let [near, far] = depths
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[near, far], depth| [near.min(depth), far.max(depth)]);
         let is_ahead = far >= -self.error && near < self.limit();
-        (is_ahead && !is_missed(hull, self.error)).then_some(near)
+        if !is_ahead || is_missed(hull.clone(), self.error) {
+            return None;
+        }
+        // What begins before the limit and ends behind may still be met behind it.
+        let is_behind = far >= self.limit() && entry_depth(hull, self.error) >= self.limit();
+        (!is_behind).then_some(near)
     }
 
     fn piece(&mut self, piece: Piece, near: f64) {
