@@ -171,3 +171,44 @@ fn the_first_hit_is_the_first_of_all_triangles() {
         }
     }
 }
+
+#[test]
+fn sheets_that_are_a_line_take_no_longer() {
+    // All corners at one place, or two of them: the sheet is a part of a normal, or a curtain seen edge on.
+    let corner = |x: f32, uv: [f32; 2]| Vertex {
+        position: Vec3::new(x, 0.0, 0.0),
+        normal: Vec3::Y,
+        tangent: Vec3::X,
+        bitangent: Vec3::Z,
+        uv: uv.into(),
+    };
+    let uvs = [[0.0, 0.0], [3.0, -2.0], [1.0, 5.0]];
+    let [smooth, level] = [Heights::Smooth, Heights::Constant].map(|of| map(of, [16, 16], Wrap::Repeat));
+    let maps = [noise(), smooth, level];
+    let mut grazing = 0;
+    for places in [[0.0; 3], [0.0, 0.0, 1.0], [0.0, 0.5, 1.0]] {
+        let vertices = [0, 1, 2].map(|k| corner(places[k], uvs[k])).to_vec();
+        let mesh = Mesh::new(vertices, vec![[0, 1, 2]]).expect("a mesh");
+        for map in &maps {
+            let judge = DisplacedMesh::new(&mesh, map, 0.1, -0.05).expect("a displaced mesh");
+            for height in [-0.03, 0.0, 0.01, 0.01 + 1e-9] {
+                for (origin, direction) in [
+                    ([-2.0, height, 0.0], [1.0, 0.0, 0.0]),
+                    ([0.3, height, -2.0], [0.0, 0.0, 1.0]),
+                    ([0.0, height, -2.0], [0.0, 0.0, 1.0]),
+                    ([0.3, 2.0, 0.0], [0.0, -1.0, 0.0]),
+                    ([0.0, 2.0, 0.0], [0.0, -1.0, 0.0]),
+                    ([-2.0, height + 1.0, 0.0], [2.0, -1.0, 0.0]),
+                ] {
+                    for sides in [Sides::Front, Sides::Both] {
+                        let trace = judge.trace(origin, direction, sides);
+                        assert!(trace.nodes < 50_000, "{places:?} {origin:?}: {} nodes", trace.nodes);
+                        assert!(trace.hit.is_none_or(|hit| hit.t.is_finite()));
+                        grazing += usize::from(trace.hit.is_some_and(|hit| hit.grazing));
+                    }
+                }
+            }
+        }
+    }
+    assert!(grazing > 50, "{grazing}");
+}

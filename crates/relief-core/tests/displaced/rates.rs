@@ -50,8 +50,6 @@ fn rates() {
         let seconds = start.elapsed().as_secs_f64();
         let count = rays.len() as f64;
         let (rate, mean) = (count / seconds, nodes as f64 / count);
-        println!(
-            "torus {around}x{tube}: {rate:.0} rays/s a thread, {mean:.1} nodes a ray (most {most}), {hits} hits"
-        );
+        println!("torus {around}x{tube}: {rate:.0} rays/s, {mean:.1} nodes a ray (most {most}), {hits} hits");
     }
 }

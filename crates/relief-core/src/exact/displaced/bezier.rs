@@ -278,10 +278,9 @@ mod tests {
         let [a, b, c] = [1.0 - x - y, x, y];
         // In the order of the table: aa, ab, bb, ac, bc, cc.
         let shares = [a * a, 2.0 * a * b, b * b, 2.0 * a * c, 2.0 * b * c, c * c];
-        for axis in 0..2 {
-            let difference = |[from, to]: [usize; 2]| 3.0 * (sheet.control[to] - sheet.control[from]);
-            let sum: DVec3 =
-                shares.iter().zip(DIFFERENCES[axis]).map(|(share, pair)| *share * difference(pair)).sum();
+        for (axis, pairs) in DIFFERENCES.iter().enumerate() {
+            let difference = |[from, to]: &[usize; 2]| 3.0 * (sheet.control[*to] - sheet.control[*from]);
+            let sum: DVec3 = shares.iter().zip(pairs).map(|(share, pair)| *share * difference(pair)).sum();
             assert!((sum - sheet.at(DVec2::new(x, y)).tangents[axis]).length() < 1e-14);
         }
     }

@@ -46,14 +46,14 @@ pub(super) fn least_distance(points: impl Iterator<Item = DVec3> + Clone) -> f64
     directions.into_iter().flatten().map(|direction| ahead(points.clone(), direction)).fold(boxed, f64::max)
 }
 
-/// A lower bound of the depth at which the ray meets the hull of the points, if it does; the points are
-/// rounded by `error` metres.
+/// The depth at which the ray meets the hull of the points at the earliest, if it does, and the rounding of
+/// that depth where the points are rounded by `error`, both in metres.
 ///
-/// For any lateral `a` the least `z + a · (x, y)` of the points is one, because on the ray that is `z`. Here
-/// `a` lays the plane fitted to the points level. Where the points lie in one line, as seen along the ray, it
-/// is the shortest that does. This tells parts of a sheet that meet the ray at one depth from parts that do
-/// before, however far they reach towards its origin.
-pub(super) fn entry_depth(points: impl Iterator<Item = DVec3> + Clone, error: f64) -> f64 {
+/// For any lateral `a` the least `z + a · (x, y)` of the points is a lower bound, because on the ray that is
+/// `z`. Here `a` lays the plane fitted to the points level. Where the points lie in one line, as seen along
+/// the ray, it is the shortest that does. This tells parts of a sheet that meet the ray at one depth from
+/// parts that do before, however far they reach towards its origin.
+pub(super) fn entry_depth(points: impl Iterator<Item = DVec3> + Clone, error: f64) -> [f64; 2] {
     let (count, sum) =
         points.clone().fold((0.0, DVec3::ZERO), |(count, sum), point| (count + 1.0, sum + point));
     let mean = sum / count;
@@ -75,7 +75,7 @@ pub(super) fn entry_depth(points: impl Iterator<Item = DVec3> + Clone, error: f6
         tilt -= wide.perp() * (z.dot(wide.perp()) / least);
     }
     let level = points.map(|point| point.z + tilt.dot(point.xy())).fold(f64::INFINITY, f64::min);
-    level - error * (1.0 + tilt.length())
+    [level, error * (1.0 + tilt.length())]
 }
 
 /// Points whose squared spreads differ by this factor count as lying in one line.
@@ -130,15 +130,15 @@ mod tests {
     fn depths_are_where_the_ray_enters() {
         let sloping = |x: f64, y: f64| DVec3::new(x, y, 5.0 + 3.0 * x - 20.0 * y);
         let plane = [sloping(-1.0, -1.0), sloping(2.0, 0.0), sloping(0.5, 3.0), sloping(-1.0, 1.0)];
-        assert!((entry_depth(plane.into_iter(), 0.0) - 5.0).abs() < 1e-9);
+        assert!((entry_depth(plane.into_iter(), 0.0)[0] - 5.0).abs() < 1e-9);
         let line = [-1.0, 0.3, 2.0].map(|s| DVec3::new(s, -2.0 * s, 4.0 - 7.0 * s));
-        assert!((entry_depth(line.into_iter(), 0.0) - 4.0).abs() < 1e-9);
+        assert!((entry_depth(line.into_iter(), 0.0)[0] - 4.0).abs() < 1e-9);
         let along = [-1.0, 0.3, 2.0].map(|s| DVec3::new(0.0, 0.0, 4.0 + s));
-        assert_eq!(entry_depth(along.into_iter(), 0.0), 3.0);
-        assert_eq!(entry_depth([DVec3::Z].into_iter(), 0.0), 1.0);
+        assert_eq!(entry_depth(along.into_iter(), 0.5), [3.0, 0.5]);
+        assert_eq!(entry_depth([DVec3::Z].into_iter(), 0.5), [1.0, 0.5]);
         // The ray enters this solid below the plane, at some depth of the lowest side.
         let solid = [sloping(-1.0, -1.0), sloping(2.0, 0.0), sloping(-0.5, 3.0), DVec3::new(0.1, 0.0, 2.0)];
-        assert!(entry_depth(solid.into_iter(), 0.0) < 5.0);
+        assert!(entry_depth(solid.into_iter(), 0.0)[0] < 5.0);
     }
 
     #[test]

@@ -30,8 +30,8 @@ use search::{Crossing, Search};
 /// `X(w) = Σ w_k p_k + (bias_m + scale_m H(Σ w_k uv_k)) Σ w_k n_k`,
 ///
 /// with barycentric weights `w_k >= 0` that add up to 1 and the bilinear height `H` of
-/// [`HeightMap::height_at`]. The interpolated normal is *not* normalised; with that, neighbours that share two
-/// corners share the side between them.
+/// [`HeightMap::height_at`]. The interpolated normal is *not* normalised; with that, neighbours that share
+/// two corners share the side between them.
 ///
 /// # Guarantee
 ///
@@ -40,18 +40,20 @@ use search::{Crossing, Search};
 /// * A hit lies on the sheet to rounding, and on the ray to within 2⁻⁴⁴ of the largest of its distances from
 ///   the triangle's corners (which is what rounding of the inputs amounts to), unless it is
 ///   [`grazing`](DisplacedHit::grazing): then to within [`Self::TOLERANCE`] of the scene's size.
-/// * No crossing before it is passed over, however near to tangency. What counts as a touch there is a ray
+/// * No crossing before it is passed over, however near to tangency, but for those at the same depth to
+///   rounding (and at most [`Self::TOLERANCE`] of the scene's size before). What counts as a touch is a ray
 ///   within the same rounding of the sheet.
 ///
 /// # Cost
 ///
 /// [`Self::new`] builds a maximum and a minimum pyramid of the map and a hierarchy over the triangles. It
-/// keeps a copy of the mesh and shares the map's texels.
+/// keeps a copy of the mesh and shares the map's texels. A ray takes some sixty nodes where it crosses a few
+/// cells before its hit, and in proportion to the cells that it crosses inside shells where there are many.
 ///
 /// # Source
 ///
-/// Bisection of shells by hulls is Hirche, Ehlert, Guthe and Doggett 2004 ("Hardware accelerated per-pixel
-/// displacement mapping") made recursive; hulls of Bézier coefficients are Lane and Riesenfeld 1980 ("A
+/// Shells over triangles, whose sides neighbours share: Hirche, Ehlert, Guthe and Doggett 2004 ("Hardware
+/// accelerated per-pixel displacement mapping"). Halving until a hull is missed: Lane and Riesenfeld 1980 ("A
 /// theoretical development for the computer generation and display of piecewise polynomial surfaces").
 ///
 /// ```
@@ -187,9 +189,9 @@ impl DisplacedMesh {
 
     /// The first point at which a ray meets the displaced mesh on one of `sides`.
     ///
-    /// `origin` is in metres; the ray is `origin + t * direction` with `t >= 0`. There is no hit when a number
-    /// is NaN, infinite or beyond [`MAX_RATE`](crate::exact::MAX_RATE), or the direction is shorter than
-    /// 1e-90.
+    /// `origin` is in metres; the ray is `origin + t * direction` with `t >= 0`. There is no hit when a
+    /// number is NaN, infinite or beyond [`MAX_RATE`](crate::exact::MAX_RATE), or the direction is shorter
+    /// than 1e-90.
     pub fn first_hit(&self, origin: [f64; 3], direction: [f64; 3], sides: Sides) -> Option<DisplacedHit> {
         self.trace(origin, direction, sides).hit
     }

@@ -40,7 +40,7 @@ pub(super) struct Search<'a> {
     relief: &'a Relief,
     ray: &'a RaySpace,
     sides: Sides,
-    /// Parts that are smaller are not told apart, in metres.
+    /// Parts that are smaller, or smaller than their rounding, are not told apart, in metres.
     tolerance: f64,
     pub first: Option<Crossing>,
     pub nodes: u64,
@@ -93,8 +93,12 @@ impl<'a> Search<'a> {
         if !is_ahead || is_missed(hull.clone(), self.error) {
             return None;
         }
-        // What begins before the limit and ends behind may still be met behind it.
-        let is_behind = far >= self.limit() && entry_depth(hull, self.error) >= self.limit();
+        // What begins before the limit and ends behind may still be met behind it. Of crossings at the same
+        // depth, to rounding, one is enough: there may be a curve of them where a sheet has no area.
+        let is_behind = far >= self.limit() && {
+            let [entry, rounding] = entry_depth(hull, self.error);
+            entry >= self.limit() - rounding.min(self.tolerance)
+        };
         (!is_behind).then_some(near)
     }
 
@@ -129,7 +133,7 @@ impl<'a> Search<'a> {
             Crossings::Unknown => {}
         }
         let [least, greatest] = extent(sheet.hull());
-        if halvings == 0 || (greatest - least).max_element() <= self.tolerance {
+        if halvings == 0 || (greatest - least).max_element() <= self.tolerance.max(self.error) {
             return self.take(&sheet.at(DVec2::splat(1.0 / 3.0)), true);
         }
         let [a, b] = sheet.split();
