@@ -35,6 +35,7 @@ pub struct MaxPyramid {
 /// for highest. Levels, sizes and the cells that a node covers are the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MinPyramid {
+    wrap: Wrap,
     levels: Vec<PyramidLevel>,
 }
 
@@ -113,24 +114,7 @@ impl MaxPyramid {
     /// repeated map). The cells that these cover besides are why the bound need not be tight; over a single
     /// cell of the map it is.
     pub fn bound(&self, first: [i64; 2], last: [i64; 2]) -> (f32, u32) {
-        let columns = folded_ranges(self.wrap, first[0], last[0], self.levels[0].width);
-        let rows = folded_ranges(self.wrap, first[1], last[1], self.levels[0].height);
-        let longest = columns.iter().chain(&rows).flatten().map(|[a, b]| b - a).max().unwrap_or(0);
-        let index = (u32::BITS - longest.leading_zeros()).saturating_sub(1).min(self.levels.len() as u32 - 1);
-        let level = &self.levels[index as usize];
-        let (mut bound, mut reads) = (0.0f32, 0);
-        for [top, bottom] in rows.into_iter().flatten() {
-            for [left, right] in columns.into_iter().flatten() {
-                for row in top >> index..=bottom >> index {
-                    let start = row as usize * level.width as usize;
-                    let nodes =
-                        &level.nodes[start + (left >> index) as usize..=start + (right >> index) as usize];
-                    bound = nodes.iter().copied().fold(bound, f32::max);
-                    reads += nodes.len() as u32;
-                }
-            }
-        }
-        (bound, reads)
+        bound(&self.levels, self.wrap, first, last, higher)
     }
 }
 
@@ -147,7 +131,7 @@ impl MinPyramid {
     ///
     /// The first error of `at`.
     pub fn try_new<E: Send>(map: &HeightMap, at: impl Fn(f32) -> Result<(), E> + Sync) -> Result<Self, E> {
-        Ok(Self { levels: levels(map, lower, at)? })
+        Ok(Self { wrap: map.wrap(), levels: levels(map, lower, at)? })
     }
 
     /// The same pyramid, whose nodes bound the coarser levels of the map, too: see
@@ -177,6 +161,41 @@ impl MinPyramid {
     pub fn lowest(&self) -> f32 {
         self.levels.last().map_or(0.0, |top| top.nodes[0])
     }
+
+    /// A lower bound of the surface over the dual cells from `first` to `last`, and the number of nodes that
+    /// were read for it: see [`MaxPyramid::bound`].
+    pub fn bound(&self, first: [i64; 2], last: [i64; 2]) -> (f32, u32) {
+        bound(&self.levels, self.wrap, first, last, lower)
+    }
+}
+
+/// The `pick` of the nodes of the finest level at which few cover the cells from `first` to `last`, and how
+/// many were read.
+fn bound(
+    levels: &[PyramidLevel],
+    wrap: Wrap,
+    first: [i64; 2],
+    last: [i64; 2],
+    pick: impl Fn(f32, f32) -> f32 + Copy,
+) -> (f32, u32) {
+    let columns = folded_ranges(wrap, first[0], last[0], levels[0].width);
+    let rows = folded_ranges(wrap, first[1], last[1], levels[0].height);
+    let longest = columns.iter().chain(&rows).flatten().map(|[a, b]| b - a).max().unwrap_or(0);
+    let index = (u32::BITS - longest.leading_zeros()).saturating_sub(1).min(levels.len() as u32 - 1);
+    let level = &levels[index as usize];
+    let (mut bound, mut reads) = (None, 0);
+    for [top, bottom] in rows.into_iter().flatten() {
+        for [left, right] in columns.into_iter().flatten() {
+            for row in top >> index..=bottom >> index {
+                let start = row as usize * level.width as usize;
+                let nodes =
+                    &level.nodes[start + (left >> index) as usize..=start + (right >> index) as usize];
+                bound = nodes.iter().copied().chain(bound).reduce(pick);
+                reads += nodes.len() as u32;
+            }
+        }
+    }
+    (bound.unwrap_or(0.0), reads)
 }
 
 /// The higher of two heights, neither of which is NaN: one instruction, where `f32::max` takes several.
@@ -430,6 +449,11 @@ mod tests {
                     assert_eq!(min.nodes(level), mirrored, "{wrap} {width}x{height}, level {level}");
                 }
                 assert_eq!(min.lowest(), 1.0 - max.highest());
+                for (first, last) in [([0, 0], [0, 0]), ([-2, 1], [4, 3]), ([-40, -9], [70, 2])] {
+                    let (low, reads) = min.bound(first, last);
+                    let (high, as_many) = max.bound(first, last);
+                    assert_eq!((low, reads), (1.0 - high, as_many), "{wrap} {width}x{height}: {first:?}");
+                }
             }
         }
     }

@@ -20,8 +20,12 @@
 //!   of its height is as large. That includes what is infinite or NaN.
 //! * Under [`Wrap::Clamp`](crate::Wrap::Clamp) the surface goes on outside of the footprint, level along the
 //!   axis on which it is left; the tracers do not end a path there.
+//!
+//! [`DisplacedMesh`] answers for whole meshes, where the displaced surface is not a height field over any
+//! plane and a ray is not a path of one texture space.
 
 mod cell_walk;
+mod displaced;
 mod fast;
 mod patch;
 mod pyramid_tracer;
@@ -29,6 +33,7 @@ mod pyramid_tracer;
 use crate::{Cost, HeightMap, Hit, Path};
 
 pub use cell_walk::{cell_walk, least_gap};
+pub use displaced::{DisplacedHit, DisplacedMesh, DisplacedMeshError, DisplacedTrace, Side, Sides};
 pub use fast::FastTracer;
 pub use pyramid_tracer::PyramidTracer;
 
