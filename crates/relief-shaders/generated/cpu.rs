@@ -1323,8 +1323,8 @@ impl<'g> Resources<'g> {
         let eta = (rt::Scalar(1f32) / ior);
         let inside_3 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
         let across_1 = ((cosine_3 - (ior * inside_3)) / (cosine_3 + (ior * inside_3)).max(rt::Scalar(0.000001f32)));
-        let along_7 = (((ior * cosine_3) - inside_3) / ((ior * cosine_3) + inside_3).max(rt::Scalar(0.000001f32)));
-        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_7);
+        let along_9 = (((ior * cosine_3) - inside_3) / ((ior * cosine_3) + inside_3).max(rt::Scalar(0.000001f32)));
+        let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_9);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
         let lean = ((rt::Scalar(2f32) / (_e47.cast_elem_as_f32() + rt::Scalar(2f32))) + (rt::Scalar(2f32) * (rt::Scalar(1f32) - mean_2).max(rt::Scalar(0f32)))).sqrt();
@@ -1685,10 +1685,10 @@ impl<'g> Resources<'g> {
         let bx = (h.y() - h.x());
         let by = (h.z() - h.x());
         let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_65 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
+        let at_66 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
         let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
         let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_65.x())) + (by * at_65.y())) + ((twist * at_65.x()) * at_65.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_65.x() * grid_1.step.y()) + (at_65.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_66.x())) + (by * at_66.y())) + ((twist * at_66.x()) * at_66.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_66.x() * grid_1.step.y()) + (at_66.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
@@ -1998,8 +1998,8 @@ impl<'g> Resources<'g> {
         direction_3: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
         let aside = (origin + (direction_3 * t_6));
-        let along_8 = (normal_8.dot(aside) / normal_8.dot(pixel_5.direction));
-        let _e15 = self.v_climb(at_11, (aside - (pixel_5.direction * along_8)));
+        let along_10 = (normal_8.dot(aside) / normal_8.dot(pixel_5.direction));
+        let _e15 = self.v_climb(at_11, (aside - (pixel_5.direction * along_10)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
@@ -2340,86 +2340,83 @@ impl<'g> Resources<'g> {
         let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_1));
         return (unit_1 - (along_1 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
     }
-    pub(crate) fn surface_tetrahedra_enter(
+    pub(crate) fn shell_middle(
         &self,
         pixel_16: PixelIn,
-        params_9: impl rt::Into<rt::Vec4<f32>>,
+        along_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_16, rt::into(params_9)))
+        rt::into(self.v_shell_middle(pixel_16, rt::into(along_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_tetrahedra_enter(
+    fn v_shell_middle(
         &self,
         pixel_16: PixelIn,
-        params_9: rt::Vec4<f32>,
+        along_2: rt::Vec3<f32>,
     ) -> Entered {
         let mut at_17: Entered;
 
-        let along_9 = pixel_16.direction.normalize();
-        let uv_22 = (((pixel_16.a.uv + pixel_16.b.uv) + pixel_16.c.uv) * rt::Scalar(0.33333334f32));
         let third = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let _e19 = self.v_middle_of(pixel_16, along_9);
-        let point_9 = (pixel_16.origin + (along_9 * _e19));
-        let _e22 = self.v_facing_of(pixel_16, along_9);
-        let _e23 = self.v_frame_at(pixel_16, third, point_9, uv_22, _e22);
-        at_17 = _e23;
-        rt::Scalar(at_17.segments) = rt::Scalar(3u32);
-        let _e27 = at_17;
-        return _e27;
+        let uv_22 = (((pixel_16.a.uv + pixel_16.b.uv) + pixel_16.c.uv) * rt::Scalar(0.33333334f32));
+        let _e17 = self.v_middle_of(pixel_16, along_2);
+        let point_9 = (pixel_16.origin + (along_2 * _e17));
+        let _e20 = self.v_facing_of(pixel_16, along_2);
+        let _e21 = self.v_frame_at(pixel_16, third, point_9, uv_22, _e20);
+        at_17 = _e21;
+        rt::Scalar(at_17.segments) = rt::Scalar(0u32);
+        let _e25 = at_17;
+        return _e25;
     }
-    pub(crate) fn prism_of(
+    pub(crate) fn moved_out(
         &self,
-        pixel_17: PixelIn,
-        along_2: impl rt::Into<rt::Vec3<f32>>,
-        middle: impl rt::Into<rt::Scalar<f32>>,
-        params_10: impl rt::Into<rt::Vec4<f32>>,
-    ) -> Prism {
-        rt::into(self.v_prism_of(pixel_17, rt::into(along_2), rt::into(middle), rt::into(params_10)))
+        corner_1: Corner,
+        side: impl rt::Into<rt::Scalar<f32>>,
+        offset: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_moved_out(corner_1, rt::into(side), rt::into(offset)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_prism_of(
+    fn v_moved_out(
         &self,
-        pixel_17: PixelIn,
-        along_2: rt::Vec3<f32>,
-        middle: rt::Scalar<f32>,
-        params_10: rt::Vec4<f32>,
-    ) -> Prism {
-        let origin_2 = (pixel_17.origin + (along_2 * middle));
-        let _e8 = self.v_ordered(pixel_17, rt::Scalar(0u32));
-        let _e10 = self.v_ordered(pixel_17, rt::Scalar(1u32));
-        let _e12 = self.v_ordered(pixel_17, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_2), (_e10.position - origin_2), (_e12.position - origin_2), (_e8.normal * rt::Scalar(pixel_17.side)), (_e10.normal * rt::Scalar(pixel_17.side)), (_e12.normal * rt::Scalar(pixel_17.side)), (pixel_17.shell.lift * (params_10.y() * rt::Scalar(pixel_17.side))));
+        corner_1: Corner,
+        side: rt::Scalar<f32>,
+        offset: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        return (corner_1.position + (corner_1.normal * (side * offset)));
     }
-    pub(crate) fn offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
-        rt::into(self.v_offsets_of(shell))
+    pub(crate) fn raised(
+        &self,
+        corner_2: Corner,
+        side_1: impl rt::Into<rt::Scalar<f32>>,
+        height_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_raised(corner_2, rt::into(side_1), rt::into(height_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
-        let _e4 = self.surface_settings.shell_m.y();
-        let _e8 = self.surface_settings.shell_m.x();
-        let width_2 = (_e4 - _e8);
-        let quarter = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.25f32), rt::Scalar(0.25f32), rt::Scalar(0.25f32));
-        let zero = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-        let lowered = shell.lift.min(zero).dot(quarter);
-        let lifted = shell.lift.max(zero).dot(quarter);
-        let _e27 = self.surface_settings.shell_m.x();
-        return ((rt::Vec2::splat_from_scalar(_e27) + (width_2 * shell.heights)) + <rt::Vec2<f32>>::from_scalars(lowered, lifted));
+    fn v_raised(
+        &self,
+        corner_2: Corner,
+        side_1: rt::Scalar<f32>,
+        height_1: rt::Scalar<f32>,
+    ) -> rt::Vec3<f32> {
+        let shell_3 = self.surface_settings.shell_m;
+        let _e12 = self.v_moved_out(corner_2, side_1, (shell_3.x() + ((shell_3.y() - shell_3.x()) * height_1)));
+        return _e12;
     }
     pub(crate) fn shell_slack(
         &self,
-        pixel_18: PixelIn,
-        middle_1: impl rt::Into<rt::Scalar<f32>>,
+        pixel_17: PixelIn,
+        middle: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_shell_slack(pixel_18, rt::into(middle_1)))
+        rt::into(self.v_shell_slack(pixel_17, rt::into(middle)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_slack(
         &self,
-        pixel_18: PixelIn,
-        middle_1: rt::Scalar<f32>,
+        pixel_17: PixelIn,
+        middle: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let origin_3 = pixel_18.origin.abs();
-        return (rt::Scalar(0.0000009536743f32) * (origin_3.x().max(origin_3.y()).max(origin_3.z()) + middle_1.abs()));
+        let origin_2 = pixel_17.origin.abs();
+        return (rt::Scalar(0.0000009536743f32) * (origin_2.x().max(origin_2.y()).max(origin_2.z()) + middle.abs()));
     }
     pub(crate) fn where_positive(
         &self,
@@ -2447,16 +2444,204 @@ impl<'g> Resources<'g> {
         }
         return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_29));
     }
+    pub(crate) fn tetrahedron(
+        &self,
+        pixel_18: PixelIn,
+        along_3: impl rt::Into<rt::Vec3<f32>>,
+        middle_1: impl rt::Into<rt::Scalar<f32>>,
+        number: impl rt::Into<rt::Scalar<u32>>,
+    ) -> Tetrahedron {
+        rt::into(self.v_tetrahedron(pixel_18, rt::into(along_3), rt::into(middle_1), rt::into(number)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_tetrahedron(
+        &self,
+        pixel_18: PixelIn,
+        along_3: rt::Vec3<f32>,
+        middle_1: rt::Scalar<f32>,
+        number: rt::Scalar<u32>,
+    ) -> Tetrahedron {
+        let mut inside: rt::Vec2<f32>;
+        let mut local_6: rt::Scalar<bool>;
+
+        let origin_3 = (pixel_18.origin + (along_3 * middle_1));
+        let is_first = number.elementwise_eq(rt::Scalar(0u32));
+        let is_last = number.elementwise_eq(rt::Scalar(2u32));
+        let _e12 = self.v_ordered(pixel_18, rt::Scalar(0u32));
+        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_18.side), rt::Scalar(0f32));
+        let q0_ = (_e15 - origin_3);
+        let _e20 = self.v_ordered(pixel_18, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last));
+        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_18.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last));
+        let q1_ = (_e25 - origin_3);
+        let _e30 = self.v_ordered(pixel_18, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first));
+        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_18.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first));
+        let q2_ = (_e35 - origin_3);
+        let _e38 = self.v_ordered(pixel_18, rt::Scalar(2u32));
+        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_18.side), rt::Scalar(1f32));
+        let q3_ = (_e41 - origin_3);
+        let e1_ = (q1_ - q0_);
+        let e2_ = (q2_ - q0_);
+        let e3_ = (q3_ - q0_);
+        let n1_ = e2_.cross(e3_);
+        let n2_ = e3_.cross(e1_);
+        let n3_ = e1_.cross(e2_);
+        let n0_ = (e2_ - e1_).cross((e3_ - e1_));
+        let volume = e1_.dot(n1_);
+        let w1_ = ((rt::Scalar(0f32) - q0_.dot(n1_)) / volume);
+        let w2_ = ((rt::Scalar(0f32) - q0_.dot(n2_)) / volume);
+        let w3_ = ((rt::Scalar(0f32) - q0_.dot(n3_)) / volume);
+        let w0_ = (q1_.dot(n0_) / volume);
+        let g1_ = (along_3.dot(n1_) / volume);
+        let g2_ = (along_3.dot(n2_) / volume);
+        let g3_ = (along_3.dot(n3_) / volume);
+        let g0_ = (rt::Scalar(0f32) - (along_3.dot(n0_) / volume));
+        let _e77 = self.v_shell_slack(pixel_18, middle_1);
+        let slack_4 = (_e77 / volume.abs());
+        inside = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_1), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e85 = inside;
+        let _e88 = self.v_where_positive(_e85, w0_, g0_, (slack_4 * n0_.length()));
+        inside = _e88;
+        let _e89 = inside;
+        let _e92 = self.v_where_positive(_e89, w1_, g1_, (slack_4 * n1_.length()));
+        inside = _e92;
+        let _e93 = inside;
+        let _e96 = self.v_where_positive(_e93, w2_, g2_, (slack_4 * n2_.length()));
+        inside = _e96;
+        let _e97 = inside;
+        let _e100 = self.v_where_positive(_e97, w3_, g3_, (slack_4 * n3_.length()));
+        inside = _e100;
+        if rt::Scalar::into_branch_condition((!(!volume.abs().elementwise_gt(rt::Scalar(0f32))))) {
+            let _e109 = inside.y();
+            local_6 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+        } else {
+            local_6 = rt::Scalar(true);
+        }
+        let _e114 = local_6;
+        if rt::Scalar::into_branch_condition(_e114) {
+            inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
+        }
+        if rt::Scalar::into_branch_condition(is_first) {
+            let _e118 = inside;
+            return <Tetrahedron>::new(_e118, <rt::Vec4<f32>>::from_scalars(w0_, w1_, (w2_ + w3_), w3_), <rt::Vec4<f32>>::from_scalars(g0_, g1_, (g2_ + g3_), g3_));
+        }
+        if rt::Scalar::into_branch_condition(is_last) {
+            let upper_1 = <rt::Vec2<f32>>::from_scalars(((w1_ + w2_) + w3_), ((g1_ + g2_) + g3_));
+            let _e129 = inside;
+            return <Tetrahedron>::new(_e129, <rt::Vec4<f32>>::from_scalars((w0_ + w1_), w2_, w3_, upper_1.x()), <rt::Vec4<f32>>::from_scalars((g0_ + g1_), g2_, g3_, upper_1.y()));
+        }
+        let _e137 = inside;
+        return <Tetrahedron>::new(_e137, <rt::Vec4<f32>>::from_scalars(w0_, (w1_ + w2_), w3_, (w2_ + w3_)), <rt::Vec4<f32>>::from_scalars(g0_, (g1_ + g2_), g3_, (g2_ + g3_)));
+    }
+    pub(crate) fn is_met(
+        &self,
+        pixel_19: PixelIn,
+        along_4: impl rt::Into<rt::Vec3<f32>>,
+        middle_2: impl rt::Into<rt::Scalar<f32>>,
+        number_1: impl rt::Into<rt::Scalar<u32>>,
+    ) -> bool {
+        rt::into(self.v_is_met(pixel_19, rt::into(along_4), rt::into(middle_2), rt::into(number_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_is_met(
+        &self,
+        pixel_19: PixelIn,
+        along_4: rt::Vec3<f32>,
+        middle_2: rt::Scalar<f32>,
+        number_1: rt::Scalar<u32>,
+    ) -> rt::Scalar<bool> {
+        let _e4 = self.v_tetrahedron(pixel_19, along_4, middle_2, number_1);
+        let inside_4 = _e4.inside;
+        return inside_4.y().elementwise_gt(inside_4.x());
+    }
+    pub(crate) fn surface_tetrahedra_enter(
+        &self,
+        pixel_20: PixelIn,
+        params_9: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_tetrahedra_enter(pixel_20, rt::into(params_9)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_tetrahedra_enter(
+        &self,
+        pixel_20: PixelIn,
+        params_9: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_18: Entered;
+        let mut number_2: rt::Scalar<u32> = rt::Scalar(0u32);
+
+        let along_11 = pixel_20.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_20, along_11);
+        let _e5 = self.v_shell_middle(pixel_20, along_11);
+        at_18 = _e5;
+        'naga_break: loop {
+            'naga_continue: {
+                let _e9 = number_2;
+                if rt::Scalar::into_branch_condition(_e9.elementwise_lt(rt::Scalar(3u32))) {
+                } else {
+                    break 'naga_break;
+                }
+                {
+                    let _e12 = number_2;
+                    let _e13 = self.v_is_met(pixel_20, along_11, _e4, _e12);
+                    if rt::Scalar::into_branch_condition(_e13) {
+                        rt::Scalar(at_18.segments) = rt::Scalar(3u32);
+                    }
+                    let _e16 = number_2;
+                    number_2 = (_e16 + rt::Scalar(1u32));
+                }
+            }
+        }
+        let _e19 = at_18;
+        return _e19;
+    }
+    pub(crate) fn prism_of(
+        &self,
+        pixel_21: PixelIn,
+        along_5: impl rt::Into<rt::Vec3<f32>>,
+        middle_3: impl rt::Into<rt::Scalar<f32>>,
+        params_10: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Prism {
+        rt::into(self.v_prism_of(pixel_21, rt::into(along_5), rt::into(middle_3), rt::into(params_10)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_prism_of(
+        &self,
+        pixel_21: PixelIn,
+        along_5: rt::Vec3<f32>,
+        middle_3: rt::Scalar<f32>,
+        params_10: rt::Vec4<f32>,
+    ) -> Prism {
+        let origin_4 = (pixel_21.origin + (along_5 * middle_3));
+        let _e8 = self.v_ordered(pixel_21, rt::Scalar(0u32));
+        let _e10 = self.v_ordered(pixel_21, rt::Scalar(1u32));
+        let _e12 = self.v_ordered(pixel_21, rt::Scalar(2u32));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_10.y() * rt::Scalar(pixel_21.side))));
+    }
+    pub(crate) fn offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
+        rt::into(self.v_offsets_of(shell))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
+        let _e4 = self.surface_settings.shell_m.y();
+        let _e8 = self.surface_settings.shell_m.x();
+        let width_2 = (_e4 - _e8);
+        let quarter = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.25f32), rt::Scalar(0.25f32), rt::Scalar(0.25f32));
+        let zero = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
+        let lowered = shell.lift.min(zero).dot(quarter);
+        let lifted = shell.lift.max(zero).dot(quarter);
+        let _e27 = self.surface_settings.shell_m.x();
+        return ((rt::Vec2::splat_from_scalar(_e27) + (width_2 * shell.heights)) + <rt::Vec2<f32>>::from_scalars(lowered, lifted));
+    }
     pub(crate) fn in_slab(
         &self,
         interval_1: impl rt::Into<rt::Vec2<f32>>,
         normal_9: impl rt::Into<rt::Vec3<f32>>,
         prism: Prism,
         offsets: impl rt::Into<rt::Vec2<f32>>,
-        along_3: impl rt::Into<rt::Vec3<f32>>,
+        along_6: impl rt::Into<rt::Vec3<f32>>,
         slack_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_1), rt::into(normal_9), prism, rt::into(offsets), rt::into(along_3), rt::into(slack_1)))
+        rt::into(self.v_in_slab(rt::into(interval_1), rt::into(normal_9), prism, rt::into(offsets), rt::into(along_6), rt::into(slack_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_in_slab(
@@ -2465,7 +2650,7 @@ impl<'g> Resources<'g> {
         normal_9: rt::Vec3<f32>,
         prism: Prism,
         offsets: rt::Vec2<f32>,
-        along_3: rt::Vec3<f32>,
+        along_6: rt::Vec3<f32>,
         slack_1: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let a_7 = <rt::Vec2<f32>>::from_scalars(normal_9.dot((prism.p0_ + (prism.n0_ * offsets.x()))), normal_9.dot((prism.p0_ + (prism.n0_ * offsets.y()))));
@@ -2474,63 +2659,69 @@ impl<'g> Resources<'g> {
         let least = a_7.x().min(a_7.y()).min(b_5.x().min(b_5.y())).min(c_5.x().min(c_5.y()));
         let most_3 = a_7.x().max(a_7.y()).max(b_5.x().max(b_5.y())).max(c_5.x().max(c_5.y()));
         let beyond = (slack_1 * normal_9.length());
-        let change_1 = normal_9.dot(along_3);
+        let change_1 = normal_9.dot(along_6);
         let _e72 = self.v_where_positive(interval_1, (rt::Scalar(0f32) - least), change_1, beyond);
         let _e75 = self.v_where_positive(_e72, most_3, (rt::Scalar(0f32) - change_1), beyond);
         return _e75;
     }
     pub(crate) fn span_of(
         &self,
-        pixel_19: PixelIn,
+        pixel_22: PixelIn,
         prism_1: Prism,
-        along_4: impl rt::Into<rt::Vec3<f32>>,
-        middle_2: impl rt::Into<rt::Scalar<f32>>,
+        along_7: impl rt::Into<rt::Vec3<f32>>,
+        middle_4: impl rt::Into<rt::Scalar<f32>>,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_19, prism_1, rt::into(along_4), rt::into(middle_2), rt::into(params_11)))
+        rt::into(self.v_span_of(pixel_22, prism_1, rt::into(along_7), rt::into(middle_4), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
         &self,
-        pixel_19: PixelIn,
+        pixel_22: PixelIn,
         prism_1: Prism,
-        along_4: rt::Vec3<f32>,
-        middle_2: rt::Scalar<f32>,
+        along_7: rt::Vec3<f32>,
+        middle_4: rt::Scalar<f32>,
         params_11: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_1: Shell;
         let mut span: rt::Vec2<f32>;
 
-        shell_1 = pixel_19.shell;
+        shell_1 = pixel_22.shell;
         let _e9 = shell_1.lift;
         shell_1.lift = (_e9 * params_11.y());
         let _e12 = shell_1;
         let _e13 = self.v_offsets_of(_e12);
-        let _e14 = self.v_shell_slack(pixel_19, middle_2);
+        let _e14 = self.v_shell_slack(pixel_22, middle_4);
         let low0_ = (prism_1.p0_ + (prism_1.n0_ * _e13.x()));
         let low1_ = (prism_1.p1_ + (prism_1.n1_ * _e13.x()));
         let low2_ = (prism_1.p2_ + (prism_1.n2_ * _e13.x()));
         let high0_ = (prism_1.p0_ + (prism_1.n0_ * _e13.y()));
         let high1_ = (prism_1.p1_ + (prism_1.n1_ * _e13.y()));
         let high2_ = (prism_1.p2_ + (prism_1.n2_ * _e13.y()));
-        span = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_2), rt::Scalar(300000000000000000000000000000000000000f32));
+        span = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_4), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e50 = span;
-        let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), prism_1, _e13, along_4, _e14);
+        let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), prism_1, _e13, along_7, _e14);
         span = _e54;
         let _e55 = span;
-        let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), prism_1, _e13, along_4, _e14);
+        let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), prism_1, _e13, along_7, _e14);
         span = _e59;
-        let _e60 = span;
-        let _e64 = self.v_in_slab(_e60, (high1_ - low0_).cross((low1_ - high0_)), prism_1, _e13, along_4, _e14);
-        span = _e64;
-        let _e65 = span;
-        let _e69 = self.v_in_slab(_e65, (high2_ - low1_).cross((low2_ - high1_)), prism_1, _e13, along_4, _e14);
-        span = _e69;
-        let _e70 = span;
-        let _e74 = self.v_in_slab(_e70, (high0_ - low2_).cross((low0_ - high2_)), prism_1, _e13, along_4, _e14);
-        span = _e74;
-        let _e75 = span;
-        return _e75;
+        let _e61 = span.y();
+        let _e63 = span.x();
+        if rt::Scalar::into_branch_condition((!_e61.elementwise_gt(_e63))) {
+            let _e66 = span;
+            return _e66;
+        }
+        let _e67 = span;
+        let _e71 = self.v_in_slab(_e67, (high1_ - low0_).cross((low1_ - high0_)), prism_1, _e13, along_7, _e14);
+        span = _e71;
+        let _e72 = span;
+        let _e76 = self.v_in_slab(_e72, (high2_ - low1_).cross((low2_ - high1_)), prism_1, _e13, along_7, _e14);
+        span = _e76;
+        let _e77 = span;
+        let _e81 = self.v_in_slab(_e77, (high0_ - low2_).cross((low0_ - high2_)), prism_1, _e13, along_7, _e14);
+        span = _e81;
+        let _e82 = span;
+        return _e82;
     }
     pub(crate) fn lift_of(
         &self,
@@ -2551,16 +2742,16 @@ impl<'g> Resources<'g> {
         &self,
         prism_2: Prism,
         place_5: impl rt::Into<rt::Vec3<f32>>,
-        height_1: impl rt::Into<rt::Scalar<f32>>,
+        height_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> ShellPoint {
-        rt::into(self.v_shell_point(prism_2, rt::into(place_5), rt::into(height_1)))
+        rt::into(self.v_shell_point(prism_2, rt::into(place_5), rt::into(height_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_point(
         &self,
         prism_2: Prism,
         place_5: rt::Vec3<f32>,
-        height_1: rt::Scalar<f32>,
+        height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
         let mut w_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
         let mut h_1: rt::Scalar<f32>;
@@ -2570,7 +2761,7 @@ impl<'g> Resources<'g> {
         let _e10 = self.surface_settings.shell_m.y();
         let width_3 = (_e10 - low);
         let l = prism_2.lift;
-        h_1 = height_1;
+        h_1 = height_2;
         'naga_break: loop {
             'naga_continue: {
                 let _e21 = step;
@@ -2606,123 +2797,125 @@ impl<'g> Resources<'g> {
                     let b_6 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_16 * third_1));
                     let c_6 = (normal_16 * width_3);
                     let across_2 = b_6.cross(c_6);
-                    let volume = a_8.dot(across_2);
-                    let db = (rest_2.dot(across_2) / volume);
-                    let dc = (rest_2.dot(c_6.cross(a_8)) / volume);
-                    let dh = (rest_2.dot(a_8.cross(b_6)) / volume);
+                    let volume_1 = a_8.dot(across_2);
+                    let db = (rest_2.dot(across_2) / volume_1);
+                    let dc = (rest_2.dot(c_6.cross(a_8)) / volume_1);
+                    let dh = (rest_2.dot(a_8.cross(b_6)) / volume_1);
                     let _e124 = w_1.x();
                     let _e128 = w_1.y();
                     let _e131 = w_1.z();
                     w_1 = <rt::Vec3<f32>>::from_scalars(((_e124 - db) - dc), (_e128 + db), (_e131 + dc));
                     let _e134 = h_1;
                     h_1 = (_e134 + dh);
+                    if rt::Scalar::into_branch_condition(db.abs().max(dc.abs()).max(dh.abs()).elementwise_lt(rt::Scalar(0.0001f32))) {
+                        break 'naga_break;
+                    }
                 }
             }
         }
-        let _e136 = w_1;
-        let _e137 = h_1;
-        return <ShellPoint>::new(_e136, _e137);
+        let _e143 = w_1;
+        let _e144 = h_1;
+        return <ShellPoint>::new(_e143, _e144);
     }
     pub(crate) fn surface_prism_enter(
         &self,
-        pixel_20: PixelIn,
+        pixel_23: PixelIn,
         params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_20, rt::into(params_12)))
+        rt::into(self.v_surface_prism_enter(pixel_23, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_enter(
         &self,
-        pixel_20: PixelIn,
+        pixel_23: PixelIn,
         params_12: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_18: Entered;
-        let mut local_6: rt::Scalar<bool>;
+        let mut at_19: Entered;
+        let mut local_7: rt::Scalar<bool>;
 
-        let _e2 = self.v_surface_tetrahedra_enter(pixel_20, params_12);
-        at_18 = _e2;
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_20.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = at_18;
-            return _e8;
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_23.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e6 = self.v_surface_tetrahedra_enter(pixel_23, params_12);
+            return _e6;
         }
-        let along_10 = pixel_20.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_20, along_10);
-        let _e12 = self.v_prism_of(pixel_20, along_10, _e11, params_12);
-        let _e14 = self.v_span_of(pixel_20, _e12, along_10, _e11, params_12);
-        at_18.span = _e14;
-        rt::Scalar(at_18.segments) = rt::Scalar(0u32);
-        let _e19 = at_18.span.y();
-        let _e22 = at_18.span.x();
-        let long = (_e19 - _e22);
+        let along_12 = pixel_23.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_23, along_12);
+        let _e10 = self.v_prism_of(pixel_23, along_12, _e9, params_12);
+        let _e11 = self.v_shell_middle(pixel_23, along_12);
+        at_19 = _e11;
+        let _e14 = self.v_span_of(pixel_23, _e10, along_12, _e9, params_12);
+        at_19.span = _e14;
+        let _e17 = at_19.span.y();
+        let _e20 = at_19.span.x();
+        let long = (_e17 - _e20);
         if rt::Scalar::into_branch_condition((!(!long.elementwise_gt(rt::Scalar(0f32))))) {
-            local_6 = (!long.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_7 = (!long.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_6 = rt::Scalar(true);
+            local_7 = rt::Scalar(true);
         }
-        let _e34 = local_6;
-        if rt::Scalar::into_branch_condition(_e34) {
-            let _e35 = at_18;
-            return _e35;
+        let _e32 = local_7;
+        if rt::Scalar::into_branch_condition(_e32) {
+            let _e33 = at_19;
+            return _e33;
         }
-        let height_5 = (rt::Scalar(0.5f32) * (pixel_20.shell.heights.x() + pixel_20.shell.heights.y()));
-        let _e47 = at_18.span.x();
-        let _e49 = self.v_shell_point(_e12, (along_10 * _e47), height_5);
-        let _e52 = at_18.span.y();
-        let _e54 = self.v_shell_point(_e12, (along_10 * _e52), height_5);
-        let _e57 = at_18.span.x();
-        let _e62 = self.v_shell_point(_e12, (along_10 * (_e57 + (rt::Scalar(0.5f32) * long))), height_5);
-        let _e65 = at_18.span.x();
-        let _e70 = self.v_shell_point(_e12, (along_10 * (_e65 + (rt::Scalar(0.25f32) * long))), height_5);
-        let _e73 = at_18.span.x();
-        let _e78 = self.v_shell_point(_e12, (along_10 * (_e73 + (rt::Scalar(0.75f32) * long))), height_5);
-        let _e80 = self.v_beside_chord(pixel_20, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
-        let _e82 = self.v_beside_chord(pixel_20, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
-        let quarters = _e80.max(_e82);
-        let _e85 = self.v_beside_chord(pixel_20, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
-        let most_4 = _e85.max(quarters);
-        rt::Scalar(at_18.segments) = (most_4 / params_12.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
-        let _e96 = at_18;
-        return _e96;
+        let height_5 = (rt::Scalar(0.5f32) * (pixel_23.shell.heights.x() + pixel_23.shell.heights.y()));
+        let _e45 = at_19.span.x();
+        let _e47 = self.v_shell_point(_e10, (along_12 * _e45), height_5);
+        let _e50 = at_19.span.y();
+        let _e52 = self.v_shell_point(_e10, (along_12 * _e50), height_5);
+        let _e55 = at_19.span.x();
+        let _e60 = self.v_shell_point(_e10, (along_12 * (_e55 + (rt::Scalar(0.5f32) * long))), height_5);
+        let _e63 = at_19.span.x();
+        let _e68 = self.v_shell_point(_e10, (along_12 * (_e63 + (rt::Scalar(0.25f32) * long))), height_5);
+        let _e71 = at_19.span.x();
+        let _e76 = self.v_shell_point(_e10, (along_12 * (_e71 + (rt::Scalar(0.75f32) * long))), height_5);
+        let _e78 = self.v_beside_chord(pixel_23, _e47, _e60, _e52, _e68, rt::Scalar(0.25f32));
+        let _e80 = self.v_beside_chord(pixel_23, _e47, _e60, _e52, _e76, rt::Scalar(0.75f32));
+        let quarters = _e78.max(_e80);
+        let _e83 = self.v_beside_chord(pixel_23, _e47, _e60, _e52, _e60, rt::Scalar(0.5f32));
+        let most_4 = _e83.max(quarters);
+        rt::Scalar(at_19.segments) = (most_4 / params_12.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
+        let _e94 = at_19;
+        return _e94;
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_21: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_21))
+    pub(crate) fn surface_enter_stage(&self, pixel_24: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_24))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_21: PixelIn) -> Entered {
+    fn v_surface_enter_stage(&self, pixel_24: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_21, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_24, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[0usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_21, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_24, _e16);
                 return _e17;
             }
             _ => {
                 let _e22 = self.surface_settings.choices[0usize].params;
-                let _e23 = self.v_surface_tetrahedra_enter(pixel_21, _e22);
+                let _e23 = self.v_surface_tetrahedra_enter(pixel_24, _e22);
                 return _e23;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_22: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_22))
+    pub(crate) fn enter_relief(&self, pixel_25: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_25))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_22: PixelIn) -> Entered {
-        let mut at_19: Entered;
+    fn v_enter_relief(&self, pixel_25: PixelIn) -> Entered {
+        let mut at_20: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_22);
-        at_19 = _e1;
-        let _e3 = at_19;
-        let _e4 = self.v_detail_stage(pixel_22, _e3);
-        rt::Scalar(at_19.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_19.footprint) = rt::Scalar(_e4.footprint);
-        rt::Scalar(at_19.fade) = rt::Scalar(_e4.fade);
-        let _e11 = at_19;
+        let _e1 = self.v_surface_enter_stage(pixel_25);
+        at_20 = _e1;
+        let _e3 = at_20;
+        let _e4 = self.v_detail_stage(pixel_25, _e3);
+        rt::Scalar(at_20.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_20.footprint) = rt::Scalar(_e4.footprint);
+        rt::Scalar(at_20.fade) = rt::Scalar(_e4.fade);
+        let _e11 = at_20;
         return _e11;
     }
     pub(crate) fn entered_once(
@@ -2753,7 +2946,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_7: rt::Scalar<bool>;
+        let mut local_8: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
@@ -2774,26 +2967,26 @@ impl<'g> Resources<'g> {
                     cost_1 = (_e25 + STEP);
                     let _e28 = near_1;
                     let _e29 = far_1;
-                    let middle_7 = (rt::Scalar(0.5f32) * (_e28 + _e29));
+                    let middle_8 = (rt::Scalar(0.5f32) * (_e28 + _e29));
                     let _e33 = near_1;
-                    if rt::Scalar::into_branch_condition(middle_7.elementwise_gt(_e33)) {
+                    if rt::Scalar::into_branch_condition(middle_8.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_7 = middle_7.elementwise_lt(_e37);
+                        local_8 = middle_8.elementwise_lt(_e37);
                     } else {
-                        local_7 = rt::Scalar(false);
+                        local_8 = rt::Scalar(false);
                     }
-                    let _e40 = local_7;
+                    let _e40 = local_8;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
-                    let _e42 = self.v_path_gap(path_10, middle_7);
+                    let _e42 = self.v_path_gap(path_10, middle_8);
                     let _e43 = cost_1;
                     cost_1 = (_e43 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e42.elementwise_le(rt::Scalar(0f32))) {
-                        far_1 = middle_7;
+                        far_1 = middle_8;
                         far_gap = _e42;
                     } else {
-                        near_1 = middle_7;
+                        near_1 = middle_8;
                         near_gap = _e42;
                     }
                 }
@@ -2808,22 +3001,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn facing_four(
         &self,
-        middle_3: impl rt::Into<rt::Scalar<f32>>,
-        along_5: impl rt::Into<rt::Scalar<f32>>,
+        middle_5: impl rt::Into<rt::Scalar<f32>>,
+        along_8: impl rt::Into<rt::Scalar<f32>>,
         across: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec4<f32> {
-        rt::into(self.v_facing_four(rt::into(middle_3), rt::into(along_5), rt::into(across)))
+        rt::into(self.v_facing_four(rt::into(middle_5), rt::into(along_8), rt::into(across)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_facing_four(
         &self,
-        middle_3: rt::Scalar<f32>,
-        along_5: rt::Scalar<f32>,
+        middle_5: rt::Scalar<f32>,
+        along_8: rt::Scalar<f32>,
         across: rt::Scalar<f32>,
     ) -> rt::Vec4<f32> {
-        let x_1 = (along_5 * rt::Scalar(1.7320508f32));
+        let x_1 = (along_8 * rt::Scalar(1.7320508f32));
         let y = (across * rt::Scalar(1.7320508f32));
-        return <rt::Vec4<f32>>::from_scalars((middle_3 + x_1), (middle_3 - x_1), (middle_3 + y), (middle_3 - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
+        return <rt::Vec4<f32>>::from_scalars((middle_5 + x_1), (middle_5 - x_1), (middle_5 + y), (middle_5 - y)).max(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)));
     }
     pub(crate) fn normal_at(
         &self,
@@ -2853,15 +3046,15 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_20: Entered,
+        at_21: Entered,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_20, rt::into(uv_10)))
+        rt::into(self.v_normal_from_height(at_21, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_20: Entered,
+        at_21: Entered,
         uv_10: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
@@ -2877,31 +3070,31 @@ impl<'g> Resources<'g> {
         let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
         let _e41 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
-        let along_u_1 = (at_20.tangent + (at_20.normal * slope_u));
-        let along_v_1 = (at_20.bitangent + (at_20.normal * slope_v));
+        let along_u_1 = (at_21.tangent + (at_21.normal * slope_u));
+        let along_v_1 = (at_21.bitangent + (at_21.normal * slope_v));
         let across_3 = along_v_1.cross(along_u_1).normalize();
-        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_20.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_21.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn finest_normal(
         &self,
-        at_21: Entered,
+        at_22: Entered,
         uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_21, rt::into(uv_11)))
+        rt::into(self.v_finest_normal(at_22, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_finest_normal(
         &self,
-        at_21: Entered,
+        at_22: Entered,
         uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_11, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_21, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_22, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_21, uv_11);
+        let _e13 = self.v_normal_from_height(at_22, uv_11);
         return _e13;
     }
     pub(crate) fn inside_unit(
@@ -2919,15 +3112,15 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval_2: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_8: rt::Scalar<bool>;
+        let mut local_9: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_8 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_9 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_8 = rt::Scalar(true);
+                local_9 = rt::Scalar(true);
             }
-            let _e13 = local_8;
+            let _e13 = local_9;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
@@ -2939,18 +3132,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_23: PixelIn,
-        at_22: Entered,
+        pixel_26: PixelIn,
+        at_23: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
         params_13: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_23, at_22, rt::into(k_1), rt::into(params_13)))
+        rt::into(self.v_surface_plane_segment(pixel_26, at_23, rt::into(k_1), rt::into(params_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_23: PixelIn,
-        at_22: Entered,
+        pixel_26: PixelIn,
+        at_23: Entered,
         k_1: rt::Scalar<u32>,
         params_13: rt::Vec4<f32>,
     ) -> Path {
@@ -2958,17 +3151,17 @@ impl<'g> Resources<'g> {
         let mut leave_3: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_11 = pixel_23.direction.length();
-        let direction_4 = (pixel_23.direction / rt::Vec3::splat_from_scalar(along_11));
-        let _e9 = self.v_climb(at_22, direction_4);
+        let along_13 = pixel_26.direction.length();
+        let direction_4 = (pixel_26.direction / rt::Vec3::splat_from_scalar(along_13));
+        let _e9 = self.v_climb(at_23, direction_4);
         let duv_1 = _e9.xy();
-        let descent = (rt::Scalar(0f32) - at_22.normal.dot(direction_4));
+        let descent = (rt::Scalar(0f32) - at_23.normal.dot(direction_4));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
         let slope_5 = ((rt::Scalar(0f32) - descent) / _e15);
-        let _e20 = self.v_plane_normal(pixel_23);
-        let _e21 = self.v_plane_distance(pixel_23, _e20);
-        let distance = (_e21 * along_11);
+        let _e20 = self.v_plane_normal(pixel_26);
+        let _e21 = self.v_plane_distance(pixel_26, _e20);
+        let distance = (_e21 * along_13);
         let eye = (rt::Scalar(0f32) - distance);
         let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent);
         enter = top_3.max(eye);
@@ -2980,10 +3173,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
             let _e49 = leave_3;
-            let _e51 = self.v_inside_unit(at_22.uv.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e51 = self.v_inside_unit(at_23.uv.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_22.uv.y(), duv_1.y(), _e56);
+            let _e57 = self.v_inside_unit(at_23.uv.y(), duv_1.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
@@ -2999,131 +3192,7 @@ impl<'g> Resources<'g> {
         let _e81 = leave_3;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_22.uv + (duv_1 * _e76)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_22.metric, RAY_VIEW, rt::Scalar(at_22.level), (distance + _e87), rt::Scalar(1f32));
-    }
-    pub(crate) fn moved_out(
-        &self,
-        corner_1: Corner,
-        side: impl rt::Into<rt::Scalar<f32>>,
-        offset: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_moved_out(corner_1, rt::into(side), rt::into(offset)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_moved_out(
-        &self,
-        corner_1: Corner,
-        side: rt::Scalar<f32>,
-        offset: rt::Scalar<f32>,
-    ) -> rt::Vec3<f32> {
-        return (corner_1.position + (corner_1.normal * (side * offset)));
-    }
-    pub(crate) fn raised(
-        &self,
-        corner_2: Corner,
-        side_1: impl rt::Into<rt::Scalar<f32>>,
-        height_2: impl rt::Into<rt::Scalar<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_raised(corner_2, rt::into(side_1), rt::into(height_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_raised(
-        &self,
-        corner_2: Corner,
-        side_1: rt::Scalar<f32>,
-        height_2: rt::Scalar<f32>,
-    ) -> rt::Vec3<f32> {
-        let shell_3 = self.surface_settings.shell_m;
-        let _e12 = self.v_moved_out(corner_2, side_1, (shell_3.x() + ((shell_3.y() - shell_3.x()) * height_2)));
-        return _e12;
-    }
-    pub(crate) fn tetrahedron(
-        &self,
-        pixel_24: PixelIn,
-        along_6: impl rt::Into<rt::Vec3<f32>>,
-        middle_4: impl rt::Into<rt::Scalar<f32>>,
-        number: impl rt::Into<rt::Scalar<u32>>,
-    ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_24, rt::into(along_6), rt::into(middle_4), rt::into(number)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_tetrahedron(
-        &self,
-        pixel_24: PixelIn,
-        along_6: rt::Vec3<f32>,
-        middle_4: rt::Scalar<f32>,
-        number: rt::Scalar<u32>,
-    ) -> Tetrahedron {
-        let mut inside: rt::Vec2<f32>;
-        let mut local_9: rt::Scalar<bool>;
-
-        let origin_4 = (pixel_24.origin + (along_6 * middle_4));
-        let is_first = number.elementwise_eq(rt::Scalar(0u32));
-        let is_last = number.elementwise_eq(rt::Scalar(2u32));
-        let _e12 = self.v_ordered(pixel_24, rt::Scalar(0u32));
-        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_24.side), rt::Scalar(0f32));
-        let q0_ = (_e15 - origin_4);
-        let _e20 = self.v_ordered(pixel_24, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last));
-        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_24.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last));
-        let q1_ = (_e25 - origin_4);
-        let _e30 = self.v_ordered(pixel_24, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first));
-        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_24.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first));
-        let q2_ = (_e35 - origin_4);
-        let _e38 = self.v_ordered(pixel_24, rt::Scalar(2u32));
-        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_24.side), rt::Scalar(1f32));
-        let q3_ = (_e41 - origin_4);
-        let e1_ = (q1_ - q0_);
-        let e2_ = (q2_ - q0_);
-        let e3_ = (q3_ - q0_);
-        let n1_ = e2_.cross(e3_);
-        let n2_ = e3_.cross(e1_);
-        let n3_ = e1_.cross(e2_);
-        let n0_ = (e2_ - e1_).cross((e3_ - e1_));
-        let volume_1 = e1_.dot(n1_);
-        let w1_ = ((rt::Scalar(0f32) - q0_.dot(n1_)) / volume_1);
-        let w2_ = ((rt::Scalar(0f32) - q0_.dot(n2_)) / volume_1);
-        let w3_ = ((rt::Scalar(0f32) - q0_.dot(n3_)) / volume_1);
-        let w0_ = (q1_.dot(n0_) / volume_1);
-        let g1_ = (along_6.dot(n1_) / volume_1);
-        let g2_ = (along_6.dot(n2_) / volume_1);
-        let g3_ = (along_6.dot(n3_) / volume_1);
-        let g0_ = (rt::Scalar(0f32) - (along_6.dot(n0_) / volume_1));
-        let _e77 = self.v_shell_slack(pixel_24, middle_4);
-        let slack_4 = (_e77 / volume_1.abs());
-        inside = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_4), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e85 = inside;
-        let _e88 = self.v_where_positive(_e85, w0_, g0_, (slack_4 * n0_.length()));
-        inside = _e88;
-        let _e89 = inside;
-        let _e92 = self.v_where_positive(_e89, w1_, g1_, (slack_4 * n1_.length()));
-        inside = _e92;
-        let _e93 = inside;
-        let _e96 = self.v_where_positive(_e93, w2_, g2_, (slack_4 * n2_.length()));
-        inside = _e96;
-        let _e97 = inside;
-        let _e100 = self.v_where_positive(_e97, w3_, g3_, (slack_4 * n3_.length()));
-        inside = _e100;
-        if rt::Scalar::into_branch_condition((!(!volume_1.abs().elementwise_gt(rt::Scalar(0f32))))) {
-            let _e109 = inside.y();
-            local_9 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
-        } else {
-            local_9 = rt::Scalar(true);
-        }
-        let _e114 = local_9;
-        if rt::Scalar::into_branch_condition(_e114) {
-            inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
-        }
-        if rt::Scalar::into_branch_condition(is_first) {
-            let _e118 = inside;
-            return <Tetrahedron>::new(_e118, <rt::Vec4<f32>>::from_scalars(w0_, w1_, (w2_ + w3_), w3_), <rt::Vec4<f32>>::from_scalars(g0_, g1_, (g2_ + g3_), g3_));
-        }
-        if rt::Scalar::into_branch_condition(is_last) {
-            let upper_1 = <rt::Vec2<f32>>::from_scalars(((w1_ + w2_) + w3_), ((g1_ + g2_) + g3_));
-            let _e129 = inside;
-            return <Tetrahedron>::new(_e129, <rt::Vec4<f32>>::from_scalars((w0_ + w1_), w2_, w3_, upper_1.x()), <rt::Vec4<f32>>::from_scalars((g0_ + g1_), g2_, g3_, upper_1.y()));
-        }
-        let _e137 = inside;
-        return <Tetrahedron>::new(_e137, <rt::Vec4<f32>>::from_scalars(w0_, (w1_ + w2_), w3_, (w2_ + w3_)), <rt::Vec4<f32>>::from_scalars(g0_, (g1_ + g2_), g3_, (g2_ + g3_)));
+        return <Path>::new((at_23.uv + (duv_1 * _e76)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_23.metric, RAY_VIEW, rt::Scalar(at_23.level), (distance + _e87), rt::Scalar(1f32));
     }
     pub(crate) fn path_from(
         &self,
@@ -3305,18 +3374,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_25: PixelIn,
-        at_23: Entered,
+        pixel_27: PixelIn,
+        at_24: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
         params_14: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_25, at_23, rt::into(k_2), rt::into(params_14)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_27, at_24, rt::into(k_2), rt::into(params_14)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_25: PixelIn,
-        at_23: Entered,
+        pixel_27: PixelIn,
+        at_24: Entered,
         k_2: rt::Scalar<u32>,
         params_14: rt::Vec4<f32>,
     ) -> Path {
@@ -3324,11 +3393,11 @@ impl<'g> Resources<'g> {
         let mut inside_1: rt::Vec2<f32>;
         let mut path_15: Path;
 
-        let along_12 = pixel_25.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_25, along_12);
-        let _e8 = self.v_tetrahedron(pixel_25, along_12, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_25, along_12, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_25, along_12, _e6, rt::Scalar(2u32));
+        let along_14 = pixel_27.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_27, along_14);
+        let _e8 = self.v_tetrahedron(pixel_27, along_14, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_27, along_14, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_27, along_14, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -3339,22 +3408,22 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_2)) {
             chosen = _e12;
         }
-        let _e30 = self.v_ordered(pixel_25, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_25, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_25, rt::Scalar(2u32));
+        let _e30 = self.v_ordered(pixel_27, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_27, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_27, rt::Scalar(2u32));
         let w_2 = chosen.weights;
         let g = chosen.change;
         let uv_23 = (((_e30.uv * w_2.x()) + (_e32.uv * w_2.y())) + (_e34.uv * w_2.z()));
         let duv_2 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_25, _e6);
+        let _e61 = self.v_shell_slack(pixel_27, _e6);
         let beyond_1 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen.inside;
         inside_1 = _e68;
         let _e70 = inside_1;
-        let _e77 = self.v_where_positive(_e70, (w_2.w() - pixel_25.shell.heights.x()), g.w(), beyond_1);
+        let _e77 = self.v_where_positive(_e70, (w_2.w() - pixel_27.shell.heights.x()), g.w(), beyond_1);
         inside_1 = _e77;
         let _e78 = inside_1;
-        let _e87 = self.v_where_positive(_e78, (pixel_25.shell.heights.y() - w_2.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
+        let _e87 = self.v_where_positive(_e78, (pixel_27.shell.heights.y() - w_2.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
         inside_1 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
@@ -3373,7 +3442,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_1.x();
         let _e149 = inside_1.y();
         let _e151 = inside_1.x();
-        path_15 = <Path>::new((uv_23 + (duv_2 * _e125)), duv_2, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_23.metric, RAY_VIEW, rt::Scalar(at_23.level), (_e6 + _e146), ((_e149 - _e151) / whole));
+        path_15 = <Path>::new((uv_23 + (duv_2 * _e125)), duv_2, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_24.metric, RAY_VIEW, rt::Scalar(at_24.level), (_e6 + _e146), ((_e149 - _e151) / whole));
         let _e158 = rt::Scalar(path_15.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_15;
@@ -3387,49 +3456,49 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_26: PixelIn,
-        at_24: Entered,
+        pixel_28: PixelIn,
+        at_25: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
         params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_26, at_24, rt::into(k_3), rt::into(params_15)))
+        rt::into(self.v_surface_prism_segment(pixel_28, at_25, rt::into(k_3), rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_26: PixelIn,
-        at_24: Entered,
+        pixel_28: PixelIn,
+        at_25: Entered,
         k_3: rt::Scalar<u32>,
         params_15: rt::Vec4<f32>,
     ) -> Path {
         let mut inside_2: rt::Vec2<f32>;
         let mut path_16: Path;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_26.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_surface_tetrahedra_segment(pixel_26, at_24, k_3, params_15);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_28.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_surface_tetrahedra_segment(pixel_28, at_25, k_3, params_15);
             return _e8;
         }
-        let along_13 = pixel_26.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_26, along_13);
-        let _e12 = self.v_prism_of(pixel_26, along_13, _e11, params_15);
-        let heights_1 = pixel_26.shell.heights;
+        let along_15 = pixel_28.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_28, along_15);
+        let _e12 = self.v_prism_of(pixel_28, along_15, _e11, params_15);
+        let heights_1 = pixel_28.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_1.x() + heights_1.y()));
-        let _e20 = self.v_chord_end(at_24, k_3);
-        let _e23 = self.v_chord_end(at_24, (k_3 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_25, k_3);
+        let _e23 = self.v_chord_end(at_25, (k_3 + rt::Scalar(1u32)));
         let long_1 = (_e23 - _e20);
-        let _e26 = self.v_shell_point(_e12, (along_13 * _e20), mean_3);
-        let _e31 = self.v_shell_point(_e12, (along_13 * (_e20 + (rt::Scalar(0.5f32) * long_1))), mean_3);
-        let _e34 = self.v_shell_point(_e12, (along_13 * (_e20 + long_1)), mean_3);
-        let _e36 = self.v_uv_of(pixel_26, _e26.weights);
-        let _e38 = self.v_uv_of(pixel_26, _e34.weights);
+        let _e26 = self.v_shell_point(_e12, (along_15 * _e20), mean_3);
+        let _e31 = self.v_shell_point(_e12, (along_15 * (_e20 + (rt::Scalar(0.5f32) * long_1))), mean_3);
+        let _e34 = self.v_shell_point(_e12, (along_15 * (_e20 + long_1)), mean_3);
+        let _e36 = self.v_uv_of(pixel_28, _e26.weights);
+        let _e38 = self.v_uv_of(pixel_28, _e34.weights);
         let duv_3 = ((_e38 - _e36) / rt::Vec2::splat_from_scalar(long_1));
         let bend_1 = (rt::Scalar(2f32) * ((rt::Scalar(_e26.height) + rt::Scalar(_e34.height)) - (rt::Scalar(2f32) * rt::Scalar(_e31.height))));
         let slope_6 = ((rt::Scalar(_e34.height) - rt::Scalar(_e26.height)) - bend_1);
-        let _e55 = self.v_shell_slack(pixel_26, _e11);
+        let _e55 = self.v_shell_slack(pixel_28, _e11);
         let change_3 = ((_e34.weights - _e26.weights) / rt::Vec3::splat_from_scalar(long_1));
         let _e68 = self.v_height_size(rt::Scalar(0u32));
         let _e71 = self.v_height_size(rt::Scalar(0u32));
-        let texel_6 = (at_24.metric.x().max(at_24.metric.z()).sqrt() / _e68.x().max(_e71.y()));
+        let texel_6 = (at_25.metric.x().max(at_25.metric.z()).sqrt() / _e68.x().max(_e71.y()));
         let edges = <rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length());
         let twice = (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length();
         let beyond_2 = (edges * ((_e55 + ((rt::Scalar(2f32) * params_15.x()) * texel_6)) / twice));
@@ -3453,7 +3522,7 @@ impl<'g> Resources<'g> {
             inside_2 = _e136;
         }
         let _e143 = inside_2.y();
-        path_16 = <Path>::new(_e36, duv_3, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_1 / (long_1 * long_1))), _e143, rt::Scalar(0f32), at_24.metric, RAY_VIEW, rt::Scalar(at_24.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_24.segments).cast_elem_as_f32()));
+        path_16 = <Path>::new(_e36, duv_3, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_1 / (long_1 * long_1))), _e143, rt::Scalar(0f32), at_25.metric, RAY_VIEW, rt::Scalar(at_25.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_25.segments).cast_elem_as_f32()));
         let _e156 = inside_2.y();
         let _e158 = inside_2.x();
         if rt::Scalar::into_branch_condition((!_e156.elementwise_gt(_e158))) {
@@ -3490,34 +3559,34 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_27: PixelIn,
-        at_25: Entered,
+        pixel_29: PixelIn,
+        at_26: Entered,
         k_4: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_27, at_25, rt::into(k_4)))
+        rt::into(self.v_surface_segment_stage(pixel_29, at_26, rt::into(k_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_27: PixelIn,
-        at_25: Entered,
+        pixel_29: PixelIn,
+        at_26: Entered,
         k_4: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[0usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_27, at_25, k_4, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_29, at_26, k_4, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[0usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_27, at_25, k_4, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_29, at_26, k_4, _e18);
                 return _e19;
             }
             _ => {
                 let _e24 = self.surface_settings.choices[0usize].params;
-                let _e25 = self.v_surface_tetrahedra_segment(pixel_27, at_25, k_4, _e24);
+                let _e25 = self.v_surface_tetrahedra_segment(pixel_29, at_26, k_4, _e24);
                 return _e25;
             }
         }
@@ -3540,29 +3609,29 @@ impl<'g> Resources<'g> {
     pub(crate) fn flattened(
         &self,
         path_18: Path,
-        middle_5: impl rt::Into<rt::Scalar<f32>>,
+        middle_6: impl rt::Into<rt::Scalar<f32>>,
         part_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_18, rt::into(middle_5), rt::into(part_2)))
+        rt::into(self.v_flattened(path_18, rt::into(middle_6), rt::into(part_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
         path_18: Path,
-        middle_5: rt::Scalar<f32>,
+        middle_6: rt::Scalar<f32>,
         part_2: rt::Scalar<f32>,
     ) -> Path {
         let mut start: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let kept = (rt::Scalar(1f32) - part_2);
-        let top_4 = (middle_5 + ((rt::Scalar(1f32) - middle_5) * kept));
+        let top_4 = (middle_6 + ((rt::Scalar(1f32) - middle_6) * kept));
         let above_4 = (path_18.h.x() - top_4);
         let begins = above_4.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
             let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, path_18.h.y(), path_18.h.z()), rt::Scalar(path_18.exit));
             start = _e22.min(rt::Scalar(path_18.exit));
         }
-        let height_6 = (middle_5 + ((path_18.h.x() - middle_5) / kept)).select(rt::Scalar(1f32), begins);
+        let height_6 = (middle_6 + ((path_18.h.x() - middle_6) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
         let _e33 = self.v_path_slope(path_18, _e32);
         let h_2 = <rt::Vec3<f32>>::from_scalars(height_6, (_e33 / kept), (path_18.h.z() / kept));
@@ -3579,27 +3648,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_28: PixelIn,
-        at_26: Entered,
+        pixel_30: PixelIn,
+        at_27: Entered,
         k_5: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_28, at_26, rt::into(k_5)))
+        rt::into(self.v_segment_of(pixel_30, at_27, rt::into(k_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_28: PixelIn,
-        at_26: Entered,
+        pixel_30: PixelIn,
+        at_27: Entered,
         k_5: rt::Scalar<u32>,
     ) -> Path {
         let mut path_19: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_28, at_26, k_5);
+        let _e3 = self.v_surface_segment_stage(pixel_30, at_27, k_5);
         path_19 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_26.fade).elementwise_gt(rt::Scalar(0f32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_27.fade).elementwise_gt(rt::Scalar(0f32))) {
             let _e8 = path_19;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_26.fade));
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_27.fade));
             path_19 = _e13;
             let _e16 = path_19.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
@@ -3646,10 +3715,10 @@ impl<'g> Resources<'g> {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_4 = t_10.clamp(rt::Scalar(0f32), rt::Scalar(path_20.exit));
-        let _e19 = self.v_path_uv(path_20, inside_4);
-        let _e20 = self.v_path_height(path_20, inside_4);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_4, cost_3);
+        let inside_5 = t_10.clamp(rt::Scalar(0f32), rt::Scalar(path_20.exit));
+        let _e19 = self.v_path_uv(path_20, inside_5);
+        let _e20 = self.v_path_height(path_20, inside_5);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_5, cost_3);
     }
     pub(crate) fn starting_point(&self, path_21: Path, found: Found) -> f32 {
         rt::into(self.v_starting_point(path_21, found))
@@ -3998,15 +4067,15 @@ impl<'g> Resources<'g> {
                     cost_5 = (_e30 + STEP);
                     let _e33 = near_2;
                     let _e34 = far_2;
-                    let middle_8 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let middle_9 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_28, middle_8);
+                    let _e41 = self.v_path_gap(path_28, middle_9);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_2 = middle_8;
+                        far_2 = middle_9;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_2 = middle_8;
+                        near_2 = middle_9;
                     }
                     let _e45 = k_7;
                     k_7 = (_e45 + rt::Scalar(1f32));
@@ -4842,8 +4911,8 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
                         let _e119 = t_18;
-                        let at_66 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_2 = at_66.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_66), forward_3);
+                        let at_67 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_2 = at_67.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_67), forward_3);
                         let _e131 = t_18;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
@@ -4884,12 +4953,12 @@ impl<'g> Resources<'g> {
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_27: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_27)))
+    pub(crate) fn nearest_corner(&self, at_28: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_27: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_27.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_28: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_28.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
@@ -5016,8 +5085,8 @@ impl<'g> Resources<'g> {
                     let span_8 = (end_5 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_20;
-                    let at_67 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_67);
+                    let at_68 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_68);
                     let _e53 = self.v_corner_height(_e30, _e52);
                     let _e54 = t_20;
                     next_2 = _e54;
@@ -6287,19 +6356,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_29: PixelIn,
-        at_28: Entered,
+        pixel_31: PixelIn,
+        at_29: Entered,
         path_51: Path,
         hit_7: Hit,
         params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_29, at_28, path_51, hit_7, rt::into(params_38)))
+        rt::into(self.v_surface_plane_polish(pixel_31, at_29, path_51, hit_7, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_polish(
         &self,
-        pixel_29: PixelIn,
-        at_28: Entered,
+        pixel_31: PixelIn,
+        at_29: Entered,
         path_51: Path,
         hit_7: Hit,
         params_38: rt::Vec4<f32>,
@@ -6308,19 +6377,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_30: PixelIn,
-        at_29: Entered,
+        pixel_32: PixelIn,
+        at_30: Entered,
         path_52: Path,
         hit_8: Hit,
         params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_30, at_29, path_52, hit_8, rt::into(params_39)))
+        rt::into(self.v_surface_prism_polish(pixel_32, at_30, path_52, hit_8, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_30: PixelIn,
-        at_29: Entered,
+        pixel_32: PixelIn,
+        at_30: Entered,
         path_52: Path,
         hit_8: Hit,
         params_39: rt::Vec4<f32>,
@@ -6329,12 +6398,12 @@ impl<'g> Resources<'g> {
         let mut point_2: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_30.shell.order).elementwise_ge(SHELL_FOLDED)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_32.shell.order).elementwise_ge(SHELL_FOLDED)) {
             return hit_8;
         }
-        let along_14 = pixel_30.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_30, along_14);
-        let _e12 = self.v_prism_of(pixel_30, along_14, _e11, params_39);
+        let along_16 = pixel_32.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_32, along_16);
+        let _e12 = self.v_prism_of(pixel_32, along_16, _e11, params_39);
         let _e14 = self.v_path_gap(path_52, rt::Scalar(hit_8.t));
         let _e15 = self.v_grid_of(path_52);
         let texels_4 = _e15.step.abs();
@@ -6343,7 +6412,7 @@ impl<'g> Resources<'g> {
         let _e34 = t_28;
         let _e38 = t_28;
         let _e39 = self.v_path_height(path_52, _e38);
-        let _e40 = self.v_shell_point(_e12, (along_14 * ((rt::Scalar(path_52.start) + _e34) - _e11)), _e39);
+        let _e40 = self.v_shell_point(_e12, (along_16 * ((rt::Scalar(path_52.start) + _e34) - _e11)), _e39);
         point_2 = _e40;
         'naga_break: loop {
             'naga_continue: {
@@ -6357,7 +6426,7 @@ impl<'g> Resources<'g> {
                     step_2 = (_e47 + rt::Scalar(1u32));
                     let _e51 = rt::Scalar(point_2.height);
                     let _e53 = point_2.weights;
-                    let _e54 = self.v_uv_of(pixel_30, _e53);
+                    let _e54 = self.v_uv_of(pixel_32, _e53);
                     let _e56 = self.v_height_at(_e54, rt::Scalar(path_52.level));
                     let gap_6 = ((_e51 - _e56) - _e14);
                     let _e61 = t_28;
@@ -6372,85 +6441,85 @@ impl<'g> Resources<'g> {
                     let _e79 = t_28;
                     let _e83 = t_28;
                     let _e84 = self.v_path_height(path_52, _e83);
-                    let _e85 = self.v_shell_point(_e12, (along_14 * ((rt::Scalar(path_52.start) + _e79) - _e11)), _e84);
+                    let _e85 = self.v_shell_point(_e12, (along_16 * ((rt::Scalar(path_52.start) + _e79) - _e11)), _e84);
                     point_2 = _e85;
                 }
             }
         }
         let _e89 = point_2.weights;
-        let _e90 = self.v_uv_of(pixel_30, _e89);
+        let _e90 = self.v_uv_of(pixel_32, _e89);
         let _e92 = rt::Scalar(point_2.height);
         let _e93 = t_28;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e90, _e92, _e93, hit_8.cost);
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_31: PixelIn,
-        at_30: Entered,
+        pixel_33: PixelIn,
+        at_31: Entered,
         path_53: Path,
         hit_9: Hit,
         params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_31, at_30, path_53, hit_9, rt::into(params_40)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_33, at_31, path_53, hit_9, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_31: PixelIn,
-        at_30: Entered,
+        pixel_33: PixelIn,
+        at_31: Entered,
         path_53: Path,
         hit_9: Hit,
         params_40: rt::Vec4<f32>,
     ) -> Hit {
         return hit_9;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_32: PixelIn, at_31: Entered, path_54: Path, hit_10: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_32, at_31, path_54, hit_10))
+    pub(crate) fn surface_polish_stage(&self, pixel_34: PixelIn, at_32: Entered, path_54: Path, hit_10: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_34, at_32, path_54, hit_10))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_32: PixelIn, at_31: Entered, path_54: Path, hit_10: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_34: PixelIn, at_32: Entered, path_54: Path, hit_10: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_32, at_31, path_54, hit_10, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_34, at_32, path_54, hit_10, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_32, at_31, path_54, hit_10, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_34, at_32, path_54, hit_10, _e19);
                 return _e20;
             }
             _ => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_tetrahedra_polish(pixel_32, at_31, path_54, hit_10, _e25);
+                let _e26 = self.v_surface_tetrahedra_polish(pixel_34, at_32, path_54, hit_10, _e25);
                 return _e26;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_33: PixelIn, at_32: Entered, path_55: Path, hit_11: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_33, at_32, path_55, hit_11))
+    pub(crate) fn polish_hit(&self, pixel_35: PixelIn, at_33: Entered, path_55: Path, hit_11: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_35, at_33, path_55, hit_11))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_polish_hit(&self, pixel_33: PixelIn, at_32: Entered, path_55: Path, hit_11: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_33, at_32, path_55, hit_11);
+    fn v_polish_hit(&self, pixel_35: PixelIn, at_33: Entered, path_55: Path, hit_11: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_35, at_33, path_55, hit_11);
         return _e4;
     }
-    pub(crate) fn key_of(&self, pixel_34: PixelIn, path_56: Path, hit_12: Hit) -> f32 {
-        rt::into(self.v_key_of(pixel_34, path_56, hit_12))
+    pub(crate) fn key_of(&self, pixel_36: PixelIn, path_56: Path, hit_12: Hit) -> f32 {
+        rt::into(self.v_key_of(pixel_36, path_56, hit_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_key_of(&self, pixel_34: PixelIn, path_56: Path, hit_12: Hit) -> rt::Scalar<f32> {
-        let depth = ((rt::Scalar(path_56.start) + rt::Scalar(hit_12.t)) / pixel_34.direction.length());
+    fn v_key_of(&self, pixel_36: PixelIn, path_56: Path, hit_12: Hit) -> rt::Scalar<f32> {
+        let depth = ((rt::Scalar(path_56.start) + rt::Scalar(hit_12.t)) / pixel_36.direction.length());
         let _e11 = rt::Scalar(self.frame.near);
         let _e14 = rt::Scalar(self.frame.near);
         return (_e11 / (_e14 + depth.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn first_hit(&self, pixel_35: PixelIn, at_33: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_35, at_33))
+    pub(crate) fn first_hit(&self, pixel_37: PixelIn, at_34: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_37, at_34))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_35: PixelIn, at_33: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_37: PixelIn, at_34: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
         let mut k_12: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut hit_13: Hit;
@@ -6458,13 +6527,13 @@ impl<'g> Resources<'g> {
         'naga_break: loop {
             'naga_continue: {
                 let _e6 = k_12;
-                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_33.segments))) {
+                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_34.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e9 = k_12;
-                    let _e10 = self.v_segment_of(pixel_35, at_33, _e9);
+                    let _e10 = self.v_segment_of(pixel_37, at_34, _e9);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e10.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e14 = self.v_trace(_e10);
                         hit_13 = _e14;
@@ -6476,12 +6545,12 @@ impl<'g> Resources<'g> {
                             let _e25 = cost_21;
                             hit_13.cost = _e25;
                             let _e26 = hit_13;
-                            let _e27 = self.v_polish_hit(pixel_35, at_33, _e10, _e26);
+                            let _e27 = self.v_polish_hit(pixel_37, at_34, _e10, _e26);
                             hit_13 = _e27;
                             let _e28 = hit_13;
                             let _e29 = k_12;
                             let _e30 = hit_13;
-                            let _e31 = self.v_key_of(pixel_35, _e10, _e30);
+                            let _e31 = self.v_key_of(pixel_37, _e10, _e30);
                             return <FirstHit>::new(_e28, _e29, _e31);
                         }
                     }
@@ -6509,16 +6578,16 @@ impl<'g> Resources<'g> {
         }
         return uv_13;
     }
-    pub(crate) fn from_hit(&self, at_34: Entered, hit_14: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_34, hit_14, light_1))
+    pub(crate) fn from_hit(&self, at_35: Entered, hit_14: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_35, hit_14, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_34: Entered, hit_14: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_34, light_1.direction);
+    fn v_from_hit(&self, at_35: Entered, hit_14: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_35, light_1.direction);
         let _e6 = self.v_near_uv(hit_14.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_34.level));
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_35.level));
         let h_3 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_3, rt::Scalar(0f32), rt::Scalar(0f32), at_34.metric, RAY_SHADOW, rt::Scalar(at_34.level), rt::Scalar(0f32), rt::Scalar(1f32));
+        return <Path>::new(_e6, _e4.xy(), h_3, rt::Scalar(0f32), rt::Scalar(0f32), at_35.metric, RAY_SHADOW, rt::Scalar(at_35.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
     pub(crate) fn way_out(&self, path_57: Path, light_2: Toward) -> f32 {
         rt::into(self.v_way_out(path_57, light_2))
@@ -6543,14 +6612,14 @@ impl<'g> Resources<'g> {
         let _e34 = way;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_35: Entered, hit_15: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_35, hit_15, light_3))
+    pub(crate) fn light_ray(&self, at_36: Entered, hit_15: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_36, hit_15, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_35: Entered, hit_15: Hit, light_3: Toward) -> LightRay {
+    fn v_light_ray(&self, at_36: Entered, hit_15: Hit, light_3: Toward) -> LightRay {
         let mut local_37: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_35, hit_15, light_3);
+        let _e3 = self.v_from_hit(at_36, hit_15, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -6652,12 +6721,12 @@ impl<'g> Resources<'g> {
             }
         }
     }
-    pub(crate) fn free_way(&self, at_36: Entered, hit_16: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_36, hit_16, light_4))
+    pub(crate) fn free_way(&self, at_37: Entered, hit_16: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_37, hit_16, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_36: Entered, hit_16: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_36, hit_16, light_4);
+    fn v_free_way(&self, at_37: Entered, hit_16: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_37, hit_16, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -6676,18 +6745,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mean_of_five(
         &self,
-        middle_6: impl rt::Into<rt::Scalar<f32>>,
+        middle_7: impl rt::Into<rt::Scalar<f32>>,
         four: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_mean_of_five(rt::into(middle_6), rt::into(four)))
+        rt::into(self.v_mean_of_five(rt::into(middle_7), rt::into(four)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mean_of_five(
         &self,
-        middle_6: rt::Scalar<f32>,
+        middle_7: rt::Scalar<f32>,
         four: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return ((middle_6 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
+        return ((middle_7 * rt::Scalar(0.33333334f32)) + (four * rt::Scalar(0.16666667f32)));
     }
     pub(crate) fn means_of_one(&self, n_6: impl rt::Into<rt::Vec3<f32>>) -> Normals {
         rt::into(self.v_means_of_one(rt::into(n_6)))
@@ -6720,39 +6789,39 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_37: Entered,
+        at_38: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_37, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_38, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_37: Entered,
+        at_38: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_37.tangent.normalize();
-        let along_v_2 = at_37.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_37.normal.dot(v));
+        let along_u_2 = at_38.tangent.normalize();
+        let along_v_2 = at_38.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_38.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_38: Entered,
+        at_39: Entered,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_38, rt::into(uv_14), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_39, rt::into(uv_14), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_38: Entered,
+        at_39: Entered,
         uv_14: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_38, uv_14);
-            let _e6 = self.v_to_tangent_space(at_38, _e5);
+            let _e5 = self.v_finest_normal(at_39, uv_14);
+            let _e6 = self.v_to_tangent_space(at_39, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -6763,8 +6832,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_38.tangent.normalize().dot(at_38.tangent)) / at_38.tangent.dot(at_38.tangent));
-        let y_1 = ((tile.y() * at_38.bitangent.normalize().dot(at_38.bitangent)) / at_38.bitangent.dot(at_38.bitangent));
+        let x_2 = ((tile.x() * at_39.tangent.normalize().dot(at_39.tangent)) / at_39.tangent.dot(at_39.tangent));
+        let y_1 = ((tile.y() * at_39.bitangent.normalize().dot(at_39.bitangent)) / at_39.bitangent.dot(at_39.bitangent));
         let _e44 = self.v_normal_at(uv_14, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_14, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
@@ -6781,16 +6850,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_39: Entered,
+        at_40: Entered,
         normals: Normals,
         view_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_39, normals, rt::into(view_6)))
+        rt::into(self.v_seen_normals(at_40, normals, rt::into(view_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_39: Entered,
+        at_40: Entered,
         normals: Normals,
         view_6: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -6807,45 +6876,45 @@ impl<'g> Resources<'g> {
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_2.x(), second_2.y(), first_7.x())) - (first_7.xyz() * slope_8.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_2.y(), second_2.z(), first_7.y())) - (first_7.xyz() * slope_8.y()));
         let most_6 = ((a_11 * a_11) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_15 = (with_x / rt::Vec3::splat_from_scalar(a_11.max((with_x.length() / most_6))));
-        let rest_7 = (with_y - (along_15 * b_9));
+        let along_17 = (with_x / rt::Vec3::splat_from_scalar(a_11.max((with_x.length() / most_6))));
+        let rest_7 = (with_y - (along_17 * b_9));
         let across_4 = (rest_7 / rt::Vec3::splat_from_scalar(d_1.max((rest_7.length() / most_6))));
-        let _e77 = self.v_to_tangent_space(at_39, view_6);
-        let middle_9 = (_e77.z() - _e77.xy().dot(slope_8));
-        let _e91 = self.v_facing_four(middle_9, (-((_e77.x() * a_11) + (_e77.y() * b_9))), (-(_e77.y() * d_1)));
-        let one = middle_9.max(rt::Scalar(0f32));
+        let _e77 = self.v_to_tangent_space(at_40, view_6);
+        let middle_10 = (_e77.z() - _e77.xy().dot(slope_8));
+        let _e91 = self.v_facing_four(middle_10, (-((_e77.x() * a_11) + (_e77.y() * b_9))), (-(_e77.y() * d_1)));
+        let one = middle_10.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_5 = ((along_15 * ((_e91.x() - _e91.y()) / all)) + (across_4 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_39, (first_7.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
+        let aside_5 = ((along_17 * ((_e91.x() - _e91.y()) / all)) + (across_4 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_40, (first_7.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_7.xyz(), along_15, across_4, slope_8, <rt::Vec2<f32>>::from_scalars(a_11, b_9), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_7.xyz(), along_17, across_4, slope_8, <rt::Vec2<f32>>::from_scalars(a_11, b_9), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_40: Entered) -> f32 {
-        rt::into(self.v_table_part(at_40))
+    pub(crate) fn table_part(&self, at_41: Entered) -> f32 {
+        rt::into(self.v_table_part(at_41))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_table_part(&self, at_40: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_41: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_40.fade) * ((rt::Scalar(at_40.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_41.fade) * ((rt::Scalar(at_41.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_41: Entered,
+        at_42: Entered,
         seen: SeenNormals,
         table: SeenTable,
         part_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_41, seen, table, rt::into(part_4)))
+        rt::into(self.v_with_table(at_42, seen, table, rt::into(part_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_with_table(
         &self,
-        at_41: Entered,
+        at_42: Entered,
         seen: SeenNormals,
         table: SeenTable,
         part_4: rt::Scalar<f32>,
@@ -6854,7 +6923,7 @@ impl<'g> Resources<'g> {
 
         told = seen;
         let before_2 = (seen.normal * rt::Scalar(seen.length));
-        let _e9 = self.v_from_tangent_space(at_41, table.mean);
+        let _e9 = self.v_from_tangent_space(at_42, table.mean);
         let mean_4 = (before_2 + ((_e9 - before_2) * part_4));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -6959,22 +7028,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_42: Entered,
+        at_43: Entered,
         uv_17: impl rt::Into<rt::Vec2<f32>>,
         view_7: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_42, rt::into(uv_17), rt::into(view_7), levels_2))
+        rt::into(self.v_table_of(at_43, rt::into(uv_17), rt::into(view_7), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_42: Entered,
+        at_43: Entered,
         uv_17: rt::Vec2<f32>,
         view_7: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_42, view_7);
+        let _e4 = self.v_climb(at_43, view_7);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -6994,8 +7063,8 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_17, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_5);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_42.tangent.normalize().dot(at_42.tangent)) / at_42.tangent.dot(at_42.tangent));
-        let y_4 = ((tile_1.y() * at_42.bitangent.normalize().dot(at_42.bitangent)) / at_42.bitangent.dot(at_42.bitangent));
+        let x_5 = ((tile_1.x() * at_43.tangent.normalize().dot(at_43.tangent)) / at_43.tangent.dot(at_43.tangent));
+        let y_4 = ((tile_1.y() * at_43.bitangent.normalize().dot(at_43.bitangent)) / at_43.bitangent.dot(at_43.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_5), (mean_5.y() * y_4), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -7004,16 +7073,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_43: Entered,
+        at_44: Entered,
         uv_18: impl rt::Into<rt::Vec2<f32>>,
         view_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_43, rt::into(uv_18), rt::into(view_8)))
+        rt::into(self.v_mesostructure_normals(at_44, rt::into(uv_18), rt::into(view_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_43: Entered,
+        at_44: Entered,
         uv_18: rt::Vec2<f32>,
         view_8: rt::Vec3<f32>,
     ) -> SeenNormals {
@@ -7021,11 +7090,11 @@ impl<'g> Resources<'g> {
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
-        let upright_3 = at_43.normal.dot(view_8);
+        let upright_3 = at_44.normal.dot(view_8);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_4 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_43.fade)));
+        let width_4 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_44.fade)));
         let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_43.footprint) * _e15) * width_4);
+        let texels_5 = ((rt::Scalar(at_44.footprint) * _e15) * width_4);
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
@@ -7035,15 +7104,15 @@ impl<'g> Resources<'g> {
         }
         let _e32 = local_38;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_43, uv_18);
+            let _e33 = self.v_finest_normal(at_44, uv_18);
             let _e34 = self.v_one_seen(_e33);
             return _e34;
         }
-        let _e36 = self.v_normals_of_level(at_43, uv_18, rt::Scalar(_e21.fine));
+        let _e36 = self.v_normals_of_level(at_44, uv_18, rt::Scalar(_e21.fine));
         first_1 = _e36.first;
         second = _e36.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e47 = self.v_normals_of_level(at_43, uv_18, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+            let _e47 = self.v_normals_of_level(at_44, uv_18, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
             let _e48 = first_1;
             let _e50 = first_1;
             first_1 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
@@ -7053,15 +7122,15 @@ impl<'g> Resources<'g> {
         }
         let _e62 = first_1;
         let _e63 = second;
-        let _e65 = self.v_seen_normals(at_43, <Normals>::new(_e62, _e63), view_8);
-        let _e66 = self.v_table_part(at_43);
+        let _e65 = self.v_seen_normals(at_44, <Normals>::new(_e62, _e63), view_8);
+        let _e66 = self.v_table_part(at_44);
         if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
             let _e72 = rt::Scalar(self.surface_settings.height_levels);
-            let _e73 = self.v_levels_of(rt::Scalar(at_43.footprint), _e72);
+            let _e73 = self.v_levels_of(rt::Scalar(at_44.footprint), _e72);
             let _e74 = self.v_has_table(_e73);
             if rt::Scalar::into_branch_condition(_e74) {
-                let _e75 = self.v_table_of(at_43, uv_18, view_8, _e73);
-                let _e76 = self.v_with_table(at_43, _e65, _e75, _e66);
+                let _e75 = self.v_table_of(at_44, uv_18, view_8, _e73);
+                let _e76 = self.v_with_table(at_44, _e65, _e75, _e66);
                 return _e76;
             }
         }
@@ -7069,37 +7138,37 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_44: Entered,
+        at_45: Entered,
         hit_17: Hit,
         light_5: Toward,
         params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_44, hit_17, light_5, rt::into(params_41)))
+        rt::into(self.v_shadow_ray(at_45, hit_17, light_5, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_44: Entered,
+        at_45: Entered,
         hit_17: Hit,
         light_5: Toward,
         params_41: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_44, hit_17, light_5);
+        let _e4 = self.v_free_way(at_45, hit_17, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_45: Entered,
+        at_46: Entered,
         hit_18: Hit,
         light_6: Toward,
         params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_45, hit_18, light_6, rt::into(params_42)))
+        rt::into(self.v_shadow_none(at_46, hit_18, light_6, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_45: Entered,
+        at_46: Entered,
         hit_18: Hit,
         light_6: Toward,
         params_42: rt::Vec4<f32>,
@@ -7108,22 +7177,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_46: Entered,
+        at_47: Entered,
         hit_19: Hit,
         light_7: Toward,
         params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_46, hit_19, light_7, rt::into(params_43)))
+        rt::into(self.v_shadow_entry(at_47, hit_19, light_7, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_46: Entered,
+        at_47: Entered,
         hit_19: Hit,
         light_7: Toward,
         params_43: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_46, hit_19, light_7);
+        let _e4 = self.v_from_hit(at_47, hit_19, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -7235,22 +7304,22 @@ impl<'g> Resources<'g> {
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
         let toward_6 = ((light_8.direction + (right_2 * place_12.x())) + (up_1 * place_12.y()));
-        let along_16 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_16)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_16), rt::Scalar(0f32));
+        let along_18 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_18)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_18), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_47: Entered,
+        at_48: Entered,
         hit_21: Hit,
         light_9: Toward,
         params_44: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_47, hit_21, light_9, rt::into(params_44)))
+        rt::into(self.v_shadow_soft(at_48, hit_21, light_9, rt::into(params_44)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_47: Entered,
+        at_48: Entered,
         hit_21: Hit,
         light_9: Toward,
         params_44: rt::Vec4<f32>,
@@ -7271,7 +7340,7 @@ impl<'g> Resources<'g> {
                     let _e13 = free;
                     let _e14 = k_14;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_3);
-                    let _e16 = self.v_free_way(at_47, hit_21, _e15);
+                    let _e16 = self.v_free_way(at_48, hit_21, _e15);
                     free = (_e13 + _e16);
                     let _e18 = k_14;
                     k_14 = (_e18 + rt::Scalar(1u32));
@@ -7283,17 +7352,17 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_48: Entered,
+        at_49: Entered,
         hit_22: Hit,
         light_10: Toward,
         params_45: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_48, hit_22, light_10, rt::into(params_45)))
+        rt::into(self.v_shadow_heuristic(at_49, hit_22, light_10, rt::into(params_45)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_48: Entered,
+        at_49: Entered,
         hit_22: Hit,
         light_10: Toward,
         params_45: rt::Vec4<f32>,
@@ -7301,7 +7370,7 @@ impl<'g> Resources<'g> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut k_15: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_48, hit_22, light_10);
+        let _e4 = self.v_from_hit(at_49, hit_22, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -7402,42 +7471,42 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_49: Entered,
+        at_50: Entered,
         hit_23: Hit,
         light_11: Toward,
         params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_49, hit_23, light_11, rt::into(params_46)))
+        rt::into(self.v_shadow_horizon(at_50, hit_23, light_11, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_49: Entered,
+        at_50: Entered,
         hit_23: Hit,
         light_11: Toward,
         params_46: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_49, light_11.direction);
+        let _e5 = self.v_climb(at_50, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
-        let along_17 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_17);
+        let along_19 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_19);
         let azimuth_4 = (_e13 * params_46.x());
         let first_8 = azimuth_4.floor();
         let count_4 = params_46.x().cast_elem_as_i32();
         let before_3 = (first_8.cast_elem_as_i32() % count_4);
         let part_9 = (azimuth_4 - first_8);
-        let _e24 = self.v_shadow_texel_between(hit_23.uv, before_3, rt::Scalar(at_49.level));
+        let _e24 = self.v_shadow_texel_between(hit_23.uv, before_3, rt::Scalar(at_50.level));
         let low_4 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_23.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_49.level));
+        let _e31 = self.v_shadow_texel_between(hit_23.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_50.level));
         let sine = (low_4 + ((_e31.x() - low_4) * part_9));
         let squared_4 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_4 * along_17.dot(along_17)).sqrt();
-        let _e48 = self.v_from_hit(at_49, hit_23, light_11);
+        let far_9 = (squared_4 * along_19.dot(along_19)).sqrt();
+        let _e48 = self.v_from_hit(at_50, hit_23, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e49 * _e52);
         let horizon = far_9.max(near_8);
-        let up_2 = at_49.normal.dot(light_11.direction);
+        let up_2 = at_50.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
@@ -7451,60 +7520,60 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn open_part(
         &self,
-        at_50: Entered,
+        at_51: Entered,
         hit_24: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_50, hit_24, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_51, hit_24, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_50: Entered,
+        at_51: Entered,
         hit_24: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_24.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_50.level));
+        let _e9 = self.v_shadow_texel_between(hit_24.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_51.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_51: Entered,
+        at_52: Entered,
         hit_25: Hit,
         light_12: Toward,
         params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_51, hit_25, light_12, rt::into(params_47)))
+        rt::into(self.v_shadow_visibility(at_52, hit_25, light_12, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_51: Entered,
+        at_52: Entered,
         hit_25: Hit,
         light_12: Toward,
         params_47: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_51, light_12.direction);
+        let _e5 = self.v_climb(at_52, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[3usize];
-        let along_18 = (_e5.xy() * map_2.tile_m);
+        let along_20 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
         let height_8 = (_e5.z() * _e21);
-        let squared_5 = ((height_8 * height_8) / (along_18.dot(along_18) + (height_8 * height_8)));
+        let squared_5 = ((height_8 * height_8) / (along_20.dot(along_20) + (height_8 * height_8)));
         let azimuths = params_47.x().cast_elem_as_i32();
         let elevations_1 = params_47.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_18);
+        let _e32 = self.v_turn_of(along_20);
         let azimuth_5 = (_e32 * params_47.x());
         let elevation_4 = ((squared_5 * params_47.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_47.y() - rt::Scalar(1f32)));
         if rt::Scalar::into_branch_condition(params_47.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_12 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_51, hit_25, a_12, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_52, hit_25, a_12, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
@@ -7513,91 +7582,91 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_51, hit_25, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_51, hit_25, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_52, hit_25, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_52, hit_25, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_51, hit_25, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_52, hit_25, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_51, hit_25, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_52, hit_25, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_52: Entered, hit_26: Hit, light_13: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_52, hit_26, light_13))
+    pub(crate) fn shadow_stage(&self, at_53: Entered, hit_26: Hit, light_13: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_53, hit_26, light_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_52: Entered, hit_26: Hit, light_13: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_53: Entered, hit_26: Hit, light_13: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_52, hit_26, light_13, _e12);
+                let _e13 = self.v_shadow_ray(at_53, hit_26, light_13, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_52, hit_26, light_13, _e18);
+                let _e19 = self.v_shadow_none(at_53, hit_26, light_13, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_52, hit_26, light_13, _e24);
+                let _e25 = self.v_shadow_entry(at_53, hit_26, light_13, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_52, hit_26, light_13, _e30);
+                let _e31 = self.v_shadow_soft(at_53, hit_26, light_13, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_52, hit_26, light_13, _e36);
+                let _e37 = self.v_shadow_heuristic(at_53, hit_26, light_13, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_52, hit_26, light_13, _e42);
+                let _e43 = self.v_shadow_horizon(at_53, hit_26, light_13, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_52, hit_26, light_13, _e48);
+                let _e49 = self.v_shadow_visibility(at_53, hit_26, light_13, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_36: PixelIn, at_53: Entered, hit_27: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_36, at_53, hit_27))
+    pub(crate) fn mirrored_light(&self, pixel_38: PixelIn, at_54: Entered, hit_27: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_38, at_54, hit_27))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_36: PixelIn, at_53: Entered, hit_27: Hit) -> rt::Scalar<f32> {
+    fn v_mirrored_light(&self, pixel_38: PixelIn, at_54: Entered, hit_27: Hit) -> rt::Scalar<f32> {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_27.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_36.direction.normalize();
-        let up_3 = (down_2 - (at_53.normal * (rt::Scalar(2f32) * down_2.dot(at_53.normal))));
-        let _e23 = self.v_shadow_stage(at_53, hit_27, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        let down_2 = pixel_38.direction.normalize();
+        let up_3 = (down_2 - (at_54.normal * (rt::Scalar(2f32) * down_2.dot(at_54.normal))));
+        let _e23 = self.v_shadow_stage(at_54, hit_27, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
         return _e23;
     }
-    pub(crate) fn pixel_direction(&self, pixel_37: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_37)))
+    pub(crate) fn pixel_direction(&self, pixel_39: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_direction(&self, pixel_37: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_39: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_37.x())) + (_e14.xyz() * pixel_37.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_39.x())) + (_e14.xyz() * pixel_39.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_38: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_38)))
+    pub(crate) fn pixel_eye(&self, pixel_40: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_eye(&self, pixel_38: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_40: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_38.x())) + (_e14.xyz() * pixel_38.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_40.x())) + (_e14.xyz() * pixel_40.y()));
     }
     pub(crate) fn pixel_of(
         &self,
@@ -7626,199 +7695,199 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_39: PixelIn,
-        at_54: Entered,
+        pixel_41: PixelIn,
+        at_55: Entered,
         path_59: Path,
         hit_28: Hit,
         params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_39, at_54, path_59, hit_28, rt::into(params_48)))
+        rt::into(self.v_surface_plane_place(pixel_41, at_55, path_59, hit_28, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_place(
         &self,
-        pixel_39: PixelIn,
-        at_54: Entered,
+        pixel_41: PixelIn,
+        at_55: Entered,
         path_59: Path,
         hit_28: Hit,
         params_48: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_6 = (hit_28.uv - at_54.uv);
+        let aside_6 = (hit_28.uv - at_55.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_28.uv, rt::Scalar(at_54.level));
+        let _e16 = self.v_height_at(hit_28.uv, rt::Scalar(at_55.level));
         let height_9 = (_e10 + (_e13 * _e16));
-        placed = at_54;
-        placed.point = (((at_54.point + (at_54.tangent * aside_6.x())) + (at_54.bitangent * aside_6.y())) + (at_54.normal * height_9));
+        placed = at_55;
+        placed.point = (((at_55.point + (at_55.tangent * aside_6.x())) + (at_55.bitangent * aside_6.y())) + (at_55.normal * height_9));
         placed.uv = hit_28.uv;
         let _e35 = placed;
         return _e35;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_40: PixelIn,
-        at_55: Entered,
+        pixel_42: PixelIn,
+        at_56: Entered,
         weights_2: impl rt::Into<rt::Vec3<f32>>,
         point_4: impl rt::Into<rt::Vec3<f32>>,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_40, at_55, rt::into(weights_2), rt::into(point_4), rt::into(uv_20)))
+        rt::into(self.v_placed_at(pixel_42, at_56, rt::into(weights_2), rt::into(point_4), rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_placed_at(
         &self,
-        pixel_40: PixelIn,
-        at_55: Entered,
+        pixel_42: PixelIn,
+        at_56: Entered,
         weights_2: rt::Vec3<f32>,
         point_4: rt::Vec3<f32>,
         uv_20: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_40, weights_2, point_4, uv_20, at_55.facing);
+        let _e6 = self.v_frame_at(pixel_42, weights_2, point_4, uv_20, at_56.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_55.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_55.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_55.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_56.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_56.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_56.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_41: PixelIn,
-        at_56: Entered,
+        pixel_43: PixelIn,
+        at_57: Entered,
         path_60: Path,
         hit_29: Hit,
         params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_41, at_56, path_60, hit_29, rt::into(params_49)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_43, at_57, path_60, hit_29, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_41: PixelIn,
-        at_56: Entered,
+        pixel_43: PixelIn,
+        at_57: Entered,
         path_60: Path,
         hit_29: Hit,
         params_49: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside: rt::Scalar<f32>;
-        let mut number_1: rt::Scalar<u32> = rt::Scalar(1u32);
+        let mut number_3: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_19 = pixel_41.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_41, along_19);
+        let along_21 = pixel_43.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_43, along_21);
         let t_32 = ((rt::Scalar(path_60.start) + rt::Scalar(hit_29.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_41, along_19, _e7, rt::Scalar(0u32));
+        let _e13 = self.v_tetrahedron(pixel_43, along_21, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
         beside = (_e17 - t_32).max((t_32 - _e21));
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = number_1;
+                let _e27 = number_3;
                 if rt::Scalar::into_branch_condition(_e27.elementwise_lt(rt::Scalar(3u32))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e30 = number_1;
-                    let _e31 = self.v_tetrahedron(pixel_41, along_19, _e7, _e30);
+                    let _e30 = number_3;
+                    let _e31 = self.v_tetrahedron(pixel_43, along_21, _e7, _e30);
                     let aside_7 = (_e31.inside.x() - t_32).max((t_32 - _e31.inside.y()));
                     let _e39 = beside;
                     if rt::Scalar::into_branch_condition(aside_7.elementwise_lt(_e39)) {
                         nearest = _e31;
                         beside = aside_7;
                     }
-                    let _e41 = number_1;
-                    number_1 = (_e41 + rt::Scalar(1u32));
+                    let _e41 = number_3;
+                    number_3 = (_e41 + rt::Scalar(1u32));
                 }
             }
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
         let weights_3 = (_e45 + (_e47 * t_32));
-        let point_11 = (pixel_41.origin + (along_19 * (rt::Scalar(path_60.start) + rt::Scalar(hit_29.t))));
-        let _e58 = self.v_placed_at(pixel_41, at_56, weights_3.xyz(), point_11, hit_29.uv);
+        let point_11 = (pixel_43.origin + (along_21 * (rt::Scalar(path_60.start) + rt::Scalar(hit_29.t))));
+        let _e58 = self.v_placed_at(pixel_43, at_57, weights_3.xyz(), point_11, hit_29.uv);
         return _e58;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_42: PixelIn,
-        at_57: Entered,
+        pixel_44: PixelIn,
+        at_58: Entered,
         path_61: Path,
         hit_30: Hit,
         params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_42, at_57, path_61, hit_30, rt::into(params_50)))
+        rt::into(self.v_surface_prism_place(pixel_44, at_58, path_61, hit_30, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_place(
         &self,
-        pixel_42: PixelIn,
-        at_57: Entered,
+        pixel_44: PixelIn,
+        at_58: Entered,
         path_61: Path,
         hit_30: Hit,
         params_50: rt::Vec4<f32>,
     ) -> Entered {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_42.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e9 = self.v_surface_tetrahedra_place(pixel_42, at_57, path_61, hit_30, params_50);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_44.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e9 = self.v_surface_tetrahedra_place(pixel_44, at_58, path_61, hit_30, params_50);
             return _e9;
         }
-        let along_20 = pixel_42.direction.normalize();
-        let _e12 = self.v_middle_of(pixel_42, along_20);
-        let _e13 = self.v_prism_of(pixel_42, along_20, _e12, params_50);
+        let along_22 = pixel_44.direction.normalize();
+        let _e12 = self.v_middle_of(pixel_44, along_22);
+        let _e13 = self.v_prism_of(pixel_44, along_22, _e12, params_50);
         let s_4 = ((rt::Scalar(path_61.start) + rt::Scalar(hit_30.t)) - _e12);
-        let _e20 = self.v_shell_point(_e13, (along_20 * s_4), rt::Scalar(hit_30.height));
+        let _e20 = self.v_shell_point(_e13, (along_22 * s_4), rt::Scalar(hit_30.height));
         let weights_4 = _e20.weights;
-        let _e29 = self.v_placed_at(pixel_42, at_57, weights_4, (pixel_42.origin + (along_20 * (rt::Scalar(path_61.start) + rt::Scalar(hit_30.t)))), hit_30.uv);
+        let _e29 = self.v_placed_at(pixel_44, at_58, weights_4, (pixel_44.origin + (along_22 * (rt::Scalar(path_61.start) + rt::Scalar(hit_30.t)))), hit_30.uv);
         return _e29;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_43: PixelIn, at_58: Entered, path_62: Path, hit_31: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_43, at_58, path_62, hit_31))
+    pub(crate) fn surface_place_stage(&self, pixel_45: PixelIn, at_59: Entered, path_62: Path, hit_31: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_45, at_59, path_62, hit_31))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_43: PixelIn, at_58: Entered, path_62: Path, hit_31: Hit) -> Entered {
+    fn v_surface_place_stage(&self, pixel_45: PixelIn, at_59: Entered, path_62: Path, hit_31: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_43, at_58, path_62, hit_31, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_45, at_59, path_62, hit_31, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_43, at_58, path_62, hit_31, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_45, at_59, path_62, hit_31, _e19);
                 return _e20;
             }
             _ => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_tetrahedra_place(pixel_43, at_58, path_62, hit_31, _e25);
+                let _e26 = self.v_surface_tetrahedra_place(pixel_45, at_59, path_62, hit_31, _e25);
                 return _e26;
             }
         }
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_44: PixelIn,
-        at_59: Entered,
+        pixel_46: PixelIn,
+        at_60: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
         hit_32: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_44, at_59, rt::into(segment), hit_32))
+        rt::into(self.v_place_hit(pixel_46, at_60, rt::into(segment), hit_32))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_place_hit(
         &self,
-        pixel_44: PixelIn,
-        at_59: Entered,
+        pixel_46: PixelIn,
+        at_60: Entered,
         segment: rt::Scalar<u32>,
         hit_32: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_44, at_59, segment);
-        let _e5 = self.v_surface_place_stage(pixel_44, at_59, _e4, hit_32);
+        let _e4 = self.v_segment_of(pixel_46, at_60, segment);
+        let _e5 = self.v_surface_place_stage(pixel_46, at_60, _e4, hit_32);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -7845,27 +7914,27 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_60: Entered,
+        at_61: Entered,
         hit_33: Hit,
-        number_2: impl rt::Into<rt::Scalar<u32>>,
+        number_4: impl rt::Into<rt::Scalar<u32>>,
         k_16: impl rt::Into<rt::Scalar<u32>>,
         count_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_60, hit_33, rt::into(number_2), rt::into(k_16), rt::into(count_2)))
+        rt::into(self.v_ray_to_light(at_61, hit_33, rt::into(number_4), rt::into(k_16), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_60: Entered,
+        at_61: Entered,
         hit_33: Hit,
-        number_2: rt::Scalar<u32>,
+        number_4: rt::Scalar<u32>,
         k_16: rt::Scalar<u32>,
         count_2: rt::Scalar<u32>,
     ) -> LightRay {
         let mut toward: Toward;
 
-        let _e8 = self.frame.lights[rt::Scalar::into_array_index(number_2)];
-        let _e10 = self.v_toward_light(_e8, at_60.point);
+        let _e8 = self.frame.lights[rt::Scalar::into_array_index(number_4)];
+        let _e10 = self.v_toward_light(_e8, at_61.point);
         toward = _e10;
         if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
             let _e14 = toward;
@@ -7874,7 +7943,7 @@ impl<'g> Resources<'g> {
             toward = _e16;
         }
         let _e17 = toward;
-        let _e18 = self.v_light_ray(at_60, hit_33, _e17);
+        let _e18 = self.v_light_ray(at_61, hit_33, _e17);
         return _e18;
     }
     pub(crate) fn table_cosine(
@@ -7902,16 +7971,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_61: Entered,
+        at_62: Entered,
         seen_1: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_61, seen_1, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_62, seen_1, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_61: Entered,
+        at_62: Entered,
         seen_1: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -7920,10 +7989,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_1.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_61, toward_2);
-        let middle_10 = seen_1.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_10, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_10.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_62, toward_2);
+        let middle_11 = seen_1.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_11, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_11.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_1.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         cosine = _e28;
@@ -8068,19 +8137,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn reflected_light(
         &self,
-        at_62: Entered,
+        at_63: Entered,
         hit_34: Hit,
         seen_2: SeenNormals,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_62, hit_34, seen_2, rt::into(view_11), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_63, hit_34, seen_2, rt::into(view_11), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_62: Entered,
+        at_63: Entered,
         hit_34: Hit,
         seen_2: SeenNormals,
         view_11: rt::Vec3<f32>,
@@ -8093,7 +8162,7 @@ impl<'g> Resources<'g> {
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_62, hit_34, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
+        let _e20 = self.v_ambient_stage(at_63, hit_34, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
         light_15 = _e20;
         'naga_break: loop {
             'naga_continue: {
@@ -8106,8 +8175,8 @@ impl<'g> Resources<'g> {
                 {
                     let _e31 = k_17;
                     let _e33 = self.frame.lights[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_toward_light(_e33, at_62.point);
-                    let _e37 = self.v_seen_cosine(at_62, seen_2, _e35.direction);
+                    let _e35 = self.v_toward_light(_e33, at_63.point);
+                    let _e37 = self.v_seen_cosine(at_63, seen_2, _e35.direction);
                     let _e41 = self.v_shade_stage(seen_2.normal, rt::Scalar(seen_2.length), _e37, view_11, _e35.direction, diffuse);
                     let _e42 = light_15;
                     let _e45 = k_17;
@@ -8122,30 +8191,30 @@ impl<'g> Resources<'g> {
         let _e61 = light_15;
         return _e61;
     }
-    pub(crate) fn shade_hit(&self, pixel_45: PixelIn, at_63: Entered, hit_35: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_45, at_63, hit_35, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_47: PixelIn, at_64: Entered, hit_35: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_47, at_64, hit_35, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_45: PixelIn, at_63: Entered, hit_35: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+    fn v_shade_hit(&self, pixel_47: PixelIn, at_64: Entered, hit_35: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
         if rt::Scalar::into_branch_condition(rt::Scalar(hit_35.found).elementwise_eq(rt::Scalar(0u32))) {
             return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_35.cost.x(), hit_35.cost.y(), hit_35.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e42 = self.v_height_at(hit_35.uv, rt::Scalar(at_63.level));
-        let view_12 = (pixel_45.origin - at_63.point).normalize();
-        let _e48 = self.v_mesostructure_normals(at_63, hit_35.uv, view_12);
-        let _e51 = self.v_color_or_white(hit_35.uv, rt::Scalar(at_63.footprint));
-        let _e52 = self.v_reflected_light(at_63, hit_35, _e48, view_12, _e51, visible_1);
+        let _e42 = self.v_height_at(hit_35.uv, rt::Scalar(at_64.level));
+        let view_12 = (pixel_47.origin - at_64.point).normalize();
+        let _e48 = self.v_mesostructure_normals(at_64, hit_35.uv, view_12);
+        let _e51 = self.v_color_or_white(hit_35.uv, rt::Scalar(at_64.footprint));
+        let _e52 = self.v_reflected_light(at_64, hit_35, _e48, view_12, _e51, visible_1);
         let _e58 = self.frame.forward;
-        let depth_1 = (at_63.point - pixel_45.origin).dot(_e58.xyz());
+        let depth_1 = (at_64.point - pixel_47.origin).dot(_e58.xyz());
         let _e63 = self.v_height_size(rt::Scalar(0u32));
         let _e69 = self.v_cell_of(((hit_35.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_35.exhausted), hit_35.uv, _e42, at_63.point, _e48.normal, depth_1, rt::Scalar(hit_35.t), _e69.cast_elem_as_i32(), hit_35.cost.x(), hit_35.cost.y(), hit_35.cost.z(), visible_1[0usize].x(), rt::Scalar(at_63.level));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_35.exhausted), hit_35.uv, _e42, at_64.point, _e48.normal, depth_1, rt::Scalar(hit_35.t), _e69.cast_elem_as_i32(), hit_35.cost.x(), hit_35.cost.y(), hit_35.cost.z(), visible_1[0usize].x(), rt::Scalar(at_64.level));
     }
-    pub(crate) fn visible_lights(&self, at_64: Entered, hit_36: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_64, hit_36))
+    pub(crate) fn visible_lights(&self, at_65: Entered, hit_36: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_65, hit_36))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_64: Entered, hit_36: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_65: Entered, hit_36: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
         let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -8164,8 +8233,8 @@ impl<'g> Resources<'g> {
                 {
                     let _e17 = k_18;
                     let _e19 = self.frame.lights[rt::Scalar::into_array_index(_e17)];
-                    let _e21 = self.v_toward_light(_e19, at_64.point);
-                    let _e22 = self.v_shadow_stage(at_64, hit_36, _e21);
+                    let _e21 = self.v_toward_light(_e19, at_65.point);
+                    let _e22 = self.v_shadow_stage(at_65, hit_36, _e21);
                     let _e23 = k_18;
                     visible_2[rt::Scalar::into_array_index(_e23)] = <rt::Vec4<f32>>::from_scalars(_e22, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
                     let _e29 = k_18;
@@ -8176,16 +8245,16 @@ impl<'g> Resources<'g> {
         let _e32 = visible_2;
         return _e32;
     }
-    pub(crate) fn shade_pixel(&self, pixel_46: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_46))
+    pub(crate) fn shade_pixel(&self, pixel_48: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_48))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_46: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_46);
-        let _e2 = self.v_first_hit(pixel_46, _e1);
-        let _e5 = self.v_place_hit(pixel_46, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_48: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_48);
+        let _e2 = self.v_first_hit(pixel_48, _e1);
+        let _e5 = self.v_place_hit(pixel_48, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e8 = self.v_visible_lights(_e5, _e2.hit);
-        let _e9 = self.v_shade_hit(pixel_46, _e5, _e2.hit, _e8);
+        let _e9 = self.v_shade_hit(pixel_48, _e5, _e2.hit, _e8);
         return _e9;
     }
 }

@@ -108,18 +108,18 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "surface/prism", head: r#"// Shells of the base triangles as normals that are interpolated, and not normalised, span them.
 //
-// After Ogaki 2023, Nonlinear Ray Tracing for Displacement. The ray's way through texture coordinates and heights
-// is curved. It is cut into chords: straight in texture coordinates, with heights that bend through their
-// middle. Where along the ray a chord is, is known by the ray's own parameter, which also serves where the ray
-// runs along the shell. `params.x` is how far chords may be beside the way, in texels; with `params.y` of 1
-// the base is smooth.
+// After Ogaki 2023, Nonlinear Ray Tracing for Displacement. The ray's way through texture coordinates and
+// heights is curved. It is cut into chords: straight in texture coordinates, with heights that bend through
+// their middle. Where along the ray a chord is, is known by the ray's own parameter, which also serves where
+// the ray runs along the shell. `params.x` is how far chords may be beside the way, in texels; with
+// `params.y` of 1 the base is smooth.
 "# },
     Module { path: "surface/tetrahedra", head: r#"// Shells of the base triangles in three tetrahedra each: the ray is straight in each of them.
 //
-// Szirmay-Kalos and Umenhoffer 2008, section 5.2. The corners of a shell are those of its triangle, moved along
-// their normals. Texture coordinates and heights are linear in a tetrahedron, so that they are continuous over
-// the whole mesh where neighbours cut their common side along the same diagonal: it runs from the lower corner
-// that comes first in the order of both to the upper one of the other.
+// Szirmay-Kalos and Umenhoffer 2008, section 5.2. The corners of a shell are those of its triangle, moved
+// along their normals. Texture coordinates and heights are linear in a tetrahedron, so that they are
+// continuous over the whole mesh where neighbours cut their common side along the same diagonal: it runs from
+// the lower corner that comes first in the order of both to the upper one of the other.
 "# },
     Module { path: "detail/fade", head: r#"// From displacement to bump mapping with distance: as `footprint`, and what is hardly deeper than a pixel is
 // traced flatter.
@@ -2690,8 +2690,9 @@ fn visible_lights(at: Entered, hit: Hit) -> array<vec4f, MAX_LIGHTS> {
         name: "mirrored_light",
         sampling: None,
         uses: &["Entered", "Hit", "NEVER", "PixelIn", "Toward", "shadow_stage"],
-        text: r#"// The part of a light that arrives at a placed hit, for a light with a disc of some degrees whose direction is that
-// of the pixel's ray after a mirror in the base surface: it is above the relief wherever the ray came from.
+        text: r#"// The part of a light that arrives at a placed hit, for a light with a disc of some degrees whose direction
+// is that of the pixel's ray after a mirror in the base surface: it is above the relief wherever the ray came
+// from.
 fn mirrored_light(pixel: PixelIn, at: Entered, hit: Hit) -> f32 {
     if (hit.found == 0u) {
         return 0.0;
@@ -3699,6 +3700,21 @@ fn frame_at(pixel: PixelIn, weights: vec3f, point: vec3f, uv: vec2f, facing: vec
     },
     Declaration {
         module: "shared/shell",
+        name: "shell_middle",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "facing_of", "frame_at", "middle_of"],
+        text: r#"// The middle of the triangle, of which it is not known yet whether the ray comes into the shell.
+fn shell_middle(pixel: PixelIn, along: vec3f) -> Entered {
+    let third = vec3f(1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
+    let uv = (pixel.a.uv + pixel.b.uv + pixel.c.uv) * (1.0 / 3.0);
+    let point = pixel.origin + along * middle_of(pixel, along);
+    var at = frame_at(pixel, third, point, uv, facing_of(pixel, along));
+    at.segments = 0u;
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
         name: "placed_at",
         sampling: None,
         uses: &["Entered", "PixelIn", "frame_at"],
@@ -4145,9 +4161,18 @@ fn surface_plane_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params
         name: "NEWTON_STEPS",
         sampling: None,
         uses: &[],
-        text: r#"// Steps of Newton's method from the middle of a shell to a point of it. Fewer, and hits are beside the ray
-// where shells are strongly curved.
+        text: r#"// The most steps of Newton's method from the middle of a shell to a point of it. Fewer, and hits are beside
+// the ray where shells are strongly curved.
 const NEWTON_STEPS = 6u;"#,
+    },
+    Declaration {
+        module: "surface/prism",
+        name: "NEWTON_END",
+        sampling: None,
+        uses: &[],
+        text: r#"// After a step that is shorter than this, in weights and heights, the point is known to rounding: each step
+// squares what is missing.
+const NEWTON_END = 0.0001;"#,
     },
     Declaration {
         module: "surface/prism",
@@ -4226,7 +4251,7 @@ struct ShellPoint {
         module: "surface/prism",
         name: "shell_point",
         sampling: None,
-        uses: &["NEWTON_STEPS", "Prism", "ShellPoint", "lift_of", "surface_settings"],
+        uses: &["NEWTON_END", "NEWTON_STEPS", "Prism", "ShellPoint", "lift_of", "surface_settings"],
         text: r#"// The point of a shell that is at a place, by Newton's method.
 fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
     let low = surface_settings.shell_m.x;
@@ -4255,6 +4280,9 @@ fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
         let dh = dot(rest, cross(a, b)) / volume;
         w = vec3f(w.x - db - dc, w.y + db, w.z + dc);
         h = h + dh;
+        if (max(max(abs(db), abs(dc)), abs(dh)) < NEWTON_END) {
+            break;
+        }
     }
     return ShellPoint(w, h);
 }"#,
@@ -4308,6 +4336,9 @@ fn span_of(pixel: PixelIn, prism: Prism, along: vec3f, middle: f32, params: vec4
     var span = vec2f(0.0 - middle, NEVER);
     span = in_slab(span, cross(low1 - low0, low2 - low0), prism, offsets, along, slack);
     span = in_slab(span, cross(high1 - high0, high2 - high0), prism, offsets, along, slack);
+    if (!(span.y > span.x)) {
+        return span;
+    }
     span = in_slab(span, cross(high1 - low0, low1 - high0), prism, offsets, along, slack);
     span = in_slab(span, cross(high2 - low1, low2 - high1), prism, offsets, along, slack);
     span = in_slab(span, cross(high0 - low2, low0 - high2), prism, offsets, along, slack);
@@ -4321,7 +4352,14 @@ fn span_of(pixel: PixelIn, prism: Prism, along: vec3f, middle: f32, params: vec4
         uses: &["HEIGHTS_A_TEXEL", "PixelIn", "ShellPoint", "height_size", "uv_of"],
         text: r#"// How far a point of the way is beside the straight line, in units of the tolerance's texels: `part` is where
 // between the ends, of which the heights are a quadratic through the middle.
-fn beside_chord(pixel: PixelIn, a: ShellPoint, m: ShellPoint, b: ShellPoint, at: ShellPoint, part: f32) -> f32 {
+fn beside_chord(
+    pixel: PixelIn,
+    a: ShellPoint,
+    m: ShellPoint,
+    b: ShellPoint,
+    at: ShellPoint,
+    part: f32,
+) -> f32 {
     let line = a.weights + (b.weights - a.weights) * part;
     let apart = abs(uv_of(pixel, at.weights - line) * height_size(0u));
     let bend = 2.0 * (a.height + b.height - 2.0 * m.height);
@@ -4334,17 +4372,16 @@ fn beside_chord(pixel: PixelIn, a: ShellPoint, m: ShellPoint, b: ShellPoint, at:
         module: "surface/prism",
         name: "surface_prism_enter",
         sampling: None,
-        uses: &["Entered", "MOST_CHORDS", "NEVER", "PixelIn", "SHELL_FOLDED", "beside_chord", "middle_of", "prism_of", "shell_point", "span_of", "surface_tetrahedra_enter"],
+        uses: &["Entered", "MOST_CHORDS", "NEVER", "PixelIn", "SHELL_FOLDED", "beside_chord", "middle_of", "prism_of", "shell_middle", "shell_point", "span_of", "surface_tetrahedra_enter"],
         text: r#"fn surface_prism_enter(pixel: PixelIn, params: vec4f) -> Entered {
-    var at = surface_tetrahedra_enter(pixel, params);
     if (pixel.shell.order >= SHELL_FOLDED) {
-        return at;
+        return surface_tetrahedra_enter(pixel, params);
     }
     let along = normalize(pixel.direction);
     let middle = middle_of(pixel, along);
     let prism = prism_of(pixel, along, middle, params);
+    var at = shell_middle(pixel, along);
     at.span = span_of(pixel, prism, along, middle, params);
-    at.segments = 0u;
     let long = at.span.y - at.span.x;
     if (!(long > 0.0) || !(long < NEVER)) {
         return at;
@@ -4538,8 +4575,8 @@ fn where_positive(interval: vec2f, weight: f32, change: f32, slack: f32) -> vec2
         name: "tetrahedron",
         sampling: None,
         uses: &["NEVER", "PixelIn", "Tetrahedron", "ordered", "raised", "shell_slack", "where_positive"],
-        text: r#"// The tetrahedron of that number of three. It reaches as far beyond its faces as rounding may move the ray, so
-// that no ray passes between two.
+        text: r#"// The tetrahedron of that number of three. It reaches as far beyond its faces as rounding may move the ray,
+// so that no ray passes between two.
 //
 // Its corners are lower ones from the first on and upper ones to the last: one lower one in number 2, all
 // three in number 0.
@@ -4549,7 +4586,8 @@ fn tetrahedron(pixel: PixelIn, along: vec3f, middle: f32, number: u32) -> Tetrah
     let is_last = number == 2u;
     let q0 = raised(ordered(pixel, 0u), pixel.side, 0.0) - origin;
     let q1 = raised(ordered(pixel, select(1u, 0u, is_last)), pixel.side, select(0.0, 1.0, is_last)) - origin;
-    let q2 = raised(ordered(pixel, select(1u, 2u, is_first)), pixel.side, select(1.0, 0.0, is_first)) - origin;
+    let third = ordered(pixel, select(1u, 2u, is_first));
+    let q2 = raised(third, pixel.side, select(1.0, 0.0, is_first)) - origin;
     let q3 = raised(ordered(pixel, 2u), pixel.side, 1.0) - origin;
     let e1 = q1 - q0;
     let e2 = q2 - q0;
@@ -4599,16 +4637,31 @@ fn comes_before(a: vec2f, b: vec2f) -> u32 {
     },
     Declaration {
         module: "surface/tetrahedra",
+        name: "is_met",
+        sampling: None,
+        uses: &["PixelIn", "tetrahedron"],
+        text: r#"// Whether the ray goes through a tetrahedron.
+fn is_met(pixel: PixelIn, along: vec3f, middle: f32, number: u32) -> bool {
+    let inside = tetrahedron(pixel, along, middle, number).inside;
+    return inside.y > inside.x;
+}"#,
+    },
+    Declaration {
+        module: "surface/tetrahedra",
         name: "surface_tetrahedra_enter",
         sampling: None,
-        uses: &["Entered", "PixelIn", "facing_of", "frame_at", "middle_of"],
+        uses: &["Entered", "PixelIn", "is_met", "middle_of", "shell_middle"],
         text: r#"fn surface_tetrahedra_enter(pixel: PixelIn, params: vec4f) -> Entered {
     let along = normalize(pixel.direction);
-    let uv = (pixel.a.uv + pixel.b.uv + pixel.c.uv) * (1.0 / 3.0);
-    let third = vec3f(1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
-    let point = pixel.origin + along * middle_of(pixel, along);
-    var at = frame_at(pixel, third, point, uv, facing_of(pixel, along));
-    at.segments = 3u;
+    let middle = middle_of(pixel, along);
+    var at = shell_middle(pixel, along);
+    var number = 0u;
+    while (number < 3u) {
+        if (is_met(pixel, along, middle, number)) {
+            at.segments = 3u;
+        }
+        number = number + 1u;
+    }
     return at;
 }"#,
     },

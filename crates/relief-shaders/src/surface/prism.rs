@@ -16,7 +16,7 @@ pub const ENTRY: Entry = Entry {
             summary: "how far beside the ray a segment of it may run before its hit is made right",
             unit: "texels",
             min: 0.000_976_562_5,
-            max: 16.0,
+            max: 1.0,
             default: 0.0625,
             integer: false,
         },

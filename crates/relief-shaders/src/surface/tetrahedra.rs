@@ -7,7 +7,7 @@ use super::{Paths, Proposal, SEGMENTS_REFUSE};
 /// Shells in tetrahedra.
 pub const ENTRY: Entry = Entry {
     name: "tetrahedra",
-    summary: "the triangle's shell in three tetrahedra: silhouettes, with up to three straight segments a ray",
+    summary: "the triangle's shell in three tetrahedra: silhouettes, up to three straight segments a ray",
     publication: Publication { paper: super::SURVEY, section: "5.2" },
     maps: &[],
     params: &[],

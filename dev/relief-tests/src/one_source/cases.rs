@@ -9,7 +9,7 @@ use relief_core::registry::Entry;
 use relief_core::{BakedMap, HeightMap, MapFormat, Wrap};
 use relief_render::job::JobSurface;
 use relief_shaders::cpu::{Entered, Frame, Path, PixelIn, Probe, Program, Shared, SurfaceSettings};
-use relief_shaders::{DETAIL, SHADOW, SHADOW_SEARCH, STAGES, Selection};
+use relief_shaders::{DETAIL, SHADOW, SHADOW_SEARCH, STAGES, Selection, surface};
 
 /// The most cells or steps that a stage may take in these tests. A software adapter (Mesa's llvmpipe) leaves
 /// a shader's loops after 65,535 turns, all loops counted together; search and refinement must stay below
@@ -43,10 +43,21 @@ pub struct Draw {
 impl Draw {
     /// The next draw; in the finest level where the search's map has no other.
     pub fn new(pair: [&Entry; 2], shadow: [&Entry; 2], detail: &Entry, rng: &mut Rng) -> Self {
-        let [search, refine] = pair;
+        Self::on(&surface::ENTRIES[0], pair, shadow, detail, rng)
+    }
+
+    /// The same on a surface.
+    pub fn on(
+        surface: &Entry,
+        [search, refine]: [&Entry; 2],
+        shadow: [&Entry; 2],
+        detail: &Entry,
+        rng: &mut Rng,
+    ) -> Self {
         let scale_m = rng.pick(&[1.0, 1.0, 0.1, 0.02, 3.0, 0.0]);
         let bias_m = rng.pick(&[-1.0, -1.0, 0.0, -0.3, 0.5]) * scale_m;
         let mut selection = Selection::pair(search.name, refine.name).expect("listed names");
+        selection.choose("surface", surface.name).expect("a listed name");
         for (stage, entry) in [SHADOW, SHADOW_SEARCH].into_iter().zip(shadow) {
             selection.choose(STAGES[stage].key, entry.name).expect("a listed name");
         }
@@ -75,7 +86,7 @@ impl Draw {
 impl Case {
     fn with(name: String, map: HeightMap, selection: Selection, format: MapFormat) -> Self {
         let map = Arc::new(map);
-        let surface = surface(Arc::clone(&map), selection, maps_in(format, &map, &selection));
+        let surface = bare_surface(Arc::clone(&map), selection, maps_in(format, &map, &selection));
         Self { name, map, surface }
     }
 
@@ -105,7 +116,7 @@ impl Case {
 }
 
 /// A surface without a mesh, a light or a colour.
-fn surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> JobSurface {
+fn bare_surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> JobSurface {
     let settings = SurfaceSettings::tracing(&map, &selection, &slots(&map, &selection, &maps));
     JobSurface {
         settings,

@@ -9,6 +9,7 @@ pub mod cases;
 pub mod compare;
 pub mod picture;
 pub mod rays;
+pub mod shells;
 
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
