@@ -1503,10 +1503,10 @@ impl<'g> Resources<'g> {
         at_7: ShellPoint,
         part_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let line = (a.weights + ((b.weights - a.weights) * part_1));
-        let _e14 = self.v_uv_of(pixel_2, (at_7.weights - line));
-        let _e16 = self.v_height_size(rt::Scalar(0u32));
-        let apart = (_e14 * _e16).abs();
+        let line = (a.weights + ((b.weights - a.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
+        let _e19 = self.v_uv_of(pixel_2, (at_7.weights - line));
+        let _e21 = self.v_height_size(rt::Scalar(0u32));
+        let apart = (_e19 * _e21).abs();
         let bend = (rt::Scalar(2f32) * ((rt::Scalar(a.height) + rt::Scalar(b.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
         let slope_4 = ((rt::Scalar(b.height) - rt::Scalar(a.height)) - bend);
         let height_4 = (rt::Scalar(a.height) + (part_1 * (slope_4 + (part_1 * bend))));
@@ -1780,7 +1780,7 @@ impl<'g> Resources<'g> {
         at_8: Entered,
         k: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        return (at_8.span.x() + ((at_8.span.y() - at_8.span.x()) * (k.cast_elem_as_f32() / rt::Scalar(at_8.segments).cast_elem_as_f32())));
+        return (at_8.span.x() + ((at_8.span.y() - at_8.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.cast_elem_as_f32() / rt::Scalar(at_8.segments).cast_elem_as_f32())));
     }
     pub(crate) fn climb(
         &self,
@@ -2399,8 +2399,8 @@ impl<'g> Resources<'g> {
         height_1: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let shell_3 = self.surface_settings.shell_m;
-        let _e12 = self.v_moved_out(corner_2, side_1, (shell_3.x() + ((shell_3.y() - shell_3.x()) * height_1)));
-        return _e12;
+        let _e14 = self.v_moved_out(corner_2, side_1, (shell_3.x() + ((shell_3.y() - shell_3.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_1)));
+        return _e14;
     }
     pub(crate) fn shell_slack(
         &self,
@@ -2624,13 +2624,13 @@ impl<'g> Resources<'g> {
     fn v_offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         let _e4 = self.surface_settings.shell_m.y();
         let _e8 = self.surface_settings.shell_m.x();
-        let width_2 = (_e4 - _e8);
+        let width_2 = (_e4 - _e8).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let quarter = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.25f32), rt::Scalar(0.25f32), rt::Scalar(0.25f32));
         let zero = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let lowered = shell.lift.min(zero).dot(quarter);
         let lifted = shell.lift.max(zero).dot(quarter);
-        let _e27 = self.surface_settings.shell_m.x();
-        return ((rt::Vec2::splat_from_scalar(_e27) + (width_2 * shell.heights)) + <rt::Vec2<f32>>::from_scalars(lowered, lifted));
+        let _e29 = self.surface_settings.shell_m.x();
+        return ((rt::Vec2::splat_from_scalar(_e29) + (width_2 * shell.heights)) + <rt::Vec2<f32>>::from_scalars(lowered, lifted));
     }
     pub(crate) fn in_slab(
         &self,
@@ -2723,21 +2723,6 @@ impl<'g> Resources<'g> {
         let _e82 = span;
         return _e82;
     }
-    pub(crate) fn lift_of(
-        &self,
-        lift: impl rt::Into<rt::Vec3<f32>>,
-        w: impl rt::Into<rt::Vec3<f32>>,
-    ) -> f32 {
-        rt::into(self.v_lift_of(rt::into(lift), rt::into(w)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_lift_of(
-        &self,
-        lift: rt::Vec3<f32>,
-        w: rt::Vec3<f32>,
-    ) -> rt::Scalar<f32> {
-        return ((((lift.x() * w.y()) * w.z()) + ((lift.y() * w.z()) * w.x())) + ((lift.z() * w.x()) * w.y()));
-    }
     pub(crate) fn shell_point(
         &self,
         prism_2: Prism,
@@ -2753,46 +2738,51 @@ impl<'g> Resources<'g> {
         place_5: rt::Vec3<f32>,
         height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let mut w_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
+        let mut w: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
         let mut h_1: rt::Scalar<f32>;
         let mut step: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let low = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
-        let width_3 = (_e10 - low);
+        let width_3 = (_e10 - low).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_2.lift;
         h_1 = height_2;
         'naga_break: loop {
             'naga_continue: {
-                let _e21 = step;
-                if rt::Scalar::into_branch_condition(_e21.elementwise_lt(NEWTON_STEPS)) {
+                let _e23 = step;
+                if rt::Scalar::into_branch_condition(_e23.elementwise_lt(NEWTON_STEPS)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e24 = step;
-                    step = (_e24 + rt::Scalar(1u32));
-                    let _e27 = h_1;
-                    let _e30 = w_1;
-                    let _e31 = self.v_lift_of(l, _e30);
-                    let offset_2 = ((low + (width_3 * _e27)) + _e31);
-                    let _e35 = w_1.x();
-                    let _e39 = w_1.y();
-                    let _e44 = w_1.z();
-                    let normal_16 = (((prism_2.n0_ * _e35) + (prism_2.n1_ * _e39)) + (prism_2.n2_ * _e44));
-                    let _e49 = w_1.x();
-                    let _e53 = w_1.y();
-                    let _e58 = w_1.z();
-                    let base_1 = (((prism_2.p0_ * _e49) + (prism_2.p1_ * _e53)) + (prism_2.p2_ * _e58));
+                    let _e26 = step;
+                    step = (_e26 + rt::Scalar(1u32));
+                    let _e31 = w.y();
+                    let _e34 = w.z();
+                    let _e38 = w.z();
+                    let _e41 = w.x();
+                    let _e46 = w.x();
+                    let _e49 = w.y();
+                    let lift = ((((l.x() * _e31) * _e34) + ((l.y() * _e38) * _e41)) + ((l.z() * _e46) * _e49));
+                    let _e52 = h_1;
+                    let offset_2 = ((low + (width_3 * _e52)) + lift);
+                    let _e58 = w.x();
+                    let _e62 = w.y();
+                    let _e67 = w.z();
+                    let normal_16 = (((prism_2.n0_ * _e58) + (prism_2.n1_ * _e62)) + (prism_2.n2_ * _e67));
+                    let _e72 = w.x();
+                    let _e76 = w.y();
+                    let _e81 = w.z();
+                    let base_1 = (((prism_2.p0_ * _e72) + (prism_2.p1_ * _e76)) + (prism_2.p2_ * _e81));
                     let rest_2 = ((place_5 - base_1) - (normal_16 * offset_2));
-                    let _e66 = w_1.x();
-                    let _e68 = w_1.y();
-                    let _e72 = w_1.z();
-                    let second_1 = ((l.z() * (_e66 - _e68)) + (_e72 * (l.x() - l.y())));
-                    let _e80 = w_1.x();
-                    let _e82 = w_1.z();
-                    let _e86 = w_1.y();
-                    let third_1 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
+                    let _e89 = w.x();
+                    let _e91 = w.y();
+                    let _e95 = w.z();
+                    let second_1 = ((l.z() * (_e89 - _e91)) + (_e95 * (l.x() - l.y())));
+                    let _e103 = w.x();
+                    let _e105 = w.z();
+                    let _e109 = w.y();
+                    let third_1 = ((l.y() * (_e103 - _e105)) + (_e109 * (l.x() - l.z())));
                     let a_8 = (((prism_2.p1_ - prism_2.p0_) + ((prism_2.n1_ - prism_2.n0_) * offset_2)) + (normal_16 * second_1));
                     let b_6 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_16 * third_1));
                     let c_6 = (normal_16 * width_3);
@@ -2801,21 +2791,21 @@ impl<'g> Resources<'g> {
                     let db = (rest_2.dot(across_2) / volume_1);
                     let dc = (rest_2.dot(c_6.cross(a_8)) / volume_1);
                     let dh = (rest_2.dot(a_8.cross(b_6)) / volume_1);
-                    let _e124 = w_1.x();
-                    let _e128 = w_1.y();
-                    let _e131 = w_1.z();
-                    w_1 = <rt::Vec3<f32>>::from_scalars(((_e124 - db) - dc), (_e128 + db), (_e131 + dc));
-                    let _e134 = h_1;
-                    h_1 = (_e134 + dh);
+                    let _e147 = w.x();
+                    let _e151 = w.y();
+                    let _e154 = w.z();
+                    w = <rt::Vec3<f32>>::from_scalars(((_e147 - db) - dc), (_e151 + db), (_e154 + dc));
+                    let _e157 = h_1;
+                    h_1 = (_e157 + dh);
                     if rt::Scalar::into_branch_condition(db.abs().max(dc.abs()).max(dh.abs()).elementwise_lt(rt::Scalar(0.0001f32))) {
                         break 'naga_break;
                     }
                 }
             }
         }
-        let _e143 = w_1;
-        let _e144 = h_1;
-        return <ShellPoint>::new(_e143, _e144);
+        let _e166 = w;
+        let _e167 = h_1;
+        return <ShellPoint>::new(_e166, _e167);
     }
     pub(crate) fn surface_prism_enter(
         &self,
@@ -2846,36 +2836,36 @@ impl<'g> Resources<'g> {
         at_19.span = _e14;
         let _e17 = at_19.span.y();
         let _e20 = at_19.span.x();
-        let long = (_e17 - _e20);
+        let long = (_e17 - _e20).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long.elementwise_gt(rt::Scalar(0f32))))) {
             local_7 = (!long.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
             local_7 = rt::Scalar(true);
         }
-        let _e32 = local_7;
-        if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = at_19;
-            return _e33;
+        let _e34 = local_7;
+        if rt::Scalar::into_branch_condition(_e34) {
+            let _e35 = at_19;
+            return _e35;
         }
         let height_5 = (rt::Scalar(0.5f32) * (pixel_23.shell.heights.x() + pixel_23.shell.heights.y()));
-        let _e45 = at_19.span.x();
-        let _e47 = self.v_shell_point(_e10, (along_12 * _e45), height_5);
-        let _e50 = at_19.span.y();
-        let _e52 = self.v_shell_point(_e10, (along_12 * _e50), height_5);
-        let _e55 = at_19.span.x();
-        let _e60 = self.v_shell_point(_e10, (along_12 * (_e55 + (rt::Scalar(0.5f32) * long))), height_5);
-        let _e63 = at_19.span.x();
-        let _e68 = self.v_shell_point(_e10, (along_12 * (_e63 + (rt::Scalar(0.25f32) * long))), height_5);
-        let _e71 = at_19.span.x();
-        let _e76 = self.v_shell_point(_e10, (along_12 * (_e71 + (rt::Scalar(0.75f32) * long))), height_5);
-        let _e78 = self.v_beside_chord(pixel_23, _e47, _e60, _e52, _e68, rt::Scalar(0.25f32));
-        let _e80 = self.v_beside_chord(pixel_23, _e47, _e60, _e52, _e76, rt::Scalar(0.75f32));
-        let quarters = _e78.max(_e80);
-        let _e83 = self.v_beside_chord(pixel_23, _e47, _e60, _e52, _e60, rt::Scalar(0.5f32));
-        let most_4 = _e83.max(quarters);
+        let _e47 = at_19.span.x();
+        let _e49 = self.v_shell_point(_e10, (along_12 * _e47), height_5);
+        let _e52 = at_19.span.y();
+        let _e54 = self.v_shell_point(_e10, (along_12 * _e52), height_5);
+        let _e57 = at_19.span.x();
+        let _e62 = self.v_shell_point(_e10, (along_12 * (_e57 + (rt::Scalar(0.5f32) * long))), height_5);
+        let _e65 = at_19.span.x();
+        let _e70 = self.v_shell_point(_e10, (along_12 * (_e65 + (rt::Scalar(0.25f32) * long))), height_5);
+        let _e73 = at_19.span.x();
+        let _e78 = self.v_shell_point(_e10, (along_12 * (_e73 + (rt::Scalar(0.75f32) * long))), height_5);
+        let _e80 = self.v_beside_chord(pixel_23, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
+        let _e82 = self.v_beside_chord(pixel_23, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
+        let quarters = _e80.max(_e82);
+        let _e85 = self.v_beside_chord(pixel_23, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
+        let most_4 = _e85.max(quarters);
         rt::Scalar(at_19.segments) = (most_4 / params_12.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
-        let _e94 = at_19;
-        return _e94;
+        let _e96 = at_19;
+        return _e96;
     }
     pub(crate) fn surface_enter_stage(&self, pixel_24: PixelIn) -> Entered {
         rt::into(self.v_surface_enter_stage(pixel_24))
@@ -3411,19 +3401,19 @@ impl<'g> Resources<'g> {
         let _e30 = self.v_ordered(pixel_27, rt::Scalar(0u32));
         let _e32 = self.v_ordered(pixel_27, rt::Scalar(1u32));
         let _e34 = self.v_ordered(pixel_27, rt::Scalar(2u32));
-        let w_2 = chosen.weights;
+        let w_1 = chosen.weights;
         let g = chosen.change;
-        let uv_23 = (((_e30.uv * w_2.x()) + (_e32.uv * w_2.y())) + (_e34.uv * w_2.z()));
+        let uv_23 = (((_e30.uv * w_1.x()) + (_e32.uv * w_1.y())) + (_e34.uv * w_1.z()));
         let duv_2 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
         let _e61 = self.v_shell_slack(pixel_27, _e6);
         let beyond_1 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen.inside;
         inside_1 = _e68;
         let _e70 = inside_1;
-        let _e77 = self.v_where_positive(_e70, (w_2.w() - pixel_27.shell.heights.x()), g.w(), beyond_1);
+        let _e77 = self.v_where_positive(_e70, (w_1.w() - pixel_27.shell.heights.x()), g.w(), beyond_1);
         inside_1 = _e77;
         let _e78 = inside_1;
-        let _e87 = self.v_where_positive(_e78, (pixel_27.shell.heights.y() - w_2.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
+        let _e87 = self.v_where_positive(_e78, (pixel_27.shell.heights.y() - w_1.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
         inside_1 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
@@ -3442,7 +3432,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_1.x();
         let _e149 = inside_1.y();
         let _e151 = inside_1.x();
-        path_15 = <Path>::new((uv_23 + (duv_2 * _e125)), duv_2, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_24.metric, RAY_VIEW, rt::Scalar(at_24.level), (_e6 + _e146), ((_e149 - _e151) / whole));
+        path_15 = <Path>::new((uv_23 + (duv_2 * _e125)), duv_2, <rt::Vec3<f32>>::from_scalars((w_1.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_24.metric, RAY_VIEW, rt::Scalar(at_24.level), (_e6 + _e146), ((_e149 - _e151) / whole));
         let _e158 = rt::Scalar(path_15.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_15;
@@ -3487,75 +3477,75 @@ impl<'g> Resources<'g> {
         let _e23 = self.v_chord_end(at_25, (k_3 + rt::Scalar(1u32)));
         let long_1 = (_e23 - _e20);
         let _e26 = self.v_shell_point(_e12, (along_15 * _e20), mean_3);
-        let _e31 = self.v_shell_point(_e12, (along_15 * (_e20 + (rt::Scalar(0.5f32) * long_1))), mean_3);
-        let _e34 = self.v_shell_point(_e12, (along_15 * (_e20 + long_1)), mean_3);
-        let _e36 = self.v_uv_of(pixel_28, _e26.weights);
-        let _e38 = self.v_uv_of(pixel_28, _e34.weights);
-        let duv_3 = ((_e38 - _e36) / rt::Vec2::splat_from_scalar(long_1));
-        let bend_1 = (rt::Scalar(2f32) * ((rt::Scalar(_e26.height) + rt::Scalar(_e34.height)) - (rt::Scalar(2f32) * rt::Scalar(_e31.height))));
-        let slope_6 = ((rt::Scalar(_e34.height) - rt::Scalar(_e26.height)) - bend_1);
-        let _e55 = self.v_shell_slack(pixel_28, _e11);
-        let change_3 = ((_e34.weights - _e26.weights) / rt::Vec3::splat_from_scalar(long_1));
-        let _e68 = self.v_height_size(rt::Scalar(0u32));
-        let _e71 = self.v_height_size(rt::Scalar(0u32));
-        let texel_6 = (at_25.metric.x().max(at_25.metric.z()).sqrt() / _e68.x().max(_e71.y()));
+        let _e31 = self.v_shell_point(_e12, (along_15 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
+        let _e33 = self.v_shell_point(_e12, (along_15 * _e23), mean_3);
+        let _e35 = self.v_uv_of(pixel_28, _e26.weights);
+        let _e37 = self.v_uv_of(pixel_28, _e33.weights);
+        let duv_3 = ((_e37 - _e35) / rt::Vec2::splat_from_scalar(long_1));
+        let bend_1 = (rt::Scalar(2f32) * ((rt::Scalar(_e26.height) + rt::Scalar(_e33.height)) - (rt::Scalar(2f32) * rt::Scalar(_e31.height))));
+        let slope_6 = ((rt::Scalar(_e33.height) - rt::Scalar(_e26.height)) - bend_1);
+        let _e54 = self.v_shell_slack(pixel_28, _e11);
+        let change_3 = ((_e33.weights - _e26.weights) / rt::Vec3::splat_from_scalar(long_1));
+        let _e67 = self.v_height_size(rt::Scalar(0u32));
+        let _e70 = self.v_height_size(rt::Scalar(0u32));
+        let texel_6 = (at_25.metric.x().max(at_25.metric.z()).sqrt() / _e67.x().max(_e70.y()));
         let edges = <rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length());
         let twice = (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length();
-        let beyond_2 = (edges * ((_e55 + ((rt::Scalar(2f32) * params_15.x()) * texel_6)) / twice));
+        let beyond_2 = (edges * ((_e54 + ((rt::Scalar(2f32) * params_15.x()) * texel_6)) / twice));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_1);
-        let _e106 = inside_2;
-        let _e111 = self.v_where_positive(_e106, _e26.weights.x(), change_3.x(), beyond_2.x());
-        inside_2 = _e111;
-        let _e112 = inside_2;
-        let _e117 = self.v_where_positive(_e112, _e26.weights.y(), change_3.y(), beyond_2.y());
-        inside_2 = _e117;
-        let _e118 = inside_2;
-        let _e123 = self.v_where_positive(_e118, _e26.weights.z(), change_3.z(), beyond_2.z());
-        inside_2 = _e123;
-        let _e126 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e126.elementwise_eq(WRAP_CLAMP)) {
-            let _e131 = inside_2;
-            let _e132 = self.v_inside_unit(_e36.x(), duv_3.x(), _e131);
-            inside_2 = _e132;
-            let _e135 = inside_2;
-            let _e136 = self.v_inside_unit(_e36.y(), duv_3.y(), _e135);
-            inside_2 = _e136;
+        let _e105 = inside_2;
+        let _e110 = self.v_where_positive(_e105, _e26.weights.x(), change_3.x(), beyond_2.x());
+        inside_2 = _e110;
+        let _e111 = inside_2;
+        let _e116 = self.v_where_positive(_e111, _e26.weights.y(), change_3.y(), beyond_2.y());
+        inside_2 = _e116;
+        let _e117 = inside_2;
+        let _e122 = self.v_where_positive(_e117, _e26.weights.z(), change_3.z(), beyond_2.z());
+        inside_2 = _e122;
+        let _e125 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e125.elementwise_eq(WRAP_CLAMP)) {
+            let _e130 = inside_2;
+            let _e131 = self.v_inside_unit(_e35.x(), duv_3.x(), _e130);
+            inside_2 = _e131;
+            let _e134 = inside_2;
+            let _e135 = self.v_inside_unit(_e35.y(), duv_3.y(), _e134);
+            inside_2 = _e135;
         }
-        let _e143 = inside_2.y();
-        path_16 = <Path>::new(_e36, duv_3, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_1 / (long_1 * long_1))), _e143, rt::Scalar(0f32), at_25.metric, RAY_VIEW, rt::Scalar(at_25.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_25.segments).cast_elem_as_f32()));
-        let _e156 = inside_2.y();
-        let _e158 = inside_2.x();
-        if rt::Scalar::into_branch_condition((!_e156.elementwise_gt(_e158))) {
+        let _e142 = inside_2.y();
+        path_16 = <Path>::new(_e35, duv_3, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_1 / (long_1 * long_1))), _e142, rt::Scalar(0f32), at_25.metric, RAY_VIEW, rt::Scalar(at_25.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_25.segments).cast_elem_as_f32()));
+        let _e155 = inside_2.y();
+        let _e157 = inside_2.x();
+        if rt::Scalar::into_branch_condition((!_e155.elementwise_gt(_e157))) {
             rt::Scalar(path_16.exit) = rt::Scalar(0f32);
-            let _e163 = path_16;
-            return _e163;
+            let _e162 = path_16;
+            return _e162;
         }
-        let _e164 = path_16;
-        let _e166 = inside_2.x();
-        let _e167 = self.v_path_from(_e164, _e166);
-        path_16 = _e167;
-        let _e170 = path_16.h.x();
-        let above_3 = (_e170 - heights_1.y());
+        let _e163 = path_16;
+        let _e165 = inside_2.x();
+        let _e166 = self.v_path_from(_e163, _e165);
+        path_16 = _e166;
+        let _e169 = path_16.h.x();
+        let above_3 = (_e169 - heights_1.y());
         if rt::Scalar::into_branch_condition(above_3.elementwise_gt(rt::Scalar(0f32))) {
-            let _e175 = path_16;
-            let _e178 = path_16.h.y();
-            let _e181 = path_16.h.z();
-            let _e184 = rt::Scalar(path_16.exit);
-            let _e185 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, _e178, _e181), _e184);
-            let _e187 = rt::Scalar(path_16.exit);
-            let _e189 = self.v_path_from(_e175, _e185.min(_e187));
-            path_16 = _e189;
+            let _e174 = path_16;
+            let _e177 = path_16.h.y();
+            let _e180 = path_16.h.z();
+            let _e183 = rt::Scalar(path_16.exit);
+            let _e184 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, _e177, _e180), _e183);
+            let _e186 = rt::Scalar(path_16.exit);
+            let _e188 = self.v_path_from(_e174, _e184.min(_e186));
+            path_16 = _e188;
         }
-        let _e191 = rt::Scalar(path_16.exit);
-        if rt::Scalar::into_branch_condition(_e191.elementwise_gt(rt::Scalar(0f32))) {
+        let _e190 = rt::Scalar(path_16.exit);
+        if rt::Scalar::into_branch_condition(_e190.elementwise_gt(rt::Scalar(0f32))) {
+            let _e193 = path_16;
             let _e194 = path_16;
-            let _e195 = path_16;
-            let _e199 = self.v_out_of_ground(_e195, (rt::Scalar(4f32) * _e55), params_15.x());
-            let _e200 = self.v_path_from(_e194, _e199);
-            path_16 = _e200;
+            let _e198 = self.v_out_of_ground(_e194, (rt::Scalar(4f32) * _e54), params_15.x());
+            let _e199 = self.v_path_from(_e193, _e198);
+            path_16 = _e199;
         }
-        let _e201 = path_16;
-        return _e201;
+        let _e200 = path_16;
+        return _e200;
     }
     pub(crate) fn surface_segment_stage(
         &self,

@@ -3594,11 +3594,12 @@ fn ordered(pixel: PixelIn, place: u32) -> Corner {
         module: "shared/shell",
         name: "raised",
         sampling: None,
-        uses: &["Corner", "moved_out", "surface_settings"],
+        uses: &["Corner", "NEVER", "moved_out", "surface_settings"],
         text: r#"// Where a corner of the triangle is at a height.
 fn raised(corner: Corner, side: f32, height: f32) -> vec3f {
     let shell = surface_settings.shell_m;
-    return moved_out(corner, side, shell.x + (shell.y - shell.x) * height);
+    // A limit that is never reached: compilers would make another mean, which ends in other bits.
+    return moved_out(corner, side, shell.x + min(shell.y - shell.x, NEVER) * height);
 }"#,
     },
     Declaration {
@@ -3615,26 +3616,16 @@ fn moved_out(corner: Corner, side: f32, offset: f32) -> vec3f {
         module: "shared/shell",
         name: "offsets_of",
         sampling: None,
-        uses: &["Shell", "surface_settings"],
+        uses: &["NEVER", "Shell", "surface_settings"],
         text: r#"// The offsets along the normals, in metres, between which the relief of a shell lies.
 fn offsets_of(shell: Shell) -> vec2f {
-    let width = surface_settings.shell_m.y - surface_settings.shell_m.x;
+    let width = min(surface_settings.shell_m.y - surface_settings.shell_m.x, NEVER);
     let quarter = vec3f(0.25, 0.25, 0.25);
     let zero = vec3f(0.0, 0.0, 0.0);
     // A product of two weights is at most a quarter.
     let lowered = dot(min(shell.lift, zero), quarter);
     let lifted = dot(max(shell.lift, zero), quarter);
     return surface_settings.shell_m.x + width * shell.heights + vec2f(lowered, lifted);
-}"#,
-    },
-    Declaration {
-        module: "shared/shell",
-        name: "lift_of",
-        sampling: None,
-        uses: &[],
-        text: r#"// How much higher the smooth base is at a point of the triangle.
-fn lift_of(lift: vec3f, w: vec3f) -> f32 {
-    return lift.x * w.y * w.z + lift.y * w.z * w.x + lift.z * w.x * w.y;
 }"#,
     },
     Declaration {
@@ -4251,18 +4242,23 @@ struct ShellPoint {
         module: "surface/prism",
         name: "shell_point",
         sampling: None,
-        uses: &["NEWTON_END", "NEWTON_STEPS", "Prism", "ShellPoint", "lift_of", "surface_settings"],
+        uses: &["NEVER", "NEWTON_END", "NEWTON_STEPS", "Prism", "ShellPoint", "surface_settings"],
         text: r#"// The point of a shell that is at a place, by Newton's method.
 fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
     let low = surface_settings.shell_m.x;
-    let width = surface_settings.shell_m.y - low;
+    // A limit that is never reached: compilers would make another mean of both, which ends in other bits.
+    let width = min(surface_settings.shell_m.y - low, NEVER);
     let l = prism.lift;
-    var w = vec3f(1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
+    // Near the middle, and no two alike: compilers would take a common factor out of the first step's sums,
+    // which ends in other bits.
+    var w = vec3f(0.28125, 0.375, 0.34375);
     var h = height;
     var step = 0u;
     while (step < NEWTON_STEPS) {
         step = step + 1u;
-        let offset = low + width * h + lift_of(l, w);
+        // In this order: with a common factor taken out compilers make other bits of it.
+        let lift = l.x * w.y * w.z + l.y * w.z * w.x + l.z * w.x * w.y;
+        let offset = low + width * h + lift;
         let normal = prism.n0 * w.x + prism.n1 * w.y + prism.n2 * w.z;
         let base = prism.p0 * w.x + prism.p1 * w.y + prism.p2 * w.z;
         let rest = place - base - normal * offset;
@@ -4349,7 +4345,7 @@ fn span_of(pixel: PixelIn, prism: Prism, along: vec3f, middle: f32, params: vec4
         module: "surface/prism",
         name: "beside_chord",
         sampling: None,
-        uses: &["HEIGHTS_A_TEXEL", "PixelIn", "ShellPoint", "height_size", "uv_of"],
+        uses: &["HEIGHTS_A_TEXEL", "NEVER", "PixelIn", "ShellPoint", "height_size", "uv_of"],
         text: r#"// How far a point of the way is beside the straight line, in units of the tolerance's texels: `part` is where
 // between the ends, of which the heights are a quadratic through the middle.
 fn beside_chord(
@@ -4360,7 +4356,8 @@ fn beside_chord(
     at: ShellPoint,
     part: f32,
 ) -> f32 {
-    let line = a.weights + (b.weights - a.weights) * part;
+    // As in `shell_point`.
+    let line = a.weights + min(b.weights - a.weights, vec3f(NEVER, NEVER, NEVER)) * part;
     let apart = abs(uv_of(pixel, at.weights - line) * height_size(0u));
     let bend = 2.0 * (a.height + b.height - 2.0 * m.height);
     let slope = b.height - a.height - bend;
@@ -4382,7 +4379,8 @@ fn beside_chord(
     let prism = prism_of(pixel, along, middle, params);
     var at = shell_middle(pixel, along);
     at.span = span_of(pixel, prism, along, middle, params);
-    let long = at.span.y - at.span.x;
+    // A limit that is never reached, as in `shell_point`.
+    let long = min(at.span.y - at.span.x, NEVER);
     if (!(long > 0.0) || !(long < NEVER)) {
         return at;
     }
@@ -4403,10 +4401,11 @@ fn beside_chord(
         module: "surface/prism",
         name: "chord_end",
         sampling: None,
-        uses: &["Entered"],
+        uses: &["Entered", "NEVER"],
         text: r#"// The end of a chord on the ray, in metres from the place nearest to the triangle.
 fn chord_end(at: Entered, k: u32) -> f32 {
-    return at.span.x + (at.span.y - at.span.x) * (f32(k) / f32(at.segments));
+    // A limit that is never reached, as in `shell_point`.
+    return at.span.x + min(at.span.y - at.span.x, NEVER) * (f32(k) / f32(at.segments));
 }"#,
     },
     Declaration {
@@ -4424,10 +4423,11 @@ fn chord_end(at: Entered, k: u32) -> f32 {
     let heights = pixel.shell.heights;
     let mean = 0.5 * (heights.x + heights.y);
     let first = chord_end(at, k);
-    let long = chord_end(at, k + 1u) - first;
+    let last = chord_end(at, k + 1u);
+    let long = last - first;
     let a = shell_point(prism, along * first, mean);
-    let m = shell_point(prism, along * (first + 0.5 * long), mean);
-    let b = shell_point(prism, along * (first + long), mean);
+    let m = shell_point(prism, along * (0.5 * (first + last)), mean);
+    let b = shell_point(prism, along * last, mean);
     let uv = uv_of(pixel, a.weights);
     let duv = (uv_of(pixel, b.weights) - uv) / long;
     let bend = 2.0 * (a.height + b.height - 2.0 * m.height);

@@ -22,6 +22,9 @@ const LONGEST_LOOP_OF_SHADOW: f32 = 1_024.0;
 /// The most rays of a shadow in these tests.
 const MOST_RAYS_OF_SHADOW: f32 = 3.0;
 
+/// The thickness of shells of relief without any, in metres.
+pub(super) const LEAST_SHELL_M: f32 = 1e-3;
+
 /// A map and the settings of a search and a refinement.
 pub struct Case {
     /// What is chosen, for messages.
@@ -118,6 +121,7 @@ impl Case {
 /// A surface without a mesh, a light or a colour.
 fn bare_surface(map: Arc<HeightMap>, selection: Selection, maps: Vec<BakedMap>) -> JobSurface {
     let settings = SurfaceSettings::tracing(&map, &selection, &slots(&map, &selection, &maps));
+    let settings = settings.with_least_shell(&map, LEAST_SHELL_M);
     JobSurface {
         settings,
         selection,

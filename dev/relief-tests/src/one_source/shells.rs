@@ -8,7 +8,7 @@ use relief_shaders::wgsl::Sampling;
 use relief_shaders::{Selection, detail, refine, search, shadow};
 
 use super::adapter;
-use super::cases::Draw;
+use super::cases::{Draw, LEAST_SHELL_M};
 use super::compare::Comparison;
 use crate::maps;
 use crate::rng::Rng;
@@ -33,7 +33,7 @@ fn within(rng: &mut Rng, most: f64) -> DVec3 {
 
 /// A ray through a point of the shell of some triangle.
 fn pixel(rng: &mut Rng, map: &HeightMap) -> PixelIn {
-    let thick = map.scale_m().max(1e-3);
+    let thick = map.scale_m().max(LEAST_SHELL_M.into());
     // From triangles that are much wider than their shell to shells that are as high as twenty triangles.
     let size = thick * rng.pick(&[30.0, 5.0, 1.0, 1.0, 0.3, 0.05]);
     let centre = within(rng, 3.0);
