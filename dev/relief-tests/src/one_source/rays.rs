@@ -53,7 +53,7 @@ fn pixel(rng: &mut Rng, map: &HeightMap, path: &Path) -> PixelIn {
         let position = point + frame * aside.extend(0.0);
         let [position, normal] = [position, frame.z_axis * side].map(|v| v.as_vec3().to_array());
         let [tangent, bitangent] = [frame.x_axis, frame.y_axis].map(|v| v.as_vec3().to_array());
-        Corner::new(position, normal, tangent, bitangent, (uv + aside).as_vec2().to_array())
+        Corner::new(position, normal, tangent, bitangent, (uv + aside).as_vec2().to_array(), [0.0; 3])
     };
     let [origin, direction] = [origin, direction].map(|v| v.as_vec3().to_array());
     let turned = rng.unit();
