@@ -876,47 +876,70 @@ pub(crate) struct Resources<'g> {
     pub(crate) surface_settings: SurfaceSettings,
 }
 impl<'g> Resources<'g> {
+    pub(crate) fn quadratic(
+        &self,
+        c: impl rt::Into<rt::Vec3<f32>>,
+        s: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_quadratic(rt::into(c), rt::into(s)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_quadratic(
+        &self,
+        c: rt::Vec3<f32>,
+        s: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (c.x() + (s * (c.y() + (s * c.z()))));
+    }
+    pub(crate) fn across_roots(&self, ray: Across) -> rt::Vec3<f32> {
+        rt::into(self.v_across_roots(ray))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_across_roots(&self, ray: Across) -> rt::Vec3<f32> {
+        return <rt::Vec3<f32>>::from_scalars((rt::Scalar(ray.sine) * rt::Scalar(ray.sine)), (((rt::Scalar(-2f32) * rt::Scalar(ray.mixed)) * rt::Scalar(ray.sine)) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * rt::Scalar(ray.descent))), ((rt::Scalar(ray.mixed) * rt::Scalar(ray.mixed)) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * rt::Scalar(ray.along))));
+    }
     pub(crate) fn across_discriminant(
         &self,
-        ray: Across,
+        ray_1: Across,
         t: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_across_discriminant(ray, rt::into(t)))
+        rt::into(self.v_across_discriminant(ray_1, rt::into(t)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_across_discriminant(
         &self,
-        ray: Across,
+        ray_1: Across,
         t: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let b_5 = ((t * rt::Scalar(ray.mixed)) - rt::Scalar(ray.sine));
-        return ((b_5 * b_5) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * (t * (rt::Scalar(ray.descent) + (t * rt::Scalar(ray.along))))));
+        let _e2 = self.v_across_roots(ray_1);
+        let _e3 = self.v_quadratic(_e2, t);
+        return _e3;
     }
     pub(crate) fn across_depth(
         &self,
-        ray_1: Across,
+        ray_2: Across,
         t_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_across_depth(ray_1, rt::into(t_1)))
+        rt::into(self.v_across_depth(ray_2, rt::into(t_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_across_depth(
         &self,
-        ray_1: Across,
+        ray_2: Across,
         t_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let c_5 = (t_1 * (rt::Scalar(ray_1.descent) + (t_1 * rt::Scalar(ray_1.along))));
-        let _e7 = self.v_across_discriminant(ray_1, t_1);
+        let c_5 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let _e7 = self.v_across_discriminant(ray_2, t_1);
         if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
             return c_5;
         }
-        let b_6 = ((t_1 * rt::Scalar(ray_1.mixed)) - rt::Scalar(ray_1.sine));
+        let b_5 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
         let root = _e7.sqrt();
-        if rt::Scalar::into_branch_condition(b_6.elementwise_lt(rt::Scalar(0f32))) {
-            return ((rt::Scalar(2f32) * c_5) / (root - b_6));
+        if rt::Scalar::into_branch_condition(b_5.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_5) / (root - b_5));
         }
-        if rt::Scalar::into_branch_condition(rt::Scalar(ray_1.across).elementwise_ne(rt::Scalar(0f32))) {
-            return (((rt::Scalar(0f32) - b_6) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_1.across)));
+        if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
+            return (((rt::Scalar(0f32) - b_5) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
         }
         return c_5;
     }
@@ -1006,112 +1029,188 @@ impl<'g> Resources<'g> {
         let _e23 = self.v_quadric_at(q, beside_1);
         return <Across>::new(duv_3, descent_1, _e22, _e23, mixed_1, sine);
     }
+    pub(crate) fn reached(
+        &self,
+        ray_3: Across,
+        depth: impl rt::Into<rt::Scalar<f32>>,
+        t_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_reached(ray_3, rt::into(depth), rt::into(t_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_reached(
+        &self,
+        ray_3: Across,
+        depth: rt::Scalar<f32>,
+        t_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut local: rt::Scalar<bool>;
+
+        let _e3 = self.v_across_depth(ray_3, t_2);
+        let off = (_e3 - depth).abs();
+        if rt::Scalar::into_branch_condition(t_2.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+            let _e10 = self.v_traced_scale_m();
+            local = off.elementwise_le((rt::Scalar(0.0009765625f32) * (_e10 + depth.abs())));
+        } else {
+            local = rt::Scalar(false);
+        }
+        let _e17 = local;
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_2, _e17);
+    }
     pub(crate) fn bent_descent(
         &self,
-        depth: impl rt::Into<rt::Scalar<f32>>,
+        depth_1: impl rt::Into<rt::Scalar<f32>>,
         descent: impl rt::Into<rt::Scalar<f32>>,
         bend: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_bent_descent(rt::into(depth), rt::into(descent), rt::into(bend)))
+        rt::into(self.v_bent_descent(rt::into(depth_1), rt::into(descent), rt::into(bend)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_bent_descent(
         &self,
-        depth: rt::Scalar<f32>,
+        depth_1: rt::Scalar<f32>,
         descent: rt::Scalar<f32>,
         bend: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut t_2: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut t_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         if rt::Scalar::into_branch_condition(bend.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(descent.elementwise_gt(rt::Scalar(0f32))) {
-                t_2 = (depth / descent);
+                t_3 = (depth_1 / descent);
             }
-            let _e10 = t_2;
+            let _e10 = t_3;
             return _e10;
         }
-        let discriminant = ((descent * descent) + ((rt::Scalar(4f32) * bend) * depth));
+        let discriminant = ((descent * descent) + ((rt::Scalar(4f32) * bend) * depth_1));
         if rt::Scalar::into_branch_condition(discriminant.elementwise_gt(rt::Scalar(0f32))) {
             let root_1 = discriminant.sqrt();
             if rt::Scalar::into_branch_condition(descent.elementwise_gt(rt::Scalar(0f32))) {
-                t_2 = ((rt::Scalar(2f32) * depth) / (descent + root_1));
+                t_3 = ((rt::Scalar(2f32) * depth_1) / (descent + root_1));
             } else {
-                t_2 = ((root_1 - descent) / (rt::Scalar(2f32) * bend));
+                t_3 = ((root_1 - descent) / (rt::Scalar(2f32) * bend));
             }
         }
-        let _e29 = t_2;
+        let _e29 = t_3;
         return _e29;
     }
     pub(crate) fn down_across(
         &self,
-        ray_2: Across,
-        depth_1: impl rt::Into<rt::Scalar<f32>>,
+        ray_4: Across,
+        depth_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_down_across(ray_2, rt::into(depth_1)))
+        rt::into(self.v_down_across(ray_4, rt::into(depth_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_down_across(
         &self,
-        ray_2: Across,
-        depth_1: rt::Scalar<f32>,
+        ray_4: Across,
+        depth_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let mut local: rt::Scalar<bool>;
-
-        let under = (depth_1 * (rt::Scalar(ray_2.sine) - (depth_1 * rt::Scalar(ray_2.across))));
-        let _e12 = self.v_bent_descent(under, (rt::Scalar(ray_2.descent) + (depth_1 * rt::Scalar(ray_2.mixed))), rt::Scalar(ray_2.along));
-        if rt::Scalar::into_branch_condition(_e12.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            let _e17 = self.v_across_discriminant(ray_2, _e12);
-            local = _e17.elementwise_ge(rt::Scalar(0f32));
-        } else {
-            local = rt::Scalar(false);
-        }
-        let _e21 = local;
-        if rt::Scalar::into_branch_condition(_e21) {
-            return _e12;
-        }
-        return rt::Scalar(300000000000000000000000000000000000000f32);
+        let under = (depth_2 * (rt::Scalar(ray_4.sine) - (depth_2 * rt::Scalar(ray_4.across))));
+        let _e12 = self.v_bent_descent(under, (rt::Scalar(ray_4.descent) + (depth_2 * rt::Scalar(ray_4.mixed))), rt::Scalar(ray_4.along));
+        let _e13 = self.v_reached(ray_4, depth_2, _e12);
+        return _e13;
     }
     pub(crate) fn down_along(
         &self,
-        ray_3: Across,
-        depth_2: impl rt::Into<rt::Scalar<f32>>,
+        ray_5: Across,
+        depth_3: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_down_along(ray_3, rt::into(depth_2)))
+        rt::into(self.v_down_along(ray_5, rt::into(depth_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_down_along(
         &self,
-        ray_3: Across,
-        depth_2: rt::Scalar<f32>,
+        ray_5: Across,
+        depth_3: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_bent_descent(depth_3, rt::Scalar(ray_5.descent), rt::Scalar(ray_5.along));
+        let _e5 = self.v_reached(ray_5, depth_3, _e4);
+        return _e5;
+    }
+    pub(crate) fn first_root(
+        &self,
+        c_1: impl rt::Into<rt::Vec3<f32>>,
+        span: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_first_root(rt::into(c_1), rt::into(span)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_first_root(
+        &self,
+        c_1: rt::Vec3<f32>,
+        span: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut a: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut b: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+
+        let discriminant_1 = ((c_1.y() * c_1.y()) - ((rt::Scalar(4f32) * c_1.z()) * c_1.x()));
+        if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
+            let root_2 = discriminant_1.sqrt();
+            let q_1 = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root_2).select(root_2, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
+            if rt::Scalar::into_branch_condition(c_1.z().elementwise_ne(rt::Scalar(0f32))) {
+                a = (q_1 / c_1.z());
+            }
+            if rt::Scalar::into_branch_condition(q_1.elementwise_ne(rt::Scalar(0f32))) {
+                b = (c_1.x() / q_1);
+            }
+            let _e37 = a;
+            let _e38 = a;
+            a = rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e38.elementwise_ge(rt::Scalar(0f32)));
+            let _e43 = b;
+            let _e44 = b;
+            b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
+            let _e49 = a;
+            let _e50 = b;
+            let first_2 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_2.elementwise_le(span)) {
+                return first_2;
+            }
+        }
+        let _e53 = self.v_quadratic(c_1, span);
+        if rt::Scalar::into_branch_condition(_e53.elementwise_le(rt::Scalar(0f32))) {
+            return span;
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub(crate) fn jumps_below(
+        &self,
+        ray_6: Across,
+        depth_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_jumps_below(ray_6, rt::into(depth_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_jumps_below(
+        &self,
+        ray_6: Across,
+        depth_4: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut local_1: rt::Scalar<bool>;
 
-        let _e4 = self.v_bent_descent(depth_2, rt::Scalar(ray_3.descent), rt::Scalar(ray_3.along));
+        let _e2 = self.v_across_roots(ray_6);
+        let _e4 = self.v_first_root(_e2, rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition(_e4.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-            let _e9 = self.v_across_discriminant(ray_3, _e4);
-            local_1 = _e9.elementwise_ge(rt::Scalar(0f32));
+            local_1 = (_e4 * (rt::Scalar(ray_6.descent) + (_e4 * rt::Scalar(ray_6.along)))).elementwise_ge(depth_4);
         } else {
             local_1 = rt::Scalar(false);
         }
-        let _e13 = local_1;
-        if rt::Scalar::into_branch_condition(_e13) {
-            return rt::Scalar(300000000000000000000000000000000000000f32);
-        }
-        return _e4;
+        let below_1 = local_1;
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(_e4, below_1);
     }
     pub(crate) fn across_span(
         &self,
         at_2: Entered,
-        ray_4: Across,
+        ray_7: Across,
         eye: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_across_span(at_2, ray_4, rt::into(eye)))
+        rt::into(self.v_across_span(at_2, ray_7, rt::into(eye)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_across_span(
         &self,
         at_2: Entered,
-        ray_4: Across,
+        ray_7: Across,
         eye: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let mut local_2: rt::Scalar<bool>;
@@ -1122,48 +1221,49 @@ impl<'g> Resources<'g> {
         let _e6 = self.v_traced_scale_m();
         let height_5 = at_2.quadric.w();
         let over = ((height_5 - rt::Scalar(1f32)) * _e6);
-        let _e12 = self.v_down_across(ray_4, over);
-        let _e13 = self.v_down_along(ray_4, over);
-        let begin = _e12.min(_e13);
+        let _e12 = self.v_down_across(ray_7, over);
+        let _e13 = self.v_down_along(ray_7, over);
+        let _e15 = self.v_jumps_below(ray_7, over);
+        let begin = _e12.min(_e13).min(_e15);
         if rt::Scalar::into_branch_condition((!(!begin.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
             if rt::Scalar::into_branch_condition(height_5.elementwise_ge(rt::Scalar(1f32))) {
                 local_3 = begin.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
             }
-            let _e28 = local_3;
-            local_2 = _e28;
+            let _e30 = local_3;
+            local_2 = _e30;
         } else {
             local_2 = rt::Scalar(true);
         }
-        let _e30 = local_2;
-        if rt::Scalar::into_branch_condition(_e30) {
+        let _e32 = local_2;
+        if rt::Scalar::into_branch_condition(_e32) {
             return nowhere;
         }
         let enter_2 = begin.max(eye);
         let floor = (height_5 * _e6);
-        let _e33 = self.v_down_across(ray_4, floor);
-        let _e34 = self.v_down_along(ray_4, floor);
-        leave = rt::Scalar(300000000000000000000000000000000000000f32).select(_e33, _e33.elementwise_gt(enter_2)).min(rt::Scalar(300000000000000000000000000000000000000f32).select(_e34, _e34.elementwise_gt(enter_2)));
-        if rt::Scalar::into_branch_condition(rt::Scalar(ray_4.along).elementwise_lt(rt::Scalar(0f32))) {
-            let under_1 = ((rt::Scalar(ray_4.descent) * rt::Scalar(ray_4.descent)) + ((rt::Scalar(4f32) * rt::Scalar(ray_4.along)) * over));
+        let _e35 = self.v_down_across(ray_7, floor);
+        let _e36 = self.v_down_along(ray_7, floor);
+        let _e37 = self.v_jumps_below(ray_7, floor);
+        leave = rt::Scalar(300000000000000000000000000000000000000f32).select(_e35, _e35.elementwise_gt(enter_2));
+        let _e42 = leave;
+        leave = _e42.min(rt::Scalar(300000000000000000000000000000000000000f32).select(_e36, _e36.elementwise_gt(enter_2)));
+        let _e47 = leave;
+        leave = _e47.min(rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e37.elementwise_gt(enter_2)));
+        if rt::Scalar::into_branch_condition(rt::Scalar(ray_7.along).elementwise_lt(rt::Scalar(0f32))) {
+            let under_1 = ((rt::Scalar(ray_7.descent) * rt::Scalar(ray_7.descent)) + ((rt::Scalar(4f32) * rt::Scalar(ray_7.along)) * over));
             if rt::Scalar::into_branch_condition(under_1.elementwise_ge(rt::Scalar(0f32))) {
-                let _e56 = leave;
-                leave = _e56.min(((rt::Scalar(ray_4.descent) + under_1.sqrt()) / (rt::Scalar(-2f32) * rt::Scalar(ray_4.along))));
+                let _e65 = leave;
+                leave = _e65.min(((rt::Scalar(ray_7.descent) + under_1.sqrt()) / (rt::Scalar(-2f32) * rt::Scalar(ray_7.along))));
             }
         }
-        let _e65 = leave;
-        if rt::Scalar::into_branch_condition((!_e65.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)))) {
-            let _e71 = self.v_bent_descent(floor, rt::Scalar(ray_4.descent), rt::Scalar(ray_4.along));
-            leave = _e71;
-        }
-        let _e72 = leave;
-        if rt::Scalar::into_branch_condition((!_e72.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)))) {
+        let _e74 = leave;
+        if rt::Scalar::into_branch_condition((!_e74.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)))) {
             return nowhere;
         }
-        let _e76 = leave;
-        let _e77 = leave;
-        return <rt::Vec2<f32>>::from_scalars(enter_2, (_e76 + ((_e77 - enter_2) * rt::Scalar(0.000001f32))));
+        let _e78 = leave;
+        let _e79 = leave;
+        return <rt::Vec2<f32>>::from_scalars(enter_2, (_e78 + ((_e79 - enter_2) * rt::Scalar(0.000001f32))));
     }
     pub(crate) fn add_sample(
         &self,
@@ -1834,47 +1934,47 @@ impl<'g> Resources<'g> {
     pub(crate) fn beside_chord(
         &self,
         pixel_2: PixelIn,
-        a: ShellPoint,
+        a_1: ShellPoint,
         m: ShellPoint,
-        b: ShellPoint,
+        b_1: ShellPoint,
         at_10: ShellPoint,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_beside_chord(pixel_2, a, m, b, at_10, rt::into(part_1)))
+        rt::into(self.v_beside_chord(pixel_2, a_1, m, b_1, at_10, rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_beside_chord(
         &self,
         pixel_2: PixelIn,
-        a: ShellPoint,
+        a_1: ShellPoint,
         m: ShellPoint,
-        b: ShellPoint,
+        b_1: ShellPoint,
         at_10: ShellPoint,
         part_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let line = (a.weights + ((b.weights - a.weights) * part_1));
+        let line = (a_1.weights + ((b_1.weights - a_1.weights) * part_1));
         let _e14 = self.v_uv_of(pixel_2, (at_10.weights - line));
         let _e16 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e14 * _e16).abs();
-        let bend_1 = (rt::Scalar(2f32) * ((rt::Scalar(a.height) + rt::Scalar(b.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
-        let slope_4 = ((rt::Scalar(b.height) - rt::Scalar(a.height)) - bend_1);
-        let height_6 = (rt::Scalar(a.height) + (part_1 * (slope_4 + (part_1 * bend_1))));
+        let bend_1 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
+        let slope_4 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_1);
+        let height_6 = (rt::Scalar(a_1.height) + (part_1 * (slope_4 + (part_1 * bend_1))));
         return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_6).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn path_height(
         &self,
         path: Path,
-        t_3: impl rt::Into<rt::Scalar<f32>>,
+        t_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_height(path, rt::into(t_3)))
+        rt::into(self.v_path_height(path, rt::into(t_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_height(
         &self,
         path: Path,
-        t_3: rt::Scalar<f32>,
+        t_4: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path.h.x() + (t_3 * (path.h.y() + (t_3 * path.h.z()))));
+        return (path.h.x() + (t_4 * (path.h.y() + (t_4 * path.h.z()))));
     }
     pub(crate) fn height_cell(
         &self,
@@ -1926,33 +2026,33 @@ impl<'g> Resources<'g> {
     pub(crate) fn path_uv(
         &self,
         path_1: Path,
-        t_4: impl rt::Into<rt::Scalar<f32>>,
+        t_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_path_uv(path_1, rt::into(t_4)))
+        rt::into(self.v_path_uv(path_1, rt::into(t_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_uv(
         &self,
         path_1: Path,
-        t_4: rt::Scalar<f32>,
+        t_5: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        return (path_1.uv + (path_1.duv * t_4));
+        return (path_1.uv + (path_1.duv * t_5));
     }
     pub(crate) fn path_gap(
         &self,
         path_2: Path,
-        t_5: impl rt::Into<rt::Scalar<f32>>,
+        t_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_gap(path_2, rt::into(t_5)))
+        rt::into(self.v_path_gap(path_2, rt::into(t_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_gap(
         &self,
         path_2: Path,
-        t_5: rt::Scalar<f32>,
+        t_6: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_path_height(path_2, t_5);
-        let _e3 = self.v_path_uv(path_2, t_5);
+        let _e2 = self.v_path_height(path_2, t_6);
+        let _e3 = self.v_path_uv(path_2, t_6);
         let _e5 = self.v_height_at(_e3, rt::Scalar(path_2.level));
         return (_e2 - _e5);
     }
@@ -1994,9 +2094,9 @@ impl<'g> Resources<'g> {
         cell_1: impl rt::Into<rt::Vec2<f32>>,
         leave_1: impl rt::Into<rt::Vec2<f32>>,
         forward: impl rt::Into<rt::Vec2<bool>>,
-        t_6: impl rt::Into<rt::Scalar<f32>>,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave_1), rt::into(forward), rt::into(t_6)))
+        rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave_1), rt::into(forward), rt::into(t_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_after(
@@ -2005,11 +2105,11 @@ impl<'g> Resources<'g> {
         cell_1: rt::Vec2<f32>,
         leave_1: rt::Vec2<f32>,
         forward: rt::Vec2<bool>,
-        t_6: rt::Scalar<f32>,
+        t_7: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_6)));
-        let ahead = _e9.max((cell_1 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_6, t_6)))));
-        let behind = _e9.min((cell_1 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_6, t_6)))));
+        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_7)));
+        let ahead = _e9.max((cell_1 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_7, t_7)))));
+        let behind = _e9.min((cell_1 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_7, t_7)))));
         return behind.select(ahead, forward);
     }
     pub(crate) fn gap_to(
@@ -2018,9 +2118,9 @@ impl<'g> Resources<'g> {
         grid_1: Grid,
         cell_2: impl rt::Into<rt::Vec2<f32>>,
         h_1: impl rt::Into<rt::Vec4<f32>>,
-        t_7: impl rt::Into<rt::Scalar<f32>>,
+        t_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_gap_to(path_4, grid_1, rt::into(cell_2), rt::into(h_1), rt::into(t_7)))
+        rt::into(self.v_gap_to(path_4, grid_1, rt::into(cell_2), rt::into(h_1), rt::into(t_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_gap_to(
@@ -2029,14 +2129,14 @@ impl<'g> Resources<'g> {
         grid_1: Grid,
         cell_2: rt::Vec2<f32>,
         h_1: rt::Vec4<f32>,
-        t_7: rt::Scalar<f32>,
+        t_8: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let bx = (h_1.y() - h_1.x());
         let by = (h_1.z() - h_1.x());
         let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
-        let at_76 = ((grid_1.origin - cell_2) + (grid_1.step * t_7));
-        let z = (path_4.h.x() + (t_7 * (path_4.h.y() + (t_7 * path_4.h.z()))));
-        let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_7) * path_4.h.z()));
+        let at_76 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
+        let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
         return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_76.x())) + (by * at_76.y())) + ((twist * at_76.x()) * at_76.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_76.x() * grid_1.step.y()) + (at_76.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
@@ -2044,9 +2144,9 @@ impl<'g> Resources<'g> {
         path_5: Path,
         grid_2: Grid,
         cell_3: impl rt::Into<rt::Vec2<f32>>,
-        t_8: impl rt::Into<rt::Scalar<f32>>,
+        t_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path_5, grid_2, rt::into(cell_3), rt::into(t_8)))
+        rt::into(self.v_cell_gap(path_5, grid_2, rt::into(cell_3), rt::into(t_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_gap(
@@ -2054,10 +2154,10 @@ impl<'g> Resources<'g> {
         path_5: Path,
         grid_2: Grid,
         cell_3: rt::Vec2<f32>,
-        t_8: rt::Scalar<f32>,
+        t_9: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e6 = self.v_height_cell(cell_3.cast_elem_as_i32(), rt::Scalar(path_5.level));
-        let _e7 = self.v_gap_to(path_5, grid_2, cell_3, _e6, t_8);
+        let _e7 = self.v_gap_to(path_5, grid_2, cell_3, _e6, t_9);
         return _e7;
     }
     pub(crate) fn cell_leave(
@@ -2185,18 +2285,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn comes_before(
         &self,
-        a_1: impl rt::Into<rt::Vec2<f32>>,
-        b_1: impl rt::Into<rt::Vec2<f32>>,
+        a_2: impl rt::Into<rt::Vec2<f32>>,
+        b_2: impl rt::Into<rt::Vec2<f32>>,
     ) -> u32 {
-        rt::into(self.v_comes_before(rt::into(a_1), rt::into(b_1)))
+        rt::into(self.v_comes_before(rt::into(a_2), rt::into(b_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_comes_before(
         &self,
-        a_1: rt::Vec2<f32>,
-        b_1: rt::Vec2<f32>,
+        a_2: rt::Vec2<f32>,
+        b_2: rt::Vec2<f32>,
     ) -> rt::Scalar<u32> {
-        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_1.x().elementwise_le(b_1.x()));
+        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_2.x().elementwise_le(b_2.x()));
     }
     pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_slope_of(rt::into(value)))
@@ -2273,8 +2373,8 @@ impl<'g> Resources<'g> {
         corner: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
         let above_3 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        let below_1 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        return above_3.select(below_1, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+        let below_2 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_3.select(below_2, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn plane_distance(
         &self,
@@ -2309,11 +2409,11 @@ impl<'g> Resources<'g> {
         pixel_5: PixelIn,
         at_13: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
-        t_9: impl rt::Into<rt::Scalar<f32>>,
+        t_10: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
         direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_5, at_13, rt::into(normal_8), rt::into(t_9), rt::into(origin), rt::into(direction_4)))
+        rt::into(self.v_footprint_axis(pixel_5, at_13, rt::into(normal_8), rt::into(t_10), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_axis(
@@ -2321,11 +2421,11 @@ impl<'g> Resources<'g> {
         pixel_5: PixelIn,
         at_13: Entered,
         normal_8: rt::Vec3<f32>,
-        t_9: rt::Scalar<f32>,
+        t_10: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
         direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
-        let aside_2 = (origin + (direction_4 * t_9));
+        let aside_2 = (origin + (direction_4 * t_10));
         let along_8 = (normal_8.dot(aside_2) / normal_8.dot(pixel_5.direction));
         let _e15 = self.v_climb(at_13, (aside_2 - (pixel_5.direction * along_8)));
         let _e19 = self.surface_settings.height_size;
@@ -2537,12 +2637,12 @@ impl<'g> Resources<'g> {
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let place_8 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_2 = place_8.floor();
-        let _e13 = self.v_search_texel_between(path_9, uv_7, below_2.cast_elem_as_i32());
+        let below_3 = place_8.floor();
+        let _e13 = self.v_search_texel_between(path_9, uv_7, below_3.cast_elem_as_i32());
         let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_9, uv_7, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let _e21 = self.v_search_texel_between(path_9, uv_7, (below_3 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_8 - below_2)));
+        return (lower + ((upper - lower) * (place_8 - below_3)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -2789,11 +2889,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
         }
-        let t_32 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        let t_33 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
         if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_32), interval.y());
+            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_33), interval.y());
         }
-        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_32));
+        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_33));
     }
     pub(crate) fn in_slab(
         &self,
@@ -2817,10 +2917,10 @@ impl<'g> Resources<'g> {
         slack_1: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
         let a_7 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p0_ + (prism.n0_ * offsets.x()))), normal_10.dot((prism.p0_ + (prism.n0_ * offsets.y()))));
-        let b_7 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p1_ + (prism.n1_ * offsets.x()))), normal_10.dot((prism.p1_ + (prism.n1_ * offsets.y()))));
+        let b_6 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p1_ + (prism.n1_ * offsets.x()))), normal_10.dot((prism.p1_ + (prism.n1_ * offsets.y()))));
         let c_6 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p2_ + (prism.n2_ * offsets.x()))), normal_10.dot((prism.p2_ + (prism.n2_ * offsets.y()))));
-        let least = a_7.x().min(a_7.y()).min(b_7.x().min(b_7.y())).min(c_6.x().min(c_6.y()));
-        let most_3 = a_7.x().max(a_7.y()).max(b_7.x().max(b_7.y())).max(c_6.x().max(c_6.y()));
+        let least = a_7.x().min(a_7.y()).min(b_6.x().min(b_6.y())).min(c_6.x().min(c_6.y()));
+        let most_3 = a_7.x().max(a_7.y()).max(b_6.x().max(b_6.y())).max(c_6.x().max(c_6.y()));
         let beyond = (slack_1 * normal_10.length());
         let change_1 = normal_10.dot(along_3);
         let _e72 = self.v_where_positive(interval_1, (rt::Scalar(0f32) - least), change_1, beyond);
@@ -2847,7 +2947,7 @@ impl<'g> Resources<'g> {
         params_11: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_1: Shell;
-        let mut span: rt::Vec2<f32>;
+        let mut span_1: rt::Vec2<f32>;
 
         shell_1 = pixel_20.shell;
         let _e9 = shell_1.lift;
@@ -2861,23 +2961,23 @@ impl<'g> Resources<'g> {
         let high0_ = (prism_1.p0_ + (prism_1.n0_ * _e13.y()));
         let high1_ = (prism_1.p1_ + (prism_1.n1_ * _e13.y()));
         let high2_ = (prism_1.p2_ + (prism_1.n2_ * _e13.y()));
-        span = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_2), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e50 = span;
+        span_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_2), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e50 = span_1;
         let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), prism_1, _e13, along_4, _e14);
-        span = _e54;
-        let _e55 = span;
+        span_1 = _e54;
+        let _e55 = span_1;
         let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), prism_1, _e13, along_4, _e14);
-        span = _e59;
-        let _e60 = span;
+        span_1 = _e59;
+        let _e60 = span_1;
         let _e64 = self.v_in_slab(_e60, (high1_ - low0_).cross((low1_ - high0_)), prism_1, _e13, along_4, _e14);
-        span = _e64;
-        let _e65 = span;
+        span_1 = _e64;
+        let _e65 = span_1;
         let _e69 = self.v_in_slab(_e65, (high2_ - low1_).cross((low2_ - high1_)), prism_1, _e13, along_4, _e14);
-        span = _e69;
-        let _e70 = span;
+        span_1 = _e69;
+        let _e70 = span_1;
         let _e74 = self.v_in_slab(_e70, (high0_ - low2_).cross((low0_ - high2_)), prism_1, _e13, along_4, _e14);
-        span = _e74;
-        let _e75 = span;
+        span_1 = _e74;
+        let _e75 = span_1;
         return _e75;
     }
     pub(crate) fn lift_of(
@@ -2951,13 +3051,13 @@ impl<'g> Resources<'g> {
                     let _e86 = w_1.y();
                     let third_1 = ((l.y() * (_e80 - _e82)) + (_e86 * (l.x() - l.z())));
                     let a_8 = (((prism_2.p1_ - prism_2.p0_) + ((prism_2.n1_ - prism_2.n0_) * offset_2)) + (normal_17 * second_1));
-                    let b_8 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_17 * third_1));
+                    let b_7 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_17 * third_1));
                     let c_7 = (normal_17 * width_3);
-                    let across_2 = b_8.cross(c_7);
+                    let across_2 = b_7.cross(c_7);
                     let volume = a_8.dot(across_2);
                     let db = (rest_2.dot(across_2) / volume);
                     let dc = (rest_2.dot(c_7.cross(a_8)) / volume);
-                    let dh = (rest_2.dot(a_8.cross(b_8)) / volume);
+                    let dh = (rest_2.dot(a_8.cross(b_7)) / volume);
                     let _e124 = w_1.x();
                     let _e128 = w_1.y();
                     let _e131 = w_1.z();
@@ -3423,8 +3523,8 @@ impl<'g> Resources<'g> {
             return interval_2;
         }
         let a_9 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_9 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(a_9.min(b_9)), interval_2.y().min(a_9.max(b_9)));
+        let b_8 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(a_9.min(b_8)), interval_2.y().min(a_9.max(b_8)));
     }
     pub(crate) fn surface_plane_segment(
         &self,
@@ -3617,24 +3717,24 @@ impl<'g> Resources<'g> {
     pub(crate) fn path_from(
         &self,
         path_11: Path,
-        t_10: impl rt::Into<rt::Scalar<f32>>,
+        t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_path_from(path_11, rt::into(t_10)))
+        rt::into(self.v_path_from(path_11, rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_from(
         &self,
         path_11: Path,
-        t_10: rt::Scalar<f32>,
+        t_11: rt::Scalar<f32>,
     ) -> Path {
         let mut rest: Path;
 
         rest = path_11;
-        let _e4 = self.v_path_uv(path_11, t_10);
+        let _e4 = self.v_path_uv(path_11, t_11);
         rest.uv = _e4;
-        rest.h = <rt::Vec3<f32>>::from_scalars((path_11.h.x() + (t_10 * (path_11.h.y() + (t_10 * path_11.h.z())))), (path_11.h.y() + ((rt::Scalar(2f32) * t_10) * path_11.h.z())), path_11.h.z());
-        rt::Scalar(rest.exit) = (rt::Scalar(path_11.exit) - t_10);
-        rt::Scalar(rest.start) = (rt::Scalar(path_11.start) + t_10);
+        rest.h = <rt::Vec3<f32>>::from_scalars((path_11.h.x() + (t_11 * (path_11.h.y() + (t_11 * path_11.h.z())))), (path_11.h.y() + ((rt::Scalar(2f32) * t_11) * path_11.h.z())), path_11.h.z());
+        rt::Scalar(rest.exit) = (rt::Scalar(path_11.exit) - t_11);
+        rt::Scalar(rest.start) = (rt::Scalar(path_11.start) + t_11);
         let _e33 = rest;
         return _e33;
     }
@@ -3670,66 +3770,6 @@ impl<'g> Resources<'g> {
         let aside_3 = (((((change_2.x() + change_2.y()) * slack_2) + places.x()) + places.y()) + texels_1);
         return (((path_13.h.y().abs() * slack_2) + (range * aside_3)) + rt::Scalar(0.0000009536743f32));
     }
-    pub(crate) fn quadratic(
-        &self,
-        c: impl rt::Into<rt::Vec3<f32>>,
-        s: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_quadratic(rt::into(c), rt::into(s)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_quadratic(
-        &self,
-        c: rt::Vec3<f32>,
-        s: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        return (c.x() + (s * (c.y() + (s * c.z()))));
-    }
-    pub(crate) fn first_root(
-        &self,
-        c_1: impl rt::Into<rt::Vec3<f32>>,
-        span_1: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_first_root(rt::into(c_1), rt::into(span_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_root(
-        &self,
-        c_1: rt::Vec3<f32>,
-        span_1: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut a_2: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
-        let mut b_2: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
-
-        let discriminant_1 = ((c_1.y() * c_1.y()) - ((rt::Scalar(4f32) * c_1.z()) * c_1.x()));
-        if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
-            let root_2 = discriminant_1.sqrt();
-            let q_1 = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root_2).select(root_2, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
-            if rt::Scalar::into_branch_condition(c_1.z().elementwise_ne(rt::Scalar(0f32))) {
-                a_2 = (q_1 / c_1.z());
-            }
-            if rt::Scalar::into_branch_condition(q_1.elementwise_ne(rt::Scalar(0f32))) {
-                b_2 = (c_1.x() / q_1);
-            }
-            let _e37 = a_2;
-            let _e38 = a_2;
-            a_2 = rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e38.elementwise_ge(rt::Scalar(0f32)));
-            let _e43 = b_2;
-            let _e44 = b_2;
-            b_2 = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
-            let _e49 = a_2;
-            let _e50 = b_2;
-            let first_2 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_2.elementwise_le(span_1)) {
-                return first_2;
-            }
-        }
-        let _e53 = self.v_quadratic(c_1, span_1);
-        if rt::Scalar::into_branch_condition(_e53.elementwise_le(rt::Scalar(0f32))) {
-            return span_1;
-        }
-        return rt::Scalar(300000000000000000000000000000000000000f32);
-    }
     pub(crate) fn out_of_ground(
         &self,
         path_14: Path,
@@ -3746,7 +3786,7 @@ impl<'g> Resources<'g> {
         texels_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut cell_6: rt::Vec2<f32>;
-        let mut t_11: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_grid_of(path_14);
         let _e4 = self.v_rounded_gap(path_14, slack_3, texels_2);
@@ -3759,7 +3799,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = t_11;
+                let _e18 = t_12;
                 if rt::Scalar::into_branch_condition(_e18.elementwise_lt(rt::Scalar(path_14.exit))) {
                 } else {
                     break 'naga_break;
@@ -3769,24 +3809,24 @@ impl<'g> Resources<'g> {
                     let _e22 = self.v_cell_leave(_e3, _e21);
                     let end_1 = _e22.x().min(_e22.y()).min(rt::Scalar(path_14.exit));
                     let _e31 = cell_6;
-                    let _e32 = t_11;
+                    let _e32 = t_12;
                     let _e33 = self.v_cell_gap(path_14, _e3, _e31, _e32);
-                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e4, rt::Scalar(0f32), rt::Scalar(0f32)) - _e33);
-                    if rt::Scalar::into_branch_condition((!below_3.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e39 = t_11;
+                    let below_4 = (<rt::Vec3<f32>>::from_scalars(_e4, rt::Scalar(0f32), rt::Scalar(0f32)) - _e33);
+                    if rt::Scalar::into_branch_condition((!below_4.x().elementwise_gt(rt::Scalar(0f32)))) {
+                        let _e39 = t_12;
                         return _e39;
                     }
-                    let _e40 = t_11;
-                    let _e44 = self.v_first_root(below_3, (end_1 - _e40).max(rt::Scalar(0f32)));
+                    let _e40 = t_12;
+                    let _e44 = self.v_first_root(below_4, (end_1 - _e40).max(rt::Scalar(0f32)));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e47 = t_11;
+                        let _e47 = t_12;
                         return (_e47 + _e44);
                     }
                     let _e49 = cell_6;
                     let _e50 = self.v_cell_next(_e3, _e49, _e22);
                     cell_6 = _e50;
-                    let _e51 = t_11;
-                    t_11 = _e51.max(end_1);
+                    let _e51 = t_12;
+                    t_12 = _e51.max(end_1);
                 }
             }
         }
@@ -4210,17 +4250,17 @@ impl<'g> Resources<'g> {
     pub(crate) fn path_slope(
         &self,
         path_19: Path,
-        t_12: impl rt::Into<rt::Scalar<f32>>,
+        t_13: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_19, rt::into(t_12)))
+        rt::into(self.v_path_slope(path_19, rt::into(t_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
         path_19: Path,
-        t_12: rt::Scalar<f32>,
+        t_13: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_19.h.y() + ((rt::Scalar(2f32) * t_12) * path_19.h.z()));
+        return (path_19.h.y() + ((rt::Scalar(2f32) * t_13) * path_19.h.z()));
     }
     pub(crate) fn flattened(
         &self,
@@ -4304,23 +4344,23 @@ impl<'g> Resources<'g> {
     pub(crate) fn hit_on_path(
         &self,
         path_22: Path,
-        t_13: impl rt::Into<rt::Scalar<f32>>,
+        t_14: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_22, rt::into(t_13), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_22, rt::into(t_14), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
         path_22: Path,
-        t_13: rt::Scalar<f32>,
+        t_14: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
         let mut local_18: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_13.elementwise_gt(rt::Scalar(path_22.exit))) {
+        if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_22.exit))) {
             let _e9 = self.v_path_height(path_22, rt::Scalar(path_22.exit));
             local_18 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
@@ -4331,7 +4371,7 @@ impl<'g> Resources<'g> {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_5 = t_13.clamp(rt::Scalar(0f32), rt::Scalar(path_22.exit));
+        let inside_5 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_22.exit));
         let _e19 = self.v_path_uv(path_22, inside_5);
         let _e20 = self.v_path_height(path_22, inside_5);
         return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_5, cost_3);
@@ -4396,7 +4436,7 @@ impl<'g> Resources<'g> {
         found_2: Found,
         params_21: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_14: rt::Scalar<f32>;
+        let mut t_15: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
@@ -4406,12 +4446,12 @@ impl<'g> Resources<'g> {
         let _e9 = self.v_path_uv(path_25, _e8);
         let _e11 = self.v_height_at(_e9, rt::Scalar(path_25.level));
         let _e12 = self.v_path_slope(path_25, _e8);
-        t_14 = _e8;
+        t_15 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
             let _e16 = self.v_path_height(path_25, _e8);
-            t_14 = (_e8 + ((_e11 - _e16) / _e12));
+            t_15 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e20 = t_14;
+        let _e20 = t_15;
         let _e30 = self.v_hit_on_path(path_25, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
         return _e30;
     }
@@ -4508,7 +4548,7 @@ impl<'g> Resources<'g> {
         found_4: Found,
         params_23: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_15: rt::Scalar<f32>;
+        let mut t_16: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
@@ -4519,18 +4559,18 @@ impl<'g> Resources<'g> {
         let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_28.level));
         let _e13 = self.v_path_height(path_28, _e8);
         let rise = (_e11.x() - _e13);
-        t_15 = _e8;
+        t_16 = _e8;
         if rt::Scalar::into_branch_condition(params_23.x().elementwise_gt(rt::Scalar(0.5f32))) {
             let _e19 = self.v_path_slope(path_28, _e8);
             let closing = (_e19 - ((_e11.y() * path_28.duv.x()) + (_e11.z() * path_28.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_15 = (_e8 + (rise / closing));
+                t_16 = (_e8 + (rise / closing));
             }
         } else {
             let _e40 = self.v_normal_z(path_28, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_15 = (_e8 - ((rise * path_28.metric.w()) * _e40));
+            t_16 = (_e8 - ((rise * path_28.metric.w()) * _e40));
         }
-        let _e43 = t_15;
+        let _e43 = t_16;
         let _e53 = self.v_hit_on_path(path_28, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
         return _e53;
     }
@@ -4549,7 +4589,7 @@ impl<'g> Resources<'g> {
         found_5: Found,
         params_24: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_16: rt::Scalar<f32>;
+        let mut t_17: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
         let mut k_8: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -4558,7 +4598,7 @@ impl<'g> Resources<'g> {
             return _e7;
         }
         let _e8 = self.v_starting_point(path_29, found_5);
-        t_16 = _e8;
+        t_17 = _e8;
         cost_4 = found_5.cost;
         'naga_break: loop {
             'naga_continue: {
@@ -4570,35 +4610,35 @@ impl<'g> Resources<'g> {
                 {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
-                    let _e20 = t_16;
+                    let _e20 = t_17;
                     let _e21 = self.v_path_uv(path_29, _e20);
                     let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_29.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_16;
+                    let _e28 = t_17;
                     let _e29 = self.v_path_height(path_29, _e28);
                     let rise_1 = (_e23.x() - _e29);
                     if rt::Scalar::into_branch_condition(params_24.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_16;
+                        let _e34 = t_17;
                         let _e35 = self.v_path_slope(path_29, _e34);
                         let closing_1 = (_e35 - ((_e23.y() * path_29.duv.x()) + (_e23.z() * path_29.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_16;
-                            t_16 = (_e48 + (rise_1 / closing_1));
+                            let _e48 = t_17;
+                            t_17 = (_e48 + (rise_1 / closing_1));
                         }
                     } else {
-                        let _e51 = t_16;
+                        let _e51 = t_17;
                         let _e58 = self.v_normal_z(path_29, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_16 = (_e51 - ((rise_1 * path_29.metric.w()) * _e58));
+                        t_17 = (_e51 - ((rise_1 * path_29.metric.w()) * _e58));
                     }
-                    let _e61 = t_16;
-                    t_16 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
+                    let _e61 = t_17;
+                    t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
                     let _e65 = k_8;
                     k_8 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e68 = t_16;
+        let _e68 = t_17;
         let _e75 = cost_4;
         let _e76 = self.v_hit_on_path(path_29, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
@@ -4730,7 +4770,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut t_17: rt::Scalar<f32>;
+        let mut t_18: rt::Scalar<f32>;
         let mut k_10: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
@@ -4760,7 +4800,7 @@ impl<'g> Resources<'g> {
             }
         }
         let _e33 = far_3;
-        t_17 = _e33;
+        t_18 = _e33;
         'naga_break: loop {
             'naga_continue: {
                 let _e37 = k_10;
@@ -4781,19 +4821,19 @@ impl<'g> Resources<'g> {
                     let _e50 = far_3;
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
-                    t_17 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
+                    t_18 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
                     let _e57 = k_10;
                     if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_26.x())) {
-                        let _e60 = t_17;
+                        let _e60 = t_18;
                         let _e61 = self.v_path_gap(path_31, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
-                            let _e67 = t_17;
+                            let _e67 = t_18;
                             far_3 = _e67;
                             far_gap_1 = _e61;
                         } else {
-                            let _e68 = t_17;
+                            let _e68 = t_18;
                             near_3 = _e68;
                             near_gap_1 = _e61;
                         }
@@ -4803,7 +4843,7 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e72 = t_17;
+        let _e72 = t_18;
         let _e74 = cost_6;
         let _e75 = self.v_hit_on_path(path_31, _e72, rt::Scalar(0u32), _e74);
         return _e75;
@@ -4876,15 +4916,15 @@ impl<'g> Resources<'g> {
                     let _e47 = last;
                     let _e48 = before;
                     let _e50 = last_gap;
-                    let t_33 = (_e46 + ((_e47 - _e48) * (_e50 / change_4))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let t_34 = (_e46 + ((_e47 - _e48) * (_e50 / change_4))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
                     let _e57 = last;
                     before = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
-                    last = t_33;
+                    last = t_34;
                     let _e59 = k_11;
                     if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_27.x())) {
-                        let _e62 = self.v_path_gap(path_32, t_33);
+                        let _e62 = self.v_path_gap(path_32, t_34);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
@@ -4914,7 +4954,7 @@ impl<'g> Resources<'g> {
         found_10: Found,
         params_28: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_18: rt::Scalar<f32>;
+        let mut t_19: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
         let mut local_24: rt::Scalar<bool>;
@@ -4932,8 +4972,8 @@ impl<'g> Resources<'g> {
             return _e21;
         }
         let _e22 = self.v_grid_of(path_33);
-        t_18 = rt::Scalar(found_10.near);
-        let _e27 = t_18;
+        t_19 = rt::Scalar(found_10.near);
+        let _e27 = t_19;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_7 = _e30;
         cost_8 = found_10.cost;
@@ -4952,22 +4992,22 @@ impl<'g> Resources<'g> {
                     let _e45 = cell_7;
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_2 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
-                    let _e52 = t_18;
+                    let _e52 = t_19;
                     let span_5 = (end_2 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_7;
-                    let _e57 = t_18;
+                    let _e57 = t_19;
                     let _e58 = self.v_cell_gap(path_33, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_18;
+                        let _e65 = t_19;
                         let _e67 = cost_8;
                         let _e68 = self.v_hit_on_path(path_33, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_5);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_18;
+                        let _e72 = t_19;
                         let _e75 = cost_8;
                         let _e76 = self.v_hit_on_path(path_33, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
@@ -4991,12 +5031,12 @@ impl<'g> Resources<'g> {
                     let _e96 = cell_7;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
                     cell_7 = _e97;
-                    let _e98 = t_18;
-                    t_18 = _e98.max(end_2);
+                    let _e98 = t_19;
+                    t_19 = _e98.max(end_2);
                 }
             }
         }
-        let _e100 = t_18;
+        let _e100 = t_19;
         let _e102 = cost_8;
         let _e103 = self.v_hit_on_path(path_33, _e100, rt::Scalar(1u32), _e102);
         return _e103;
@@ -5157,17 +5197,17 @@ impl<'g> Resources<'g> {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
                     let _e46 = k_12;
-                    let t_34 = (rt::Scalar(path_37.exit) * (_e46 / steps));
-                    let _e49 = self.v_path_gap(path_37, t_34);
+                    let t_35 = (rt::Scalar(path_37.exit) * (_e46 / steps));
+                    let _e49 = self.v_path_gap(path_37, t_35);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
                         let _e56 = near_4;
                         let _e57 = near_gap_2;
                         let _e58 = cost_9;
-                        return <Found>::new(FOUND_BRACKET, _e56, t_34, _e57, _e49, _e58);
+                        return <Found>::new(FOUND_BRACKET, _e56, t_35, _e57, _e49, _e58);
                     }
-                    near_4 = t_34;
+                    near_4 = t_35;
                     near_gap_2 = _e49;
                     let _e60 = k_12;
                     k_12 = (_e60 + rt::Scalar(1f32));
@@ -5202,18 +5242,18 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
-        t_19: impl rt::Into<rt::Scalar<f32>>,
+        t_20: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
         first: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_19), rt::into(span_3), rt::into(first), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_20), rt::into(span_3), rt::into(first), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_3: rt::Vec3<f32>,
-        t_19: rt::Scalar<f32>,
+        t_20: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
         first: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
@@ -5230,15 +5270,15 @@ impl<'g> Resources<'g> {
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_19, t_19, c_3.x(), c_3.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_20, t_20, c_3.x(), c_3.x(), cost_10);
         }
         let _e25 = self.v_least_at(c_3, span_3);
         let _e26 = self.v_quadratic(c_3, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_19, (t_19 + _e25), c_3.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_20, (t_20 + _e25), c_3.x(), _e26, cost_10);
         }
         let _e36 = self.v_quadratic(c_3, span_3);
-        return <Found>::new(FOUND_ABOVE, t_19, (t_19 + span_3), c_3.x(), _e36, cost_10);
+        return <Found>::new(FOUND_ABOVE, t_20, (t_20 + span_3), c_3.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
@@ -5254,7 +5294,7 @@ impl<'g> Resources<'g> {
         params_32: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
-        let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
         let _e2 = self.v_grid_of(path_38);
@@ -5275,13 +5315,13 @@ impl<'g> Resources<'g> {
                     let _e19 = self.v_cell_leave(_e2, _e18);
                     let end_3 = _e19.x().min(_e19.y()).min(rt::Scalar(path_38.exit));
                     let _e25 = cell_8;
-                    let _e26 = t_20;
+                    let _e26 = t_21;
                     let _e27 = self.v_cell_gap(path_38, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
-                    let _e31 = t_20;
+                    let _e31 = t_21;
                     let span_6 = (end_3 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_20;
+                    let _e35 = t_21;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
                     let _e41 = self.v_found_in_cell(_e27, _e35, span_6, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
@@ -5289,19 +5329,19 @@ impl<'g> Resources<'g> {
                         return _e41;
                     }
                     if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(path_38.exit))) {
-                        let _e48 = t_20;
+                        let _e48 = t_21;
                         let _e52 = cost_11;
                         return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_38.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_8;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
                     cell_8 = _e55;
-                    let _e56 = t_20;
-                    t_20 = _e56.max(end_3);
+                    let _e56 = t_21;
+                    t_21 = _e56.max(end_3);
                 }
             }
         }
-        let _e59 = t_20;
+        let _e59 = t_21;
         let _e61 = cost_11;
         return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
@@ -5448,7 +5488,7 @@ impl<'g> Resources<'g> {
         params_33: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_11: rt::Vec2<f32>;
-        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
@@ -5478,18 +5518,18 @@ impl<'g> Resources<'g> {
                     let _e34 = cell_11;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_41.exit));
-                    let _e41 = t_21;
+                    let _e41 = t_22;
                     let span_7 = (end_4 - _e41).max(rt::Scalar(0f32));
                     let top_6 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_21;
+                    let _e52 = t_22;
                     let _e53 = self.v_path_height(path_41, _e52);
-                    let _e55 = t_21;
+                    let _e55 = t_22;
                     let _e56 = self.v_path_slope(path_41, _e55);
                     let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_41.h.z());
-                    let _e63 = t_21;
-                    let _e67 = t_21;
+                    let _e63 = t_22;
+                    let _e67 = t_22;
                     let of_heights = (rt::Scalar(0.0000009536743f32) * (path_41.h.x().abs() + (_e63 * (path_41.h.y().abs() + (_e67 * path_41.h.z().abs())))));
-                    let _e77 = t_21;
+                    let _e77 = t_22;
                     next_1 = _e77.max(end_4);
                     slope_2 = rt::Scalar(-1f32);
                     let _e82 = self.v_least_at(above_6, span_7);
@@ -5514,9 +5554,9 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e103 = cell_11;
-                        let _e104 = t_21;
+                        let _e104 = t_22;
                         let _e105 = self.v_gap_to(path_41, _e2, _e103, _e30, _e104);
-                        let _e106 = t_21;
+                        let _e106 = t_22;
                         let _e107 = cost_12;
                         let _e108 = self.v_found_in_cell(_e105, _e106, span_7, first_4, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
@@ -5526,26 +5566,26 @@ impl<'g> Resources<'g> {
                     let _e112 = slope_2;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
-                        let _e119 = t_21;
+                        let _e119 = t_22;
                         let at_77 = ((_e2.origin - _e116) + (_e2.step * _e119));
                         let left_2 = at_77.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_77), forward_3);
-                        let _e131 = t_21;
+                        let _e131 = t_22;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
-                        let _e145 = t_21;
+                        let _e145 = t_22;
                         let rest_4 = (rt::Scalar(path_41.exit) - _e145);
                         let _e147 = slope_2;
                         let _e152 = self.v_stays_above(above_6, _e147, left_2.x(), _e2.step.x(), lost_1.x(), rest_4);
                         let _e153 = slope_2;
                         let _e158 = self.v_stays_above(above_6, _e153, left_2.y(), _e2.step.y(), lost_1.y(), rest_4);
                         let _e159 = next_1;
-                        let _e160 = t_21;
+                        let _e160 = t_22;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
                     if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_41.exit))) {
-                        let _e168 = t_21;
+                        let _e168 = t_22;
                         let _e170 = cost_12;
                         return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
@@ -5561,11 +5601,11 @@ impl<'g> Resources<'g> {
                         cell_11 = _e181;
                     }
                     let _e182 = next_1;
-                    t_21 = _e182;
+                    t_22 = _e182;
                 }
             }
         }
-        let _e184 = t_21;
+        let _e184 = t_22;
         let _e186 = cost_12;
         return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
@@ -5583,9 +5623,9 @@ impl<'g> Resources<'g> {
         offset_1: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_3: impl rt::Into<rt::Scalar<f32>>,
-        t_22: impl rt::Into<rt::Scalar<f32>>,
+        t_23: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_42, grid_6, rt::into(offset_1), rt::into(apex), rt::into(slope_3), rt::into(t_22)))
+        rt::into(self.v_stays_inside(path_42, grid_6, rt::into(offset_1), rt::into(apex), rt::into(slope_3), rt::into(t_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
@@ -5595,17 +5635,17 @@ impl<'g> Resources<'g> {
         offset_1: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_3: rt::Scalar<f32>,
-        t_22: rt::Scalar<f32>,
+        t_23: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
         let mut local_29: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_5 = (rt::Scalar(path_42.exit) - t_22);
-        let _e8 = self.v_path_height(path_42, t_22);
+        let rest_5 = (rt::Scalar(path_42.exit) - t_23);
+        let _e8 = self.v_path_height(path_42, t_23);
         let height_10 = (_e8 - apex);
         let terms = (path_42.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_42.exit)) * path_42.h.z().abs()));
-        let _e21 = self.v_path_slope(path_42, t_22);
+        let _e21 = self.v_path_slope(path_42, t_23);
         let rise_3 = ((_e21 + (path_42.h.z().min(rt::Scalar(0f32)) * rest_5)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_5;
         if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
@@ -5613,14 +5653,14 @@ impl<'g> Resources<'g> {
             most = _e34.min((height_10 / (rt::Scalar(0f32) - rise_3)));
         }
         let _e39 = most;
-        let end_5 = (t_22 + _e39);
+        let end_5 = (t_23 + _e39);
         let _e52 = self.v_height_size(rt::Scalar(path_42.level));
         let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_5)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
         let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_42.h.x().abs() + (end_5 * (path_42.h.y().abs() + (end_5 * path_42.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_5.x() + far_5.y())));
         let gap_2 = (height_10 - (rt::Scalar(2f32) * lost_2));
         let _e85 = self.v_height_size(rt::Scalar(path_42.level));
-        let aside_4 = (((grid_6.origin - offset_1) + (grid_6.step * t_22)) / _e85);
+        let aside_4 = (((grid_6.origin - offset_1) + (grid_6.step * t_23)) / _e85);
         let c_8 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
             local_29 = c_8.elementwise_ge(rt::Scalar(0f32));
@@ -5631,16 +5671,16 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_10 = (((slope_3 * slope_3) * aside_4.dot(path_42.duv)) - (gap_2 * rise_3));
+        let b_9 = (((slope_3 * slope_3) * aside_4.dot(path_42.duv)) - (gap_2 * rise_3));
         let a_10 = (((slope_3 * slope_3) * path_42.duv.dot(path_42.duv)) - (rise_3 * rise_3));
-        let discriminant_2 = ((b_10 * b_10) - (a_10 * c_8));
+        let discriminant_2 = ((b_9 * b_9) - (a_10 * c_8));
         if rt::Scalar::into_branch_condition(discriminant_2.elementwise_ge(rt::Scalar(0f32))) {
             let root_3 = discriminant_2.sqrt();
-            if rt::Scalar::into_branch_condition(b_10.elementwise_ge(rt::Scalar(0f32))) {
-                leave_6 = ((rt::Scalar(0f32) - c_8) / (b_10 + root_3));
+            if rt::Scalar::into_branch_condition(b_9.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_8) / (b_9 + root_3));
             } else {
                 if rt::Scalar::into_branch_condition(a_10.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_6 = ((root_3 - b_10) / a_10);
+                    leave_6 = ((root_3 - b_9) / a_10);
                 }
             }
         }
@@ -5669,7 +5709,7 @@ impl<'g> Resources<'g> {
         params_34: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
-        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
@@ -5697,16 +5737,16 @@ impl<'g> Resources<'g> {
                     let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_43.exit));
-                    let _e41 = t_23;
+                    let _e41 = t_24;
                     let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
-                    let _e49 = t_23;
+                    let _e49 = t_24;
                     let at_78 = ((_e2.origin - _e46) + (_e2.step * _e49));
                     let _e52 = self.v_nearest_corner(at_78);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_23;
+                    let _e54 = t_24;
                     next_2 = _e54;
-                    let _e56 = t_23;
+                    let _e56 = t_24;
                     let _e57 = self.v_path_height(path_43, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_12;
@@ -5716,8 +5756,8 @@ impl<'g> Resources<'g> {
                         let _e64 = self.v_map_read(path_43, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_23;
-                            let _e69 = t_23;
+                            let _e68 = t_24;
+                            let _e69 = t_24;
                             let _e70 = self.v_stays_inside(path_43, _e2, texel_7, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
@@ -5725,20 +5765,20 @@ impl<'g> Resources<'g> {
                     let _e72 = next_2;
                     if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_6)) {
                         let _e74 = cell_12;
-                        let _e75 = t_23;
+                        let _e75 = t_24;
                         let _e76 = self.v_gap_to(path_43, _e2, _e74, _e30, _e75);
-                        let _e77 = t_23;
+                        let _e77 = t_24;
                         let _e78 = cost_13;
                         let _e79 = self.v_found_in_cell(_e76, _e77, span_8, first_5, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
-                        let _e83 = t_23;
+                        let _e83 = t_24;
                         next_2 = _e83.max(end_6);
                     }
                     let _e85 = next_2;
                     if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_43.exit))) {
-                        let _e89 = t_23;
+                        let _e89 = t_24;
                         let _e91 = cost_13;
                         return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
@@ -5747,11 +5787,11 @@ impl<'g> Resources<'g> {
                     let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
                     cell_12 = _e97;
                     let _e98 = next_2;
-                    t_23 = _e98;
+                    t_24 = _e98;
                 }
             }
         }
-        let _e100 = t_23;
+        let _e100 = t_24;
         let _e102 = cost_13;
         return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
@@ -5836,7 +5876,7 @@ impl<'g> Resources<'g> {
         let mut level_17: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_14: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
         let mut local_31: rt::Scalar<bool>;
         let mut local_32: rt::Scalar<bool>;
@@ -5920,7 +5960,7 @@ impl<'g> Resources<'g> {
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
                     let end_7 = _e117.min(_e122).min(rt::Scalar(path_44.exit));
-                    let _e126 = t_24;
+                    let _e126 = t_25;
                     let span_9 = (end_7 - _e126).max(rt::Scalar(0f32));
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_3 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
@@ -5931,10 +5971,10 @@ impl<'g> Resources<'g> {
                         let _e146 = cell_14;
                         let _e148 = cell_14;
                         let _e150 = self.v_height_cell(_e148, rt::Scalar(path_44.level));
-                        let _e151 = t_24;
+                        let _e151 = t_25;
                         let _e152 = self.v_gap_to(path_44, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
-                        let _e153 = t_24;
-                        let _e154 = t_24;
+                        let _e153 = t_25;
+                        let _e154 = t_25;
                         let _e157 = cost_14;
                         let _e158 = self.v_found_in_cell(_e152, _e153, span_9, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
@@ -5950,12 +5990,12 @@ impl<'g> Resources<'g> {
                         let _e174 = level_17;
                         let _e180 = self.v_search_texel(path_44, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_44.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
-                        let _e182 = t_24;
+                        let _e182 = t_25;
                         let furthest = (_e182 + span_9);
                         let rounded = (path_44.h.x().abs() + (furthest * (path_44.h.y().abs() + (furthest * path_44.h.z().abs()))));
-                        let _e197 = t_24;
+                        let _e197 = t_25;
                         let _e198 = self.v_path_height(path_44, _e197);
-                        let _e203 = t_24;
+                        let _e203 = t_25;
                         let _e204 = self.v_path_slope(path_44, _e203);
                         let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_44.h.z());
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
@@ -5968,11 +6008,11 @@ impl<'g> Resources<'g> {
                         let _e219 = local_34;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e223 = t_24;
+                                let _e223 = t_25;
                                 let _e224 = self.v_first_root(gap_3, span_9);
-                                t_24 = (_e223 + _e224.min(span_9));
+                                t_25 = (_e223 + _e224.min(span_9));
                             }
-                            let _e229 = t_24;
+                            let _e229 = t_25;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
                             cell_14 = _e232.cast_elem_as_i32().clamp(low_2, last_3);
                             let _e235 = level_17;
@@ -5982,7 +6022,7 @@ impl<'g> Resources<'g> {
                         }
                     }
                     if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_44.exit))) {
-                        let _e244 = t_24;
+                        let _e244 = t_25;
                         let _e246 = cost_14;
                         return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
@@ -5997,12 +6037,12 @@ impl<'g> Resources<'g> {
                     let _e280 = level_17;
                     let _e285 = level_17;
                     parent = <rt::Vec2<i32>>::from_scalars((place_9.x() >> (_e280 + rt::Scalar(1u32))), (place_9.y() >> (_e285 + rt::Scalar(1u32))));
-                    let _e290 = t_24;
-                    t_24 = _e290.max(end_7);
+                    let _e290 = t_25;
+                    t_25 = _e290.max(end_7);
                 }
             }
         }
-        let _e293 = t_24;
+        let _e293 = t_25;
         let _e295 = cost_14;
         return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
@@ -6062,7 +6102,7 @@ impl<'g> Resources<'g> {
     ) -> Found {
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
@@ -6136,17 +6176,17 @@ impl<'g> Resources<'g> {
                     let _e99 = self.v_leaves_extent(origin_5.x(), step_3.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_5.y(), step_3.y(), _e96);
                     let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_25;
+                    let _e109 = t_26;
                     let end_8 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_45.exit)).max(_e109);
-                    let _e111 = t_25;
+                    let _e111 = t_26;
                     let _e112 = self.v_path_height(path_45, _e111);
                     let _e113 = highest;
-                    let _e115 = t_25;
+                    let _e115 = t_26;
                     let _e116 = self.v_path_slope(path_45, _e115);
                     let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_45.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_25;
+                        let _e125 = t_26;
                         let _e127 = self.v_first_root(gap_4, (end_8 - _e125));
                         sinks = _e127;
                     }
@@ -6154,24 +6194,24 @@ impl<'g> Resources<'g> {
                     let last_5 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_25;
+                        let _e141 = t_26;
                         let _e142 = sinks;
-                        t_25 = (_e141 + _e142);
+                        t_26 = (_e141 + _e142);
                         let _e144 = level_19;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_25;
+                            let _e148 = t_26;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
                         let _e154 = level_19;
                         level_19 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_25;
+                        let _e157 = t_26;
                         let _e160 = self.v_cell_of((origin_5 + (step_3 * _e157)));
                         texel_3 = _e160.cast_elem_as_i32().clamp(low_3, last_5);
                     } else {
                         if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_45.exit))) {
-                            let _e166 = t_25;
+                            let _e166 = t_26;
                             let _e168 = cost_15;
                             return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
@@ -6183,12 +6223,12 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_8)) {
                             texel_3.set_y((low_3.y() - rt::Scalar(1i32)).select(_e96.y(), step_3.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_25 = end_8;
+                        t_26 = end_8;
                     }
                 }
             }
         }
-        let _e200 = t_25;
+        let _e200 = t_26;
         let _e202 = cost_15;
         return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
@@ -6227,7 +6267,7 @@ impl<'g> Resources<'g> {
         params_37: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
-        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
@@ -6256,9 +6296,9 @@ impl<'g> Resources<'g> {
                     let _e27 = cell_16;
                     let _e28 = self.v_cell_leave(_e2, _e27);
                     let end_9 = _e28.x().min(_e28.y()).min(rt::Scalar(path_46.exit));
-                    let _e34 = t_26;
+                    let _e34 = t_27;
                     let span_10 = (end_9 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_26;
+                    let _e38 = t_27;
                     next_3 = _e38;
                     looks = params_37.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_16.x();
@@ -6280,25 +6320,25 @@ impl<'g> Resources<'g> {
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_16;
                         let _e79 = self.v_leaves_window(_e2, _e77, params_37.z());
-                        let _e82 = t_26;
+                        let _e82 = t_27;
                         let reach = (_e79.min(rt::Scalar(path_46.exit)) - _e82).max(rt::Scalar(0f32));
-                        let _e86 = t_26;
+                        let _e86 = t_27;
                         let furthest_1 = (_e86 + reach);
                         let rounded_1 = (path_46.h.x().abs() + (furthest_1 * (path_46.h.y().abs() + (furthest_1 * path_46.h.z().abs()))));
-                        let _e101 = t_26;
+                        let _e101 = t_27;
                         let _e102 = self.v_path_height(path_46, _e101);
-                        let _e108 = t_26;
+                        let _e108 = t_27;
                         let _e109 = self.v_path_slope(path_46, _e108);
                         let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_46.h.z());
                         if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e116 = t_26;
+                            let _e116 = t_27;
                             safe_ = _e116;
-                            let _e117 = t_26;
+                            let _e117 = t_27;
                             next_3 = (_e117 + reach);
                             let _e119 = self.v_least_at(gap_5, reach);
                             let _e120 = self.v_quadratic(gap_5, _e119);
                             if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                                let _e123 = t_26;
+                                let _e123 = t_27;
                                 let _e124 = self.v_first_root(gap_5, reach);
                                 next_3 = (_e123 + _e124.min(reach));
                             }
@@ -6327,7 +6367,7 @@ impl<'g> Resources<'g> {
                     }
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_9))) {
-                        let _e150 = t_26;
+                        let _e150 = t_27;
                         local_39 = (!end_9.elementwise_gt(_e150));
                     } else {
                         local_39 = rt::Scalar(true);
@@ -6341,22 +6381,22 @@ impl<'g> Resources<'g> {
                             let _e159 = cell_16;
                             let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_46.level));
                             let _e163 = cell_16;
-                            let _e164 = t_26;
+                            let _e164 = t_27;
                             let _e165 = self.v_gap_to(path_46, _e2, _e163, _e162, _e164);
-                            let _e166 = t_26;
-                            let _e167 = t_26;
+                            let _e166 = t_27;
+                            let _e167 = t_27;
                             let _e170 = cost_16;
                             let _e171 = self.v_found_in_cell(_e165, _e166, span_10, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
                         }
-                        let _e175 = t_26;
+                        let _e175 = t_27;
                         next_3 = _e175.max(end_9);
                     }
                     let _e177 = next_3;
                     if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_46.exit))) {
-                        let _e181 = t_26;
+                        let _e181 = t_27;
                         let _e183 = cost_16;
                         return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
@@ -6365,11 +6405,11 @@ impl<'g> Resources<'g> {
                     let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
                     cell_16 = _e189;
                     let _e190 = next_3;
-                    t_26 = _e190;
+                    t_27 = _e190;
                 }
             }
         }
-        let _e192 = t_26;
+        let _e192 = t_27;
         let _e194 = cost_16;
         return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
@@ -6387,7 +6427,7 @@ impl<'g> Resources<'g> {
         params_38: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
-        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
         let mut local_40: rt::Scalar<bool>;
@@ -6418,11 +6458,11 @@ impl<'g> Resources<'g> {
                     let _e66 = cell_17;
                     let _e67 = self.v_cell_leave(_e2, _e66);
                     let end_10 = _e67.x().min(_e67.y()).min(rt::Scalar(path_47.exit));
-                    let _e73 = t_27;
+                    let _e73 = t_28;
                     let span_11 = (end_10 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_27;
+                    let _e77 = t_28;
                     let _e78 = self.v_path_uv(path_47, _e77);
-                    let _e79 = t_27;
+                    let _e79 = t_28;
                     let _e80 = self.v_path_height(path_47, _e79);
                     let _e82 = self.v_distance_at(path_47, _e78, _e80, params_38.z());
                     let free_1 = (_e82 - lost_3);
@@ -6430,24 +6470,24 @@ impl<'g> Resources<'g> {
                     let _e86 = self.v_map_read(path_47, rt::Scalar(4u32));
                     let _e89 = self.v_map_read(path_47, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_27;
+                    let _e91 = t_28;
                     next_4 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_27;
+                        let _e95 = t_28;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
                     if rt::Scalar::into_branch_condition(params_38.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
-                        let _e102 = t_27;
+                        let _e102 = t_28;
                         if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_47.exit))))) {
-                            let _e110 = t_27;
+                            let _e110 = t_28;
                             let _e112 = cost_17;
                             return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_10))) {
-                            let _e121 = t_27;
+                            let _e121 = t_28;
                             local_40 = (!end_10.elementwise_gt(_e121));
                         } else {
                             local_40 = rt::Scalar(true);
@@ -6459,22 +6499,22 @@ impl<'g> Resources<'g> {
                             let _e129 = cell_17;
                             let _e130 = cell_17;
                             let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_47.level));
-                            let _e134 = t_27;
+                            let _e134 = t_28;
                             let _e135 = self.v_gap_to(path_47, _e2, _e129, _e133, _e134);
-                            let _e136 = t_27;
-                            let _e137 = t_27;
+                            let _e136 = t_28;
+                            let _e137 = t_28;
                             let _e140 = cost_17;
                             let _e141 = self.v_found_in_cell(_e135, _e136, span_11, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
-                            let _e145 = t_27;
+                            let _e145 = t_28;
                             next_4 = _e145.max(end_10);
                         }
                     }
                     let _e147 = next_4;
                     if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_47.exit))) {
-                        let _e151 = t_27;
+                        let _e151 = t_28;
                         let _e153 = cost_17;
                         return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
@@ -6483,11 +6523,11 @@ impl<'g> Resources<'g> {
                     let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
                     cell_17 = _e159;
                     let _e160 = next_4;
-                    t_27 = _e160;
+                    t_28 = _e160;
                 }
             }
         }
-        let _e162 = t_27;
+        let _e162 = t_28;
         let _e164 = cost_17;
         return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
@@ -6504,7 +6544,7 @@ impl<'g> Resources<'g> {
         path_48: Path,
         params_39: rt::Vec4<f32>,
     ) -> Found {
-        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
@@ -6522,12 +6562,12 @@ impl<'g> Resources<'g> {
                 {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
-                    let _e20 = t_28;
+                    let _e20 = t_29;
                     let _e21 = self.v_path_gap(path_48, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_28;
+                        let _e27 = t_29;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
                             local_41 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
@@ -6539,15 +6579,15 @@ impl<'g> Resources<'g> {
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_5;
-                        let _e43 = t_28;
+                        let _e43 = t_29;
                         let _e44 = near_gap_3;
                         let _e45 = cost_18;
                         return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_28;
+                    let _e47 = t_29;
                     near_5 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_28;
+                    let _e48 = t_29;
                     let _e49 = self.v_path_uv(path_48, _e48);
                     let _e51 = self.v_search_texel_between(path_48, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
@@ -6557,9 +6597,9 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_28;
+                    let _e61 = t_29;
                     let rest_6 = (rt::Scalar(path_48.exit) - _e61);
-                    let _e63 = t_28;
+                    let _e63 = t_29;
                     let _e64 = self.v_path_slope(path_48, _e63);
                     let rise_4 = (_e64 + (path_48.h.z().min(rt::Scalar(0f32)) * rest_6));
                     let terms_1 = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * (path_48.h.y().abs() + (rt::Scalar(path_48.exit) * path_48.h.z().abs()))));
@@ -6568,13 +6608,13 @@ impl<'g> Resources<'g> {
                     let nearing = ((_e53 * aside_5) - rise_4);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_28;
+                        let _e112 = t_29;
                         let _e114 = cost_18;
                         return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_28;
-                    t_28 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_28;
+                    let _e118 = t_29;
+                    t_29 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_29;
                     if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_48.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
@@ -6585,8 +6625,8 @@ impl<'g> Resources<'g> {
                 }
             }
         }
-        let _e138 = t_28;
-        let _e140 = t_28;
+        let _e138 = t_29;
+        let _e140 = t_29;
         let _e141 = self.v_path_height(path_48, _e140);
         let _e142 = cost_18;
         return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_48.exit), _e141, rt::Scalar(0f32), _e142);
@@ -6605,7 +6645,7 @@ impl<'g> Resources<'g> {
         params_40: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
-        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
@@ -6638,18 +6678,18 @@ impl<'g> Resources<'g> {
                     let _e54 = cell_18;
                     let _e55 = self.v_cell_leave(_e2, _e54);
                     let end_11 = _e55.x().min(_e55.y()).min(rt::Scalar(path_49.exit));
-                    let _e61 = t_29;
+                    let _e61 = t_30;
                     let span_12 = (end_11 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_18;
                     let _e66 = cell_18;
                     let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_49.level));
-                    let _e70 = t_29;
+                    let _e70 = t_30;
                     let _e71 = self.v_gap_to(path_49, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e78 = near_6;
-                        let _e79 = t_29;
+                        let _e79 = t_30;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
                             local_42 = _e83.elementwise_gt(rt::Scalar(0f32));
@@ -6659,36 +6699,36 @@ impl<'g> Resources<'g> {
                         let _e87 = local_42;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
-                            let _e89 = t_29;
+                            let _e89 = t_30;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
                             let _e93 = self.v_entered_once(path_49, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_29;
-                        let _e95 = t_29;
+                        let _e94 = t_30;
+                        let _e95 = t_30;
                         let _e98 = cost_19;
                         let _e99 = self.v_found_in_cell(_e71, _e94, span_12, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_29;
+                    let _e100 = t_30;
                     start_1 = _e100;
                     gap = _e71.x();
                     if rt::Scalar::into_branch_condition(params_40.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = t_29;
-                        let _e108 = t_29;
+                        let _e107 = t_30;
+                        let _e108 = t_30;
                         let _e111 = cost_19;
                         let _e112 = self.v_found_in_cell(_e71, _e107, span_12, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
-                        let _e116 = t_29;
+                        let _e116 = t_30;
                         start_1 = _e116.max(end_11);
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
                     if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_49.exit))) {
-                        let _e123 = t_29;
+                        let _e123 = t_30;
                         let _e125 = cost_19;
                         return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
@@ -6719,14 +6759,14 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(params_40.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
-                        let _e178 = t_29;
+                        let _e178 = t_30;
                         local_43 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_49.exit))));
                     } else {
                         local_43 = rt::Scalar(false);
                     }
                     let _e186 = local_43;
                     if rt::Scalar::into_branch_condition(_e186) {
-                        let _e188 = t_29;
+                        let _e188 = t_30;
                         let _e190 = gap;
                         let _e191 = cost_19;
                         return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_49.exit), _e190, rt::Scalar(0f32), _e191);
@@ -6752,11 +6792,11 @@ impl<'g> Resources<'g> {
                     let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
                     cell_18 = _e218;
                     let _e219 = next_5;
-                    t_29 = _e219;
+                    t_30 = _e219;
                 }
             }
         }
-        let _e221 = t_29;
+        let _e221 = t_30;
         let _e223 = cost_19;
         return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
@@ -6774,7 +6814,7 @@ impl<'g> Resources<'g> {
         params_41: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
-        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
@@ -6803,14 +6843,14 @@ impl<'g> Resources<'g> {
                     let _e34 = cell_19;
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_12 = _e35.x().min(_e35.y()).min(rt::Scalar(path_50.exit));
-                    let _e41 = t_30;
+                    let _e41 = t_31;
                     let span_13 = (end_12 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_19;
-                    let _e46 = t_30;
+                    let _e46 = t_31;
                     let _e47 = self.v_gap_to(path_50, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
-                        let _e52 = t_30;
+                        let _e52 = t_31;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
                             local_44 = _e56.elementwise_gt(rt::Scalar(0f32));
@@ -6820,29 +6860,29 @@ impl<'g> Resources<'g> {
                         let _e60 = local_44;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
-                            let _e62 = t_30;
+                            let _e62 = t_31;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
                             let _e66 = self.v_entered_once(path_50, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_30;
-                        let _e68 = t_30;
+                        let _e67 = t_31;
+                        let _e68 = t_31;
                         let _e71 = cost_20;
                         let _e72 = self.v_found_in_cell(_e47, _e67, span_13, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = t_30;
-                    let _e74 = t_30;
+                    let _e73 = t_31;
+                    let _e74 = t_31;
                     let _e77 = cost_20;
                     let _e78 = self.v_found_in_cell(_e47, _e73, span_13, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
-                    let _e82 = t_30;
+                    let _e82 = t_31;
                     let start_2 = _e82.max(end_12);
                     if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_50.exit))) {
-                        let _e87 = t_30;
+                        let _e87 = t_31;
                         let _e89 = cost_20;
                         return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
@@ -6884,11 +6924,11 @@ impl<'g> Resources<'g> {
                     let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
                     cell_19 = _e138;
                     let _e139 = next_6;
-                    t_30 = _e139;
+                    t_31 = _e139;
                 }
             }
         }
-        let _e141 = t_30;
+        let _e141 = t_31;
         let _e143 = cost_20;
         return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
@@ -7010,7 +7050,7 @@ impl<'g> Resources<'g> {
         hit_8: Hit,
         params_43: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_31: rt::Scalar<f32>;
+        let mut t_32: rt::Scalar<f32>;
         let mut point_4: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
@@ -7024,9 +7064,9 @@ impl<'g> Resources<'g> {
         let _e15 = self.v_grid_of(path_54);
         let texels_4 = _e15.step.abs();
         let most_5 = ((rt::Scalar(2f32) * params_43.x()) / texels_4.x().max(texels_4.y()).max((path_54.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_31 = rt::Scalar(hit_8.t);
-        let _e34 = t_31;
-        let _e38 = t_31;
+        t_32 = rt::Scalar(hit_8.t);
+        let _e34 = t_32;
+        let _e38 = t_32;
         let _e39 = self.v_path_height(path_54, _e38);
         let _e40 = self.v_shell_point(_e12, (along_17 * ((rt::Scalar(path_54.start) + _e34) - _e11)), _e39);
         point_4 = _e40;
@@ -7045,17 +7085,17 @@ impl<'g> Resources<'g> {
                     let _e54 = self.v_uv_of(pixel_36, _e53);
                     let _e56 = self.v_height_at(_e54, rt::Scalar(path_54.level));
                     let gap_6 = ((_e51 - _e56) - _e14);
-                    let _e61 = t_31;
+                    let _e61 = t_32;
                     let _e64 = self.v_cell_of((_e15.origin + (_e15.step * _e61)));
-                    let _e65 = t_31;
+                    let _e65 = t_32;
                     let _e66 = self.v_cell_gap(path_54, _e15, _e64, _e65);
                     let change_5 = _e66.y();
                     if rt::Scalar::into_branch_condition(change_5.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e70 = t_31;
-                        t_31 = (_e70 - (gap_6 / change_5)).clamp((rt::Scalar(hit_8.t) - most_5), (rt::Scalar(hit_8.t) + most_5));
+                        let _e70 = t_32;
+                        t_32 = (_e70 - (gap_6 / change_5)).clamp((rt::Scalar(hit_8.t) - most_5), (rt::Scalar(hit_8.t) + most_5));
                     }
-                    let _e79 = t_31;
-                    let _e83 = t_31;
+                    let _e79 = t_32;
+                    let _e83 = t_32;
                     let _e84 = self.v_path_height(path_54, _e83);
                     let _e85 = self.v_shell_point(_e12, (along_17 * ((rt::Scalar(path_54.start) + _e79) - _e11)), _e84);
                     point_4 = _e85;
@@ -7065,7 +7105,7 @@ impl<'g> Resources<'g> {
         let _e89 = point_4.weights;
         let _e90 = self.v_uv_of(pixel_36, _e89);
         let _e92 = rt::Scalar(point_4.height);
-        let _e93 = t_31;
+        let _e93 = t_32;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e90, _e92, _e93, hit_8.cost);
     }
     pub(crate) fn surface_quadric_perpendicular_polish(
@@ -7178,10 +7218,10 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_key_of(&self, pixel_42: PixelIn, path_60: Path, hit_14: Hit) -> rt::Scalar<f32> {
-        let depth_3 = ((rt::Scalar(path_60.start) + rt::Scalar(hit_14.t)) / pixel_42.direction.length());
+        let depth_5 = ((rt::Scalar(path_60.start) + rt::Scalar(hit_14.t)) / pixel_42.direction.length());
         let _e11 = rt::Scalar(self.frame.near);
         let _e14 = rt::Scalar(self.frame.near);
-        return (_e11 / (_e14 + depth_3.max(rt::Scalar(0f32))));
+        return (_e11 / (_e14 + depth_5.max(rt::Scalar(0f32))));
     }
     pub(crate) fn first_hit(&self, pixel_43: PixelIn, at_41: Entered) -> FirstHit {
         rt::into(self.v_first_hit(pixel_43, at_41))
@@ -7538,18 +7578,18 @@ impl<'g> Resources<'g> {
         let x_3 = (first_8.x() / upright_1);
         let y_2 = (first_8.y() / upright_1);
         let a_11 = ((second_2.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_11 = (((second_2.y() / upright_1) - (x_3 * y_2)) / a_11);
+        let b_10 = (((second_2.y() / upright_1) - (x_3 * y_2)) / a_11);
         let spread = ((second_2.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_1 = (spread - (b_11 * b_11)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let d_1 = (spread - (b_10 * b_10)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
         let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_2.x(), second_2.y(), first_8.x())) - (first_8.xyz() * slope_10.x()));
         let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_2.y(), second_2.z(), first_8.y())) - (first_8.xyz() * slope_10.y()));
         let most_6 = ((a_11 * a_11) + spread).sqrt().min(rt::Scalar(1f32));
         let along_18 = (with_x / rt::Vec3::splat_from_scalar(a_11.max((with_x.length() / most_6))));
-        let rest_7 = (with_y - (along_18 * b_11));
+        let rest_7 = (with_y - (along_18 * b_10));
         let across_4 = (rest_7 / rt::Vec3::splat_from_scalar(d_1.max((rest_7.length() / most_6))));
         let _e77 = self.v_to_tangent_space(at_47, view_6);
         let middle_10 = (_e77.z() - _e77.xy().dot(slope_10));
-        let _e91 = self.v_facing_four(middle_10, (-((_e77.x() * a_11) + (_e77.y() * b_11))), (-(_e77.y() * d_1)));
+        let _e91 = self.v_facing_four(middle_10, (-((_e77.x() * a_11) + (_e77.y() * b_10))), (-(_e77.y() * d_1)));
         let one = middle_10.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
@@ -7557,7 +7597,7 @@ impl<'g> Resources<'g> {
         let aside_7 = ((along_18 * ((_e91.x() - _e91.y()) / all)) + (across_4 * ((_e91.z() - _e91.w()) / all)));
         let _e113 = self.v_from_tangent_space(at_47, (first_8.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_8.xyz(), along_18, across_4, slope_10, <rt::Vec2<f32>>::from_scalars(a_11, b_11), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_8.xyz(), along_18, across_4, slope_10, <rt::Vec2<f32>>::from_scalars(a_11, b_10), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
     pub(crate) fn table_part(&self, at_48: Entered) -> f32 {
         rt::into(self.v_table_part(at_48))
@@ -8447,12 +8487,12 @@ impl<'g> Resources<'g> {
 
         let along_22 = pixel_49.direction.normalize();
         let _e7 = self.v_middle_of(pixel_49, along_22);
-        let t_35 = ((rt::Scalar(path_64.start) + rt::Scalar(hit_31.t)) - _e7);
+        let t_36 = ((rt::Scalar(path_64.start) + rt::Scalar(hit_31.t)) - _e7);
         let _e13 = self.v_tetrahedron(pixel_49, along_22, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside = (_e17 - t_35).max((t_35 - _e21));
+        beside = (_e17 - t_36).max((t_36 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_1;
@@ -8463,7 +8503,7 @@ impl<'g> Resources<'g> {
                 {
                     let _e30 = number_1;
                     let _e31 = self.v_tetrahedron(pixel_49, along_22, _e7, _e30);
-                    let aside_9 = (_e31.inside.x() - t_35).max((t_35 - _e31.inside.y()));
+                    let aside_9 = (_e31.inside.x() - t_36).max((t_36 - _e31.inside.y()));
                     let _e39 = beside;
                     if rt::Scalar::into_branch_condition(aside_9.elementwise_lt(_e39)) {
                         nearest = _e31;
@@ -8476,7 +8516,7 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_5 = (_e45 + (_e47 * t_35));
+        let weights_5 = (_e45 + (_e47 * t_36));
         let point_13 = (pixel_49.origin + (along_22 * (rt::Scalar(path_64.start) + rt::Scalar(hit_31.t))));
         let _e58 = self.v_placed_at(pixel_49, at_64, weights_5.xyz(), point_13, hit_31.uv);
         return _e58;
@@ -8996,10 +9036,10 @@ impl<'g> Resources<'g> {
         let _e51 = self.v_color_or_white(hit_39.uv, rt::Scalar(at_74.footprint));
         let _e52 = self.v_reflected_light(at_74, hit_39, _e48, view_12, _e51, visible_1);
         let _e58 = self.frame.forward;
-        let depth_4 = (at_74.point - pixel_55.origin).dot(_e58.xyz());
+        let depth_6 = (at_74.point - pixel_55.origin).dot(_e58.xyz());
         let _e63 = self.v_height_size(rt::Scalar(0u32));
         let _e69 = self.v_cell_of(((hit_39.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_39.exhausted), hit_39.uv, _e42, at_74.point, _e48.normal, depth_4, rt::Scalar(hit_39.t), _e69.cast_elem_as_i32(), hit_39.cost.x(), hit_39.cost.y(), hit_39.cost.z(), visible_1[0usize].x(), rt::Scalar(at_74.level));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_39.exhausted), hit_39.uv, _e42, at_74.point, _e48.normal, depth_6, rt::Scalar(hit_39.t), _e69.cast_elem_as_i32(), hit_39.cost.x(), hit_39.cost.y(), hit_39.cost.z(), visible_1[0usize].x(), rt::Scalar(at_74.level));
     }
     pub(crate) fn visible_lights(&self, at_75: Entered, hit_40: Hit) -> [rt::Vec4<f32>; 8] {
         rt::into(self.v_visible_lights(at_75, hit_40))

@@ -4725,6 +4725,14 @@ const LEAST_SINE = 0.0009765625;"#,
     },
     Declaration {
         module: "surface/quadric_perpendicular",
+        name: "SAME_DEPTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far, in heights, rounding may see the ray from a depth that it is at.
+const SAME_DEPTH = 0.0009765625;"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
         name: "Across",
         sampling: None,
         uses: &["mixed"],
@@ -4759,13 +4767,25 @@ struct Across {
     },
     Declaration {
         module: "surface/quadric_perpendicular",
-        name: "across_discriminant",
+        name: "across_roots",
         sampling: None,
         uses: &["Across"],
-        text: r#"// What equation 6 takes the root of, at that parameter.
-fn across_discriminant(ray: Across, t: f32) -> f32 {
-    let b = t * ray.mixed - ray.sine;
-    return b * b - 4.0 * ray.across * (t * (ray.descent + t * ray.along));
+        text: r#"// What equation 6 takes the root of, as a quadratic in the parameter.
+fn across_roots(ray: Across) -> vec3f {
+    return vec3f(
+        ray.sine * ray.sine,
+        -2.0 * ray.mixed * ray.sine - 4.0 * ray.across * ray.descent,
+        ray.mixed * ray.mixed - 4.0 * ray.across * ray.along,
+    );
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "across_discriminant",
+        sampling: None,
+        uses: &["Across", "across_roots", "quadratic"],
+        text: r#"fn across_discriminant(ray: Across, t: f32) -> f32 {
+    return quadratic(across_roots(ray), t);
 }"#,
     },
     Declaration {
@@ -4795,43 +4815,58 @@ fn across_depth(ray: Across, t: f32) -> f32 {
         module: "surface/quadric_perpendicular",
         name: "down_across",
         sampling: None,
-        uses: &["Across", "NEVER", "across_discriminant", "bent_descent"],
-        text: r#"// Where the ray comes down to that depth by equation 6, or NEVER.
+        uses: &["Across", "bent_descent", "reached"],
+        text: r#"// Where the ray comes down to that depth, in metres, by equation 6, or NEVER.
 fn down_across(ray: Across, depth: f32) -> f32 {
     let under = depth * (ray.sine - depth * ray.across);
-    let t = bent_descent(under, ray.descent + depth * ray.mixed, ray.along);
-    if (t < NEVER && across_discriminant(ray, t) >= 0.0) {
-        return t;
-    }
-    return NEVER;
+    return reached(ray, depth, bent_descent(under, ray.descent + depth * ray.mixed, ray.along));
 }"#,
     },
     Declaration {
         module: "surface/quadric_perpendicular",
         name: "down_along",
         sampling: None,
-        uses: &["Across", "NEVER", "across_discriminant", "bent_descent"],
+        uses: &["Across", "bent_descent", "reached"],
         text: r#"// The same by equation 7.
 fn down_along(ray: Across, depth: f32) -> f32 {
-    let t = bent_descent(depth, ray.descent, ray.along);
-    if (t < NEVER && across_discriminant(ray, t) >= 0.0) {
-        return NEVER;
-    }
-    return t;
+    return reached(ray, depth, bent_descent(depth, ray.descent, ray.along));
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "reached",
+        sampling: None,
+        uses: &["Across", "NEVER", "SAME_DEPTH", "across_depth", "traced_scale_m"],
+        text: r#"// A parameter where the ray should be at that depth, or NEVER where the other equation or the other root holds.
+fn reached(ray: Across, depth: f32, t: f32) -> f32 {
+    let off = abs(across_depth(ray, t) - depth);
+    return select(NEVER, t, t < NEVER && off <= SAME_DEPTH * (traced_scale_m() + abs(depth)));
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "jumps_below",
+        sampling: None,
+        uses: &["Across", "NEVER", "across_roots", "first_root"],
+        text: r#"// Where the distance jumps to a depth below that one, or NEVER.
+fn jumps_below(ray: Across, depth: f32) -> f32 {
+    let t = first_root(across_roots(ray), NEVER);
+    let below = t < NEVER && t * (ray.descent + t * ray.along) >= depth;
+    return select(NEVER, t, below);
 }"#,
     },
     Declaration {
         module: "surface/quadric_perpendicular",
         name: "across_span",
         sampling: None,
-        uses: &["Across", "BELOW_FLOOR", "Entered", "NEVER", "bent_descent", "down_across", "down_along", "traced_scale_m"],
+        uses: &["Across", "BELOW_FLOOR", "Entered", "NEVER", "down_across", "down_along", "jumps_below", "traced_scale_m"],
         text: r#"// Where the ray is in the relief, in metres from the base; nowhere where it ends before it begins.
 fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
     let nowhere = vec2f(1.0, -1.0);
     let scale = traced_scale_m();
     let height = at.quadric.w;
     let over = (height - 1.0) * scale;
-    let begin = min(down_across(ray, over), down_along(ray, over));
+    let begin = min(min(down_across(ray, over), down_along(ray, over)), jumps_below(ray, over));
     if (!(begin < NEVER) || (height >= 1.0 && begin < 0.0)) {
         return nowhere;
     }
@@ -4839,20 +4874,16 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
     let floor = height * scale;
     let by_across = down_across(ray, floor);
     let by_along = down_along(ray, floor);
-    var leave = min(
-        select(NEVER, by_across, by_across > enter),
-        select(NEVER, by_along, by_along > enter),
-    );
+    let by_jump = jumps_below(ray, floor);
+    var leave = select(NEVER, by_across, by_across > enter);
+    leave = min(leave, select(NEVER, by_along, by_along > enter));
+    leave = min(leave, select(NEVER, by_jump, by_jump > enter));
     // It is above a convex quadric again.
     if (ray.along < 0.0) {
         let under = ray.descent * ray.descent + 4.0 * ray.along * over;
         if (under >= 0.0) {
             leave = min(leave, (ray.descent + sqrt(under)) / (-2.0 * ray.along));
         }
-    }
-    // Where the distance jumps past the floor, by the farther of both measures.
-    if (!(leave < NEVER)) {
-        leave = bent_descent(floor, ray.descent, ray.along);
     }
     if (!(leave < NEVER)) {
         return nowhere;
