@@ -8,6 +8,7 @@ pub mod cpu;
 pub mod environment;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+mod heights_under;
 pub mod job;
 mod kept;
 pub mod light;

@@ -17,7 +17,7 @@ use crate::mesh::Vertex;
 use crate::mipmaps::Mipmaps;
 use crate::pictures::Pictures;
 use crate::scene::{Scene, Surface};
-use crate::triangles::{KeptTriangles, extent_m};
+use crate::triangles::{KeptTriangles, extent_m, moved_out_m};
 
 /// The least distance of the near plane, as a part of the distance of what is farthest away. Smaller, and
 /// what is nearest has more bits than it needs; larger, and the eye cannot come close to a surface.
@@ -199,10 +199,15 @@ fn surface_settings(
 /// The matrix for the rasteriser, with planes that hold all meshes, and how near to the eye hits are ordered as
 /// finely as farther away.
 fn view_projection(camera: &Camera, surfaces: &[Surface], size: [u32; 2]) -> (DMat4, f64) {
-    let vertices = || surfaces.iter().flat_map(|surface| surface.mesh().vertices());
     let depth = |vertex: &Vertex| camera.forward().dot(vertex.position.as_dvec3() - camera.eye());
-    let farthest = vertices().map(depth).fold(0.0, f64::max);
-    let nearest = vertices().map(depth).fold(f64::INFINITY, f64::min);
+    let depths = |toward: f64| {
+        surfaces.iter().flat_map(move |surface| {
+            let moved = toward * f64::from(moved_out_m(surface));
+            surface.mesh().vertices().iter().map(move |vertex| depth(vertex) + moved)
+        })
+    };
+    let farthest = depths(1.0).fold(0.0, f64::max);
+    let nearest = depths(-1.0).fold(f64::INFINITY, f64::min);
     // A mesh behind the eye shows nothing, whatever the planes.
     let far = if farthest > 0.0 { farthest * 1.01 } else { 1.0 };
     let least = far * NEAR_OVER_FAR;

@@ -111,7 +111,8 @@ mod tests {
     /// Triangles side by side along x, facing along z.
     fn row(count: usize) -> Vec<Triangle> {
         let corner = |x: f32, y: f32| {
-            Corner::new([x, y, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [x, y])
+            let (tangent, bitangent) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+            Corner::new([x, y, 0.0], [0.0, 0.0, 1.0], tangent, bitangent, [x, y], [0.0; 3])
         };
         let of = |number: usize| {
             let x = number as f32;

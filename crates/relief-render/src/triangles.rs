@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use glam::DVec2;
-use relief_core::{HeightMap, MaxPyramid, MinPyramid};
+use glam::Vec3;
+use relief_core::HeightMap;
+use relief_core::mesh::QuadricCoefficients;
 use relief_shaders::cpu::{Corner, Shell, Triangle};
 use relief_shaders::surface::Proposal;
 
+use crate::heights_under::HeightsUnder;
 use crate::kept::kept;
 use crate::mesh::{Mesh, Vertex};
 use crate::scene::Surface;
@@ -16,6 +18,8 @@ use crate::scene::Surface;
 pub struct KeptTriangles {
     /// Of meshes alone.
     polygons: Vec<(Arc<Mesh>, Arc<[Triangle]>)>,
+    /// Of meshes with quadrics.
+    bent: Vec<(BentOf, Arc<[Triangle]>)>,
     /// Of meshes under height maps.
     shells: Vec<(ShellsOf, Arc<[Triangle]>)>,
 }
@@ -41,11 +45,76 @@ impl ShellsOf {
     }
 }
 
+/// What triangles with quadrics are made of.
+#[derive(Clone, Debug)]
+struct BentOf {
+    mesh: Arc<Mesh>,
+    coefficients: QuadricCoefficients,
+    /// How far the base is moved along its normals, in metres.
+    out_m: f32,
+    /// Whether the base is smooth.
+    lifted: bool,
+}
+
+impl BentOf {
+    fn is(&self, other: &Self) -> bool {
+        let settings = |of: &Self| (of.coefficients, of.out_m, of.lifted);
+        Arc::ptr_eq(&self.mesh, &other.mesh) && settings(self) == settings(other)
+    }
+
+    /// The triangles, with their quadrics and the numbers of a smooth base.
+    fn triangles(&self) -> Arc<[Triangle]> {
+        let moved = (self.out_m > 0.0).then(|| moved_out(&self.mesh, self.out_m)).flatten();
+        let mesh = moved.as_ref().unwrap_or(&self.mesh);
+        let quadrics = mesh.quadrics(self.coefficients);
+        let smooth = self.lifted.then(|| (mesh.welded(), mesh.lifts()));
+        let numbered = (0u32..).zip(mesh.triangles());
+        let triangles = numbered.map(|(number, corners)| {
+            let shell = smooth.as_ref().map_or_else(Shell::whole, |(welded, lifts)| {
+                let places = Shell::places_of(corners.map(|corner| welded[corner as usize]));
+                let lift = lifts[number as usize];
+                Shell::between([0.0, 1.0], places, places.map(|place| lift[place as usize]))
+            });
+            triangle(mesh, number, &|vertex| quadrics[vertex as usize], shell)
+        });
+        triangles.collect()
+    }
+}
+
+/// A mesh moved along its normals by that many metres, with the tangents that it has there. None where it is
+/// too large for that.
+fn moved_out(mesh: &Mesh, out_m: f32) -> Option<Mesh> {
+    let quadrics = mesh.quadrics(QuadricCoefficients::Three);
+    let vertices = mesh.vertices().iter().zip(quadrics).map(|(vertex, [a, b, c])| {
+        let (t, s) = (vertex.tangent, vertex.bitangent);
+        let (tt, ts, ss) = (t.dot(t), t.dot(s), s.dot(s));
+        let area = tt * ss - ts * ts;
+        let dual = |x: f32, y: f32| (t * (x * ss - y * ts) + s * (y * tt - x * ts)) / area;
+        // The normal turns with the texture coordinates by the second derivatives of the quadric.
+        let turned = |tangent: Vec3, x: f32, y: f32| {
+            let moved = tangent - dual(x, y) * out_m;
+            if moved.is_finite() && moved.dot(tangent) > 0.0 { moved } else { tangent }
+        };
+        let (tangent, bitangent) = (turned(t, 2.0 * a, b), turned(s, b, 2.0 * c));
+        Vertex { position: vertex.position + vertex.normal * out_m, tangent, bitangent, ..*vertex }
+    });
+    Mesh::new(vertices.collect(), mesh.triangles().to_vec()).ok()
+}
+
 impl KeptTriangles {
     /// The triangles of a surface whose heights 0 and 1 lie at these distances along the normals, in metres:
     /// those made for it before, if any were.
     pub fn of(&mut self, surface: &Surface, shell_m: [f32; 2], before: &Self) -> Arc<[Triangle]> {
         let (mesh, selection) = (surface.mesh(), surface.selection());
+        if let Some(coefficients) = selection.quadrics() {
+            let (mesh, lifted) = (Arc::clone(mesh), selection.has_smooth_base());
+            let of = BentOf { mesh, coefficients, out_m: moved_out_m(surface), lifted };
+            let mut known = self.bent.iter().chain(&before.bent);
+            let made = known.find(|(known, _)| known.is(&of)).map(|(_, made)| Arc::clone(made));
+            let made = made.unwrap_or_else(|| of.triangles());
+            self.bent.push((of, Arc::clone(&made)));
+            return made;
+        }
         if selection.paths().proposal == Proposal::Polygons {
             return kept(&mut self.polygons, &before.polygons, mesh, || polygons(mesh));
         }
@@ -60,9 +129,18 @@ impl KeptTriangles {
     }
 }
 
+/// How far along its normals a surface's base is moved, in metres, so that all relief is carved into it: 0 where
+/// its triangles are not those of quadrics.
+pub fn moved_out_m(surface: &Surface) -> f32 {
+    let map = surface.height_map();
+    let out_m = map.scale_m() as f32 + map.bias_m() as f32;
+    if surface.selection().quadrics().is_some() { out_m.max(0.0) } else { 0.0 }
+}
+
 /// The triangles of a mesh, of whose shells nothing is known.
 fn polygons(mesh: &Mesh) -> Arc<[Triangle]> {
-    (0..mesh.triangles().len() as u32).map(|number| triangle(mesh, number, Shell::whole())).collect()
+    let numbers = 0..mesh.triangles().len() as u32;
+    numbers.map(|number| triangle(mesh, number, &|_| [0.0; 3], Shell::whole())).collect()
 }
 
 /// The triangles of a mesh with their shells.
@@ -78,58 +156,25 @@ fn shells(of: &ShellsOf) -> Arc<[Triangle]> {
         let shell = Shell::between(under, places, places.map(|place| lift[place as usize]));
         let ([lowest, highest], [down, up]) = (shell.offsets_m(*shell_m), mesh.fold_range(number));
         let is_folded = f64::from(lowest) <= down || f64::from(highest) >= up;
-        triangle(mesh, number, if is_folded { shell.folded() } else { shell })
+        triangle(mesh, number, &|_| [0.0; 3], if is_folded { shell.folded() } else { shell })
     });
     triangles.collect()
 }
 
-/// Texels beyond a triangle's own that its segments may read: they reach beyond it by rounding, and by as much
-/// as they may be beside the ray.
-const BEYOND_TEXELS: f64 = 2.0;
-
-/// What is known of the heights under triangles.
-enum HeightsUnder<'a> {
-    /// Of the finest level: its lowest and its highest nodes.
-    Finest(&'a HeightMap, MinPyramid, MaxPyramid),
-    /// Of all levels.
-    All([f32; 2]),
-}
-
-impl<'a> HeightsUnder<'a> {
-    fn new(map: &'a HeightMap, levels: bool) -> Self {
-        match levels {
-            false => Self::Finest(map, MinPyramid::new(map), MaxPyramid::new(map)),
-            true => Self::All(map.extremes()),
-        }
-    }
-
-    /// The least and the greatest height under a triangle, by the texture coordinates of its corners, or less
-    /// and more.
-    fn under(&self, uv: [DVec2; 3]) -> [f32; 2] {
-        let (map, lowest, highest) = match self {
-            Self::All(extremes) => return *extremes,
-            Self::Finest(map, lowest, highest) => (map, lowest, highest),
-        };
-        let size = DVec2::new(map.width().into(), map.height().into());
-        let [a, b, c] = uv.map(|corner| corner * size - 0.5);
-        let cells = |corner: DVec2| [corner.x.floor() as i64, corner.y.floor() as i64];
-        let first = cells(a.min(b).min(c) - BEYOND_TEXELS);
-        let last = cells(a.max(b).max(c) + BEYOND_TEXELS);
-        [lowest.bound(first, last).0, highest.bound(first, last).0]
-    }
-}
-
-fn triangle(mesh: &Mesh, number: u32, shell: Shell) -> Triangle {
-    let corner = |vertex: &Vertex| {
+/// A triangle of a mesh, with the quadrics of its vertices.
+fn triangle(mesh: &Mesh, number: u32, quadric_of: &dyn Fn(u32) -> [f32; 3], shell: Shell) -> Triangle {
+    let corner = |place: usize| {
+        let vertex: &Vertex = mesh.corners(number)[place];
         Corner::new(
             vertex.position.to_array(),
             vertex.normal.to_array(),
             vertex.tangent.to_array(),
             vertex.bitangent.to_array(),
             vertex.uv.to_array(),
+            quadric_of(mesh.triangles()[number as usize][place]),
         )
     };
-    let [a, b, c] = mesh.corners(number).map(corner);
+    let [a, b, c] = [0, 1, 2].map(corner);
     Triangle { a, b, c, shell }
 }
 

@@ -5,6 +5,32 @@ use crate::cpu::runtime::SquareRoot as _;
 
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
 #[repr(C)]
+/// A ray over a quadric: along it and across it the changes of the texture coordinates and of the quadric.
+pub struct Across {
+    pub duv: rt::Vec2<f32>,
+    /// Metres that it comes down with a metre.
+    pub descent: f32,
+    /// The quadric's height at the end of a metre along the ray, of one across it, and what both together add.
+    pub along: f32,
+    pub across: f32,
+    pub mixed: f32,
+    /// What a metre across the ray rises.
+    pub sine: f32,
+}
+impl Across {
+    pub fn new(
+        duv: impl rt::Into<rt::Vec2<f32>>,
+        descent: impl rt::Into<f32>,
+        along: impl rt::Into<f32>,
+        across: impl rt::Into<f32>,
+        mixed: impl rt::Into<f32>,
+        sine: impl rt::Into<f32>,
+    ) -> Self {
+        Self { duv: rt::into(duv), descent: rt::into(descent), along: rt::into(along), across: rt::into(across), mixed: rt::into(mixed), sine: rt::into(sine) }
+    }
+}
+#[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
+#[repr(C)]
 /// The four texels around a point of a level of a map other than the height map, and where the point lies
 /// between them.
 pub struct Around {
@@ -47,6 +73,9 @@ pub struct Corner {
     pub tangent: rt::Vec3<f32>,
     pub bitangent: rt::Vec3<f32>,
     pub uv: rt::Vec2<f32>,
+    /// The quadric that the base follows around the corner, where the surface stage is one of quadrics, zeros
+    /// elsewhere: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the normal.
+    pub quadric: rt::Vec3<f32>,
 }
 impl Corner {
     pub fn new(
@@ -55,8 +84,9 @@ impl Corner {
         tangent: impl rt::Into<rt::Vec3<f32>>,
         bitangent: impl rt::Into<rt::Vec3<f32>>,
         uv: impl rt::Into<rt::Vec2<f32>>,
+        quadric: impl rt::Into<rt::Vec3<f32>>,
     ) -> Self {
-        Self { position: rt::into(position), normal: rt::into(normal), tangent: rt::into(tangent), bitangent: rt::into(bitangent), uv: rt::into(uv) }
+        Self { position: rt::into(position), normal: rt::into(normal), tangent: rt::into(tangent), bitangent: rt::into(bitangent), uv: rt::into(uv), quadric: rt::into(quadric) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -97,6 +127,9 @@ pub struct Entered {
     pub facing: rt::Vec3<f32>,
     /// Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
     pub span: rt::Vec2<f32>,
+    /// The quadric at the point as in `Corner`, positive toward the ray's side, and the height that the point
+    /// has in the relief. Zeros where the surface is none of quadrics.
+    pub quadric: rt::Vec4<f32>,
     /// How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     /// the finest level.
     pub footprint: f32,
@@ -116,10 +149,11 @@ impl Entered {
         level: impl rt::Into<u32>,
         facing: impl rt::Into<rt::Vec3<f32>>,
         span: impl rt::Into<rt::Vec2<f32>>,
+        quadric: impl rt::Into<rt::Vec4<f32>>,
         footprint: impl rt::Into<f32>,
         fade: impl rt::Into<f32>,
     ) -> Self {
-        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), facing: rt::into(facing), span: rt::into(span), footprint: rt::into(footprint), fade: rt::into(fade) }
+        Self { segments: rt::into(segments), point: rt::into(point), uv: rt::into(uv), tangent: rt::into(tangent), bitangent: rt::into(bitangent), normal: rt::into(normal), metric: rt::into(metric), level: rt::into(level), facing: rt::into(facing), span: rt::into(span), quadric: rt::into(quadric), footprint: rt::into(footprint), fade: rt::into(fade) }
     }
 }
 #[rt::derive(rt::Clone, rt::Copy, rt::Debug, rt::PartialEq)]
@@ -842,6 +876,395 @@ pub(crate) struct Resources<'g> {
     pub(crate) surface_settings: SurfaceSettings,
 }
 impl<'g> Resources<'g> {
+    pub(crate) fn quadratic(
+        &self,
+        c: impl rt::Into<rt::Vec3<f32>>,
+        s: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_quadratic(rt::into(c), rt::into(s)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_quadratic(
+        &self,
+        c: rt::Vec3<f32>,
+        s: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        return (c.x() + (s * (c.y() + (s * c.z()))));
+    }
+    pub(crate) fn across_roots(&self, ray: Across) -> rt::Vec3<f32> {
+        rt::into(self.v_across_roots(ray))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_across_roots(&self, ray: Across) -> rt::Vec3<f32> {
+        return <rt::Vec3<f32>>::from_scalars((rt::Scalar(ray.sine) * rt::Scalar(ray.sine)), (((rt::Scalar(-2f32) * rt::Scalar(ray.mixed)) * rt::Scalar(ray.sine)) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * rt::Scalar(ray.descent))), ((rt::Scalar(ray.mixed) * rt::Scalar(ray.mixed)) - ((rt::Scalar(4f32) * rt::Scalar(ray.across)) * rt::Scalar(ray.along))));
+    }
+    pub(crate) fn across_discriminant(
+        &self,
+        ray_1: Across,
+        t: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_across_discriminant(ray_1, rt::into(t)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_across_discriminant(
+        &self,
+        ray_1: Across,
+        t: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e2 = self.v_across_roots(ray_1);
+        let _e3 = self.v_quadratic(_e2, t);
+        return _e3;
+    }
+    pub(crate) fn across_depth(
+        &self,
+        ray_2: Across,
+        t_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_across_depth(ray_2, rt::into(t_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_across_depth(
+        &self,
+        ray_2: Across,
+        t_1: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let c_5 = (t_1 * (rt::Scalar(ray_2.descent) + (t_1 * rt::Scalar(ray_2.along))));
+        let _e7 = self.v_across_discriminant(ray_2, t_1);
+        if rt::Scalar::into_branch_condition((!_e7.elementwise_ge(rt::Scalar(0f32)))) {
+            return c_5;
+        }
+        let b_5 = ((t_1 * rt::Scalar(ray_2.mixed)) - rt::Scalar(ray_2.sine));
+        let root = _e7.sqrt();
+        if rt::Scalar::into_branch_condition(b_5.elementwise_lt(rt::Scalar(0f32))) {
+            return ((rt::Scalar(2f32) * c_5) / (root - b_5));
+        }
+        if rt::Scalar::into_branch_condition(rt::Scalar(ray_2.across).elementwise_ne(rt::Scalar(0f32))) {
+            return (((rt::Scalar(0f32) - b_5) - root) / (rt::Scalar(2f32) * rt::Scalar(ray_2.across)));
+        }
+        return c_5;
+    }
+    pub(crate) fn traced_scale_m(&self) -> f32 {
+        rt::into(self.v_traced_scale_m())
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_traced_scale_m(&self) -> rt::Scalar<f32> {
+        let _e2 = rt::Scalar(self.surface_settings.scale_m);
+        return _e2.max(rt::Scalar(0.000000001f32));
+    }
+    pub(crate) fn climb(
+        &self,
+        at: Entered,
+        direction: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_climb(at, rt::into(direction)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_climb(
+        &self,
+        at: Entered,
+        direction: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let metric = at.metric;
+        let td = at.tangent.dot(direction);
+        let bd = at.bitangent.dot(direction);
+        let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
+        let duv_2 = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
+        let _e29 = self.v_traced_scale_m();
+        return <rt::Vec3<f32>>::new_21(duv_2, (at.normal.dot(direction) / _e29));
+    }
+    pub(crate) fn quadric_slope(
+        &self,
+        quadric: impl rt::Into<rt::Vec3<f32>>,
+        duv: impl rt::Into<rt::Vec2<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_quadric_slope(rt::into(quadric), rt::into(duv)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_quadric_slope(
+        &self,
+        quadric: rt::Vec3<f32>,
+        duv: rt::Vec2<f32>,
+    ) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars((((rt::Scalar(2f32) * quadric.x()) * duv.x()) + (quadric.y() * duv.y())), ((quadric.y() * duv.x()) + ((rt::Scalar(2f32) * quadric.z()) * duv.y())));
+    }
+    pub(crate) fn quadric_at(
+        &self,
+        quadric_1: impl rt::Into<rt::Vec3<f32>>,
+        duv_1: impl rt::Into<rt::Vec2<f32>>,
+    ) -> f32 {
+        rt::into(self.v_quadric_at(rt::into(quadric_1), rt::into(duv_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_quadric_at(
+        &self,
+        quadric_1: rt::Vec3<f32>,
+        duv_1: rt::Vec2<f32>,
+    ) -> rt::Scalar<f32> {
+        return quadric_1.dot(<rt::Vec3<f32>>::from_scalars((duv_1.x() * duv_1.x()), (duv_1.x() * duv_1.y()), (duv_1.y() * duv_1.y())));
+    }
+    pub(crate) fn across_of(
+        &self,
+        at_1: Entered,
+        direction_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> Across {
+        rt::into(self.v_across_of(at_1, rt::into(direction_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_across_of(
+        &self,
+        at_1: Entered,
+        direction_1: rt::Vec3<f32>,
+    ) -> Across {
+        let _e2 = self.v_climb(at_1, direction_1);
+        let duv_3 = _e2.xy();
+        let descent_1 = (rt::Scalar(0f32) - at_1.normal.dot(direction_1));
+        let aside_1 = (at_1.normal + (direction_1 * descent_1));
+        let sine = aside_1.length().max(rt::Scalar(0.0009765625f32));
+        let q = at_1.quadric.xyz();
+        let _e18 = self.v_climb(at_1, (aside_1 / rt::Vec3::splat_from_scalar(sine)));
+        let beside_1 = _e18.xy();
+        let _e20 = self.v_quadric_slope(q, duv_3);
+        let mixed_1 = _e20.dot(beside_1);
+        let _e22 = self.v_quadric_at(q, duv_3);
+        let _e23 = self.v_quadric_at(q, beside_1);
+        return <Across>::new(duv_3, descent_1, _e22, _e23, mixed_1, sine);
+    }
+    pub(crate) fn reached(
+        &self,
+        ray_3: Across,
+        depth: impl rt::Into<rt::Scalar<f32>>,
+        t_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_reached(ray_3, rt::into(depth), rt::into(t_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_reached(
+        &self,
+        ray_3: Across,
+        depth: rt::Scalar<f32>,
+        t_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut local: rt::Scalar<bool>;
+
+        let _e3 = self.v_across_depth(ray_3, t_2);
+        let off = (_e3 - depth).abs();
+        if rt::Scalar::into_branch_condition(t_2.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+            let _e10 = self.v_traced_scale_m();
+            local = off.elementwise_le((rt::Scalar(0.0009765625f32) * (_e10 + depth.abs())));
+        } else {
+            local = rt::Scalar(false);
+        }
+        let _e17 = local;
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(t_2, _e17);
+    }
+    pub(crate) fn bent_descent(
+        &self,
+        depth_1: impl rt::Into<rt::Scalar<f32>>,
+        descent: impl rt::Into<rt::Scalar<f32>>,
+        bend: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_bent_descent(rt::into(depth_1), rt::into(descent), rt::into(bend)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_bent_descent(
+        &self,
+        depth_1: rt::Scalar<f32>,
+        descent: rt::Scalar<f32>,
+        bend: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut t_3: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+
+        if rt::Scalar::into_branch_condition(bend.elementwise_eq(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition(descent.elementwise_gt(rt::Scalar(0f32))) {
+                t_3 = (depth_1 / descent);
+            }
+            let _e10 = t_3;
+            return _e10;
+        }
+        let discriminant = ((descent * descent) + ((rt::Scalar(4f32) * bend) * depth_1));
+        if rt::Scalar::into_branch_condition(discriminant.elementwise_gt(rt::Scalar(0f32))) {
+            let root_1 = discriminant.sqrt();
+            if rt::Scalar::into_branch_condition(descent.elementwise_gt(rt::Scalar(0f32))) {
+                t_3 = ((rt::Scalar(2f32) * depth_1) / (descent + root_1));
+            } else {
+                t_3 = ((root_1 - descent) / (rt::Scalar(2f32) * bend));
+            }
+        }
+        let _e29 = t_3;
+        return _e29;
+    }
+    pub(crate) fn down_across(
+        &self,
+        ray_4: Across,
+        depth_2: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_down_across(ray_4, rt::into(depth_2)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_down_across(
+        &self,
+        ray_4: Across,
+        depth_2: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let under = (depth_2 * (rt::Scalar(ray_4.sine) - (depth_2 * rt::Scalar(ray_4.across))));
+        let _e12 = self.v_bent_descent(under, (rt::Scalar(ray_4.descent) + (depth_2 * rt::Scalar(ray_4.mixed))), rt::Scalar(ray_4.along));
+        let _e13 = self.v_reached(ray_4, depth_2, _e12);
+        return _e13;
+    }
+    pub(crate) fn down_along(
+        &self,
+        ray_5: Across,
+        depth_3: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_down_along(ray_5, rt::into(depth_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_down_along(
+        &self,
+        ray_5: Across,
+        depth_3: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let _e4 = self.v_bent_descent(depth_3, rt::Scalar(ray_5.descent), rt::Scalar(ray_5.along));
+        let _e5 = self.v_reached(ray_5, depth_3, _e4);
+        return _e5;
+    }
+    pub(crate) fn first_root(
+        &self,
+        c_1: impl rt::Into<rt::Vec3<f32>>,
+        span: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_first_root(rt::into(c_1), rt::into(span)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_first_root(
+        &self,
+        c_1: rt::Vec3<f32>,
+        span: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut a: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut b: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+
+        let discriminant_1 = ((c_1.y() * c_1.y()) - ((rt::Scalar(4f32) * c_1.z()) * c_1.x()));
+        if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
+            let root_2 = discriminant_1.sqrt();
+            let q_1 = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root_2).select(root_2, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
+            if rt::Scalar::into_branch_condition(c_1.z().elementwise_ne(rt::Scalar(0f32))) {
+                a = (q_1 / c_1.z());
+            }
+            if rt::Scalar::into_branch_condition(q_1.elementwise_ne(rt::Scalar(0f32))) {
+                b = (c_1.x() / q_1);
+            }
+            let _e37 = a;
+            let _e38 = a;
+            a = rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e38.elementwise_ge(rt::Scalar(0f32)));
+            let _e43 = b;
+            let _e44 = b;
+            b = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
+            let _e49 = a;
+            let _e50 = b;
+            let first_2 = _e49.min(_e50);
+            if rt::Scalar::into_branch_condition(first_2.elementwise_le(span)) {
+                return first_2;
+            }
+        }
+        let _e53 = self.v_quadratic(c_1, span);
+        if rt::Scalar::into_branch_condition(_e53.elementwise_le(rt::Scalar(0f32))) {
+            return span;
+        }
+        return rt::Scalar(300000000000000000000000000000000000000f32);
+    }
+    pub(crate) fn jumps_below(
+        &self,
+        ray_6: Across,
+        depth_4: impl rt::Into<rt::Scalar<f32>>,
+    ) -> f32 {
+        rt::into(self.v_jumps_below(ray_6, rt::into(depth_4)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_jumps_below(
+        &self,
+        ray_6: Across,
+        depth_4: rt::Scalar<f32>,
+    ) -> rt::Scalar<f32> {
+        let mut local_1: rt::Scalar<bool>;
+
+        let _e2 = self.v_across_roots(ray_6);
+        let _e4 = self.v_first_root(_e2, rt::Scalar(300000000000000000000000000000000000000f32));
+        if rt::Scalar::into_branch_condition(_e4.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+            local_1 = (_e4 * (rt::Scalar(ray_6.descent) + (_e4 * rt::Scalar(ray_6.along)))).elementwise_ge(depth_4);
+        } else {
+            local_1 = rt::Scalar(false);
+        }
+        let below_1 = local_1;
+        return rt::Scalar(300000000000000000000000000000000000000f32).select(_e4, below_1);
+    }
+    pub(crate) fn across_span(
+        &self,
+        at_2: Entered,
+        ray_7: Across,
+        eye: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec2<f32> {
+        rt::into(self.v_across_span(at_2, ray_7, rt::into(eye)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_across_span(
+        &self,
+        at_2: Entered,
+        ray_7: Across,
+        eye: rt::Scalar<f32>,
+    ) -> rt::Vec2<f32> {
+        let mut local_2: rt::Scalar<bool>;
+        let mut local_3: rt::Scalar<bool>;
+        let mut leave: rt::Scalar<f32>;
+
+        let nowhere = <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
+        let _e6 = self.v_traced_scale_m();
+        let height_5 = at_2.quadric.w();
+        let over = ((height_5 - rt::Scalar(1f32)) * _e6);
+        let _e12 = self.v_down_across(ray_7, over);
+        let _e13 = self.v_down_along(ray_7, over);
+        let _e15 = self.v_jumps_below(ray_7, over);
+        let begin = _e12.min(_e13).min(_e15);
+        if rt::Scalar::into_branch_condition((!(!begin.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
+            if rt::Scalar::into_branch_condition(height_5.elementwise_ge(rt::Scalar(1f32))) {
+                local_3 = begin.elementwise_lt(rt::Scalar(0f32));
+            } else {
+                local_3 = rt::Scalar(false);
+            }
+            let _e30 = local_3;
+            local_2 = _e30;
+        } else {
+            local_2 = rt::Scalar(true);
+        }
+        let _e32 = local_2;
+        if rt::Scalar::into_branch_condition(_e32) {
+            return nowhere;
+        }
+        let enter_2 = begin.max(eye);
+        let floor = (height_5 * _e6);
+        let _e35 = self.v_down_across(ray_7, floor);
+        let _e36 = self.v_down_along(ray_7, floor);
+        let _e37 = self.v_jumps_below(ray_7, floor);
+        leave = rt::Scalar(300000000000000000000000000000000000000f32).select(_e35, _e35.elementwise_gt(enter_2));
+        let _e42 = leave;
+        leave = _e42.min(rt::Scalar(300000000000000000000000000000000000000f32).select(_e36, _e36.elementwise_gt(enter_2)));
+        let _e47 = leave;
+        leave = _e47.min(rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e37.elementwise_gt(enter_2)));
+        if rt::Scalar::into_branch_condition(rt::Scalar(ray_7.along).elementwise_lt(rt::Scalar(0f32))) {
+            let under_1 = ((rt::Scalar(ray_7.descent) * rt::Scalar(ray_7.descent)) + ((rt::Scalar(4f32) * rt::Scalar(ray_7.along)) * over));
+            if rt::Scalar::into_branch_condition(under_1.elementwise_ge(rt::Scalar(0f32))) {
+                let _e65 = leave;
+                leave = _e65.min(((rt::Scalar(ray_7.descent) + under_1.sqrt()) / (rt::Scalar(-2f32) * rt::Scalar(ray_7.along))));
+            }
+        }
+        let _e74 = leave;
+        if rt::Scalar::into_branch_condition((!_e74.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)))) {
+            return nowhere;
+        }
+        let _e78 = leave;
+        let _e79 = leave;
+        return <rt::Vec2<f32>>::from_scalars(enter_2, (_e78 + ((_e79 - enter_2) * rt::Scalar(0.000001f32))));
+    }
     pub(crate) fn add_sample(
         &self,
         sum: impl rt::Into<rt::Vec4<f32>>,
@@ -861,20 +1284,20 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn from_tangent_space(
         &self,
-        at: Entered,
+        at_3: Entered,
         n: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_from_tangent_space(at, rt::into(n)))
+        rt::into(self.v_from_tangent_space(at_3, rt::into(n)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_from_tangent_space(
         &self,
-        at: Entered,
+        at_3: Entered,
         n: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u = at.tangent.normalize();
-        let along_v = at.bitangent.normalize();
-        return (((along_u * n.x()) - (along_v * n.y())) + (at.normal * n.z()));
+        let along_u = at_3.tangent.normalize();
+        let along_v = at_3.bitangent.normalize();
+        return (((along_u * n.x()) - (along_v * n.y())) + (at_3.normal * n.z()));
     }
     pub(crate) fn cell_of(&self, point: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
         rt::into(self.v_cell_of(rt::into(point)))
@@ -896,14 +1319,14 @@ impl<'g> Resources<'g> {
         i: rt::Scalar<i32>,
         n_1: rt::Scalar<i32>,
     ) -> rt::Scalar<i32> {
-        let mut local: rt::Scalar<bool>;
+        let mut local_4: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(i.elementwise_ge(rt::Scalar(0i32))) {
-            local = i.elementwise_lt(n_1);
+            local_4 = i.elementwise_lt(n_1);
         } else {
-            local = rt::Scalar(false);
+            local_4 = rt::Scalar(false);
         }
-        let _e8 = local;
+        let _e8 = local_4;
         if rt::Scalar::into_branch_condition(_e8) {
             return i;
         }
@@ -932,14 +1355,14 @@ impl<'g> Resources<'g> {
         uv: rt::Vec2<f32>,
         n_2: rt::Vec2<i32>,
     ) -> Around {
-        let point_5 = ((uv * n_2.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_5);
+        let point_7 = ((uv * n_2.cast_elem_as_f32()) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_7);
         let i_1 = _e8.cast_elem_as_i32();
         let _e12 = self.v_wrap_index(i_1.x(), n_2.x());
         let _e17 = self.v_wrap_index((i_1.x() + rt::Scalar(1i32)), n_2.x());
         let _e21 = self.v_wrap_index(i_1.y(), n_2.y());
         let _e26 = self.v_wrap_index((i_1.y() + rt::Scalar(1i32)), n_2.y());
-        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_5 - _e8));
+        return <Around>::new(<rt::Vec2<i32>>::from_scalars(_e12, _e17), <rt::Vec2<i32>>::from_scalars(_e21, _e26), (point_7 - _e8));
     }
     pub(crate) fn level_texels(
         &self,
@@ -1041,55 +1464,55 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_3);
         let _e3 = self.v_texels_around(uv_1, _e2);
-        let k_19 = level_3.cast_elem_as_i32();
-        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_19);
-        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_19);
-        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_19);
-        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_19);
+        let k_21 = level_3.cast_elem_as_i32();
+        let _e11 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.x()), rt::Scalar(0i32), k_21);
+        let _e18 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.x()), rt::Scalar(0i32), k_21);
+        let _e25 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.x(), _e3.rows.y()), rt::Scalar(0i32), k_21);
+        let _e32 = self.v_ambient_texel(<rt::Vec2<i32>>::from_scalars(_e3.columns.y(), _e3.rows.y()), rt::Scalar(0i32), k_21);
         let _e34 = self.v_bilinear(_e11, _e18, _e25, _e32, _e3.part);
         return _e34;
     }
     pub(crate) fn ambient_bent_normal(
         &self,
-        at_1: Entered,
+        at_4: Entered,
         hit: Hit,
         normal: impl rt::Into<rt::Vec3<f32>>,
         view: impl rt::Into<rt::Vec3<f32>>,
         color_1: impl rt::Into<rt::Vec3<f32>>,
         params: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_bent_normal(at_1, hit, rt::into(normal), rt::into(view), rt::into(color_1), rt::into(params)))
+        rt::into(self.v_ambient_bent_normal(at_4, hit, rt::into(normal), rt::into(view), rt::into(color_1), rt::into(params)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_bent_normal(
         &self,
-        at_1: Entered,
+        at_4: Entered,
         hit: Hit,
         normal: rt::Vec3<f32>,
         view: rt::Vec3<f32>,
         color_1: rt::Vec3<f32>,
         params: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
-        let _e8 = self.v_ambient_texel_between(hit.uv, rt::Scalar(at_1.level));
-        let _e10 = self.v_from_tangent_space(at_1, _e8.xyz());
+        let _e8 = self.v_ambient_texel_between(hit.uv, rt::Scalar(at_4.level));
+        let _e10 = self.v_from_tangent_space(at_4, _e8.xyz());
         let _e13 = self.frame.ambient;
         return ((_e13.xyz() * color_1) * normal.dot(_e10).max(rt::Scalar(0f32)));
     }
     pub(crate) fn ambient_bounce(
         &self,
-        at_2: Entered,
+        at_5: Entered,
         hit_1: Hit,
         normal_1: impl rt::Into<rt::Vec3<f32>>,
         view_1: impl rt::Into<rt::Vec3<f32>>,
         color_2: impl rt::Into<rt::Vec3<f32>>,
         params_1: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_bounce(at_2, hit_1, rt::into(normal_1), rt::into(view_1), rt::into(color_2), rt::into(params_1)))
+        rt::into(self.v_ambient_bounce(at_5, hit_1, rt::into(normal_1), rt::into(view_1), rt::into(color_2), rt::into(params_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_bounce(
         &self,
-        at_2: Entered,
+        at_5: Entered,
         hit_1: Hit,
         normal_1: rt::Vec3<f32>,
         view_1: rt::Vec3<f32>,
@@ -1097,24 +1520,24 @@ impl<'g> Resources<'g> {
         params_1: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e13 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_2.level));
+        let _e13 = self.v_ambient_texel_between(hit_1.uv, rt::Scalar(at_5.level));
         return ((_e8.xyz() * color_2) * _e13.x());
     }
     pub(crate) fn ambient_constant(
         &self,
-        at_3: Entered,
+        at_6: Entered,
         hit_2: Hit,
         normal_2: impl rt::Into<rt::Vec3<f32>>,
         view_2: impl rt::Into<rt::Vec3<f32>>,
         color_3: impl rt::Into<rt::Vec3<f32>>,
         params_2: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_constant(at_3, hit_2, rt::into(normal_2), rt::into(view_2), rt::into(color_3), rt::into(params_2)))
+        rt::into(self.v_ambient_constant(at_6, hit_2, rt::into(normal_2), rt::into(view_2), rt::into(color_3), rt::into(params_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_constant(
         &self,
-        at_3: Entered,
+        at_6: Entered,
         hit_2: Hit,
         normal_2: rt::Vec3<f32>,
         view_2: rt::Vec3<f32>,
@@ -1139,8 +1562,8 @@ impl<'g> Resources<'g> {
     ) -> Levels {
         let mut texels: rt::Scalar<f32>;
         let mut level_4: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut local_1: rt::Scalar<bool>;
-        let mut local_2: rt::Scalar<bool>;
+        let mut local_5: rt::Scalar<bool>;
+        let mut local_6: rt::Scalar<bool>;
 
         texels = footprint;
         'naga_break: loop {
@@ -1148,11 +1571,11 @@ impl<'g> Resources<'g> {
                 let _e5 = texels;
                 if rt::Scalar::into_branch_condition(_e5.elementwise_ge(rt::Scalar(2f32))) {
                     let _e10 = level_4;
-                    local_1 = (_e10 + rt::Scalar(1u32)).elementwise_lt(count);
+                    local_5 = (_e10 + rt::Scalar(1u32)).elementwise_lt(count);
                 } else {
-                    local_1 = rt::Scalar(false);
+                    local_5 = rt::Scalar(false);
                 }
-                let _e15 = local_1;
+                let _e15 = local_5;
                 if rt::Scalar::into_branch_condition(_e15) {
                 } else {
                     break 'naga_break;
@@ -1168,11 +1591,11 @@ impl<'g> Resources<'g> {
         let _e22 = texels;
         if rt::Scalar::into_branch_condition(_e22.elementwise_gt(rt::Scalar(1f32))) {
             let _e27 = level_4;
-            local_2 = (_e27 + rt::Scalar(1u32)).elementwise_lt(count);
+            local_6 = (_e27 + rt::Scalar(1u32)).elementwise_lt(count);
         } else {
-            local_2 = rt::Scalar(false);
+            local_6 = rt::Scalar(false);
         }
-        let _e32 = local_2;
+        let _e32 = local_6;
         if rt::Scalar::into_branch_condition(_e32) {
             let _e33 = level_4;
             let _e34 = texels;
@@ -1186,15 +1609,15 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_face_place(&self, d: rt::Vec3<f32>) -> FacePlace {
-        let mut local_3: rt::Scalar<bool>;
+        let mut local_7: rt::Scalar<bool>;
 
         let size = d.abs();
         if rt::Scalar::into_branch_condition(size.x().elementwise_ge(size.y())) {
-            local_3 = size.x().elementwise_ge(size.z());
+            local_7 = size.x().elementwise_ge(size.z());
         } else {
-            local_3 = rt::Scalar(false);
+            local_7 = rt::Scalar(false);
         }
-        let _e11 = local_3;
+        let _e11 = local_7;
         if rt::Scalar::into_branch_condition(_e11) {
             if rt::Scalar::into_branch_condition(d.x().elementwise_gt(rt::Scalar(0f32))) {
                 return <FacePlace>::new(rt::Scalar(0i32), (<rt::Vec2<f32>>::from_scalars((-d.z()), (-d.y())) / rt::Vec2::splat_from_scalar(size.x())));
@@ -1234,52 +1657,52 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn environment_of_level(
         &self,
-        direction: impl rt::Into<rt::Vec3<f32>>,
+        direction_2: impl rt::Into<rt::Vec3<f32>>,
         level_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_environment_of_level(rt::into(direction), rt::into(level_6)))
+        rt::into(self.v_environment_of_level(rt::into(direction_2), rt::into(level_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_environment_of_level(
         &self,
-        direction: rt::Vec3<f32>,
+        direction_2: rt::Vec3<f32>,
         level_6: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_face_place(direction);
+        let _e2 = self.v_face_place(direction_2);
         let _e5 = rt::Scalar(self.surface_settings.environment_side);
         let last_1 = ((_e5 >> level_6).cast_elem_as_i32().max(rt::Scalar(1i32)) - rt::Scalar(1i32));
-        let point_6 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_1.cast_elem_as_f32()));
+        let point_8 = ((_e2.place + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * (rt::Scalar(0.5f32) * last_1.cast_elem_as_f32()));
         let most_2 = (last_1 - rt::Scalar(1i32)).max(rt::Scalar(0i32)).cast_elem_as_f32();
-        let corner_3 = point_6.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
+        let corner_3 = point_8.floor().clamp(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec2<f32>>::from_scalars(most_2, most_2));
         let texel_4 = corner_3.cast_elem_as_i32();
-        let k_20 = level_6.cast_elem_as_i32();
-        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_20);
-        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_20);
-        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_20);
-        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_20);
-        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_6 - corner_3));
+        let k_22 = level_6.cast_elem_as_i32();
+        let _e35 = self.v_environment_texel(texel_4, rt::Scalar(_e2.face), k_22);
+        let _e41 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(0i32))), rt::Scalar(_e2.face), k_22);
+        let _e47 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_22);
+        let _e53 = self.v_environment_texel((texel_4 + <rt::Vec2<i32>>::from_scalars(rt::Scalar(1i32), rt::Scalar(1i32))), rt::Scalar(_e2.face), k_22);
+        let _e55 = self.v_bilinear(_e35, _e41, _e47, _e53, (point_8 - corner_3));
         return _e55.xyz();
     }
     pub(crate) fn environment_in_lobe(
         &self,
-        direction_1: impl rt::Into<rt::Vec3<f32>>,
+        direction_3: impl rt::Into<rt::Vec3<f32>>,
         deviation: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_environment_in_lobe(rt::into(direction_1), rt::into(deviation)))
+        rt::into(self.v_environment_in_lobe(rt::into(direction_3), rt::into(deviation)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_environment_in_lobe(
         &self,
-        direction_1: rt::Vec3<f32>,
+        direction_3: rt::Vec3<f32>,
         deviation: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e5 = rt::Scalar(self.surface_settings.environment_levels);
         let width = (deviation * (rt::Scalar(1.2247449f32) * (rt::Scalar(1u32) << (_e5 - rt::Scalar(1u32))).cast_elem_as_f32()));
         let _e15 = rt::Scalar(self.surface_settings.environment_levels);
         let _e16 = self.v_levels_of(width, _e15);
-        let _e18 = self.v_environment_of_level(direction_1, rt::Scalar(_e16.fine));
+        let _e18 = self.v_environment_of_level(direction_3, rt::Scalar(_e16.fine));
         if rt::Scalar::into_branch_condition(rt::Scalar(_e16.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e25 = self.v_environment_of_level(direction_1, (rt::Scalar(_e16.fine) + rt::Scalar(1u32)));
+            let _e25 = self.v_environment_of_level(direction_3, (rt::Scalar(_e16.fine) + rt::Scalar(1u32)));
             return (_e18 + ((_e25 - _e18) * rt::Scalar(_e16.part)));
         }
         return _e18;
@@ -1295,19 +1718,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ambient_environment(
         &self,
-        at_4: Entered,
+        at_7: Entered,
         hit_3: Hit,
         normal_4: impl rt::Into<rt::Vec3<f32>>,
         view_3: impl rt::Into<rt::Vec3<f32>>,
         color_4: impl rt::Into<rt::Vec3<f32>>,
         params_3: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_environment(at_4, hit_3, rt::into(normal_4), rt::into(view_3), rt::into(color_4), rt::into(params_3)))
+        rt::into(self.v_ambient_environment(at_7, hit_3, rt::into(normal_4), rt::into(view_3), rt::into(color_4), rt::into(params_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_environment(
         &self,
-        at_4: Entered,
+        at_7: Entered,
         hit_3: Hit,
         normal_4: rt::Vec3<f32>,
         view_3: rt::Vec3<f32>,
@@ -1321,9 +1744,9 @@ impl<'g> Resources<'g> {
         let cosine_3 = n_7.dot(view_3).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
         let ior = rt::Scalar(self.surface_settings.ior);
         let eta = (rt::Scalar(1f32) / ior);
-        let inside_3 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
-        let across_1 = ((cosine_3 - (ior * inside_3)) / (cosine_3 + (ior * inside_3)).max(rt::Scalar(0.000001f32)));
-        let along_9 = (((ior * cosine_3) - inside_3) / ((ior * cosine_3) + inside_3).max(rt::Scalar(0.000001f32)));
+        let inside_4 = (rt::Scalar(1f32) - ((eta * eta) * (rt::Scalar(1f32) - (cosine_3 * cosine_3)))).max(rt::Scalar(0f32)).sqrt();
+        let across_1 = ((cosine_3 - (ior * inside_4)) / (cosine_3 + (ior * inside_4)).max(rt::Scalar(0.000001f32)));
+        let along_9 = (((ior * cosine_3) - inside_4) / ((ior * cosine_3) + inside_4).max(rt::Scalar(0.000001f32)));
         let waves = <rt::Vec2<f32>>::from_scalars(across_1, along_9);
         let reflected = (rt::Scalar(0.5f32) * waves.dot(waves));
         let _e47 = rt::Scalar(self.surface_settings.shininess);
@@ -1336,7 +1759,7 @@ impl<'g> Resources<'g> {
         let _e74 = self.v_environment_on(n_7);
         light = (_e73 + ((_e74 * color_4) * (rt::Scalar(1f32) - reflected)));
         if rt::Scalar::into_branch_condition(transmission.elementwise_gt(rt::Scalar(0f32))) {
-            let refracted = ((n_7 * ((eta * cosine_3) - inside_3)) - (view_3 * eta));
+            let refracted = ((n_7 * ((eta * cosine_3) - inside_4)) - (view_3 * eta));
             let _e90 = self.v_environment_in_lobe(refracted, ((rt::Scalar(1f32) - eta) * lean));
             let _e91 = light;
             light = (_e91 + (_e90 * (transmission * (rt::Scalar(1f32) - reflected))));
@@ -1346,19 +1769,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn ambient_occlusion(
         &self,
-        at_5: Entered,
+        at_8: Entered,
         hit_4: Hit,
         normal_5: impl rt::Into<rt::Vec3<f32>>,
         view_4: impl rt::Into<rt::Vec3<f32>>,
         color_5: impl rt::Into<rt::Vec3<f32>>,
         params_4: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_occlusion(at_5, hit_4, rt::into(normal_5), rt::into(view_4), rt::into(color_5), rt::into(params_4)))
+        rt::into(self.v_ambient_occlusion(at_8, hit_4, rt::into(normal_5), rt::into(view_4), rt::into(color_5), rt::into(params_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_occlusion(
         &self,
-        at_5: Entered,
+        at_8: Entered,
         hit_4: Hit,
         normal_5: rt::Vec3<f32>,
         view_4: rt::Vec3<f32>,
@@ -1366,23 +1789,23 @@ impl<'g> Resources<'g> {
         params_4: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let _e8 = self.frame.ambient;
-        let _e13 = self.v_ambient_texel_between(hit_4.uv, rt::Scalar(at_5.level));
+        let _e13 = self.v_ambient_texel_between(hit_4.uv, rt::Scalar(at_8.level));
         return ((_e8.xyz() * color_5) * _e13.x());
     }
     pub(crate) fn ambient_stage(
         &self,
-        at_6: Entered,
+        at_9: Entered,
         hit_5: Hit,
         normal_6: impl rt::Into<rt::Vec3<f32>>,
         view_5: impl rt::Into<rt::Vec3<f32>>,
         color_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_ambient_stage(at_6, hit_5, rt::into(normal_6), rt::into(view_5), rt::into(color_6)))
+        rt::into(self.v_ambient_stage(at_9, hit_5, rt::into(normal_6), rt::into(view_5), rt::into(color_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ambient_stage(
         &self,
-        at_6: Entered,
+        at_9: Entered,
         hit_5: Hit,
         normal_6: rt::Vec3<f32>,
         view_5: rt::Vec3<f32>,
@@ -1392,38 +1815,30 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e9) {
             0u32 => {
                 let _e14 = self.surface_settings.choices[7usize].params;
-                let _e15 = self.v_ambient_constant(at_6, hit_5, normal_6, view_5, color_6, _e14);
+                let _e15 = self.v_ambient_constant(at_9, hit_5, normal_6, view_5, color_6, _e14);
                 return _e15;
             }
             1u32 => {
                 let _e20 = self.surface_settings.choices[7usize].params;
-                let _e21 = self.v_ambient_occlusion(at_6, hit_5, normal_6, view_5, color_6, _e20);
+                let _e21 = self.v_ambient_occlusion(at_9, hit_5, normal_6, view_5, color_6, _e20);
                 return _e21;
             }
             2u32 => {
                 let _e26 = self.surface_settings.choices[7usize].params;
-                let _e27 = self.v_ambient_bent_normal(at_6, hit_5, normal_6, view_5, color_6, _e26);
+                let _e27 = self.v_ambient_bent_normal(at_9, hit_5, normal_6, view_5, color_6, _e26);
                 return _e27;
             }
             3u32 => {
                 let _e32 = self.surface_settings.choices[7usize].params;
-                let _e33 = self.v_ambient_bounce(at_6, hit_5, normal_6, view_5, color_6, _e32);
+                let _e33 = self.v_ambient_bounce(at_9, hit_5, normal_6, view_5, color_6, _e32);
                 return _e33;
             }
             _ => {
                 let _e38 = self.surface_settings.choices[7usize].params;
-                let _e39 = self.v_ambient_environment(at_6, hit_5, normal_6, view_5, color_6, _e38);
+                let _e39 = self.v_ambient_environment(at_9, hit_5, normal_6, view_5, color_6, _e38);
                 return _e39;
             }
         }
-    }
-    pub(crate) fn traced_scale_m(&self) -> f32 {
-        rt::into(self.v_traced_scale_m())
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_traced_scale_m(&self) -> rt::Scalar<f32> {
-        let _e2 = rt::Scalar(self.surface_settings.scale_m);
-        return _e2.max(rt::Scalar(0.000000001f32));
     }
     pub(crate) fn base_height(&self) -> f32 {
         rt::into(self.v_base_height())
@@ -1433,6 +1848,40 @@ impl<'g> Resources<'g> {
         let _e2 = rt::Scalar(self.surface_settings.bias_m);
         let _e5 = self.v_traced_scale_m();
         return ((rt::Scalar(0f32) - _e2) / _e5);
+    }
+    pub(crate) fn bent_exit(&self, h: impl rt::Into<rt::Vec3<f32>>) -> f32 {
+        rt::into(self.v_bent_exit(rt::into(h)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_bent_exit(&self, h: rt::Vec3<f32>) -> rt::Scalar<f32> {
+        let mut exit: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+
+        let floor_1 = (h.x() + rt::Scalar(0.000001f32));
+        let under_2 = ((h.y() * h.y()) - ((rt::Scalar(4f32) * h.z()) * floor_1));
+        if rt::Scalar::into_branch_condition(under_2.elementwise_ge(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition(h.y().elementwise_lt(rt::Scalar(0f32))) {
+                exit = ((rt::Scalar(2f32) * floor_1) / (under_2.sqrt() - h.y()));
+            } else {
+                if rt::Scalar::into_branch_condition(h.z().elementwise_lt(rt::Scalar(0f32))) {
+                    exit = ((h.y() + under_2.sqrt()) / (rt::Scalar(-2f32) * h.z()));
+                }
+            }
+        }
+        let room = (rt::Scalar(1f32) - h.x());
+        let above_2 = ((h.y() * h.y()) + ((rt::Scalar(4f32) * h.z()) * room));
+        if rt::Scalar::into_branch_condition(above_2.elementwise_ge(rt::Scalar(0f32))) {
+            if rt::Scalar::into_branch_condition(h.y().elementwise_gt(rt::Scalar(0f32))) {
+                let _e51 = exit;
+                exit = _e51.min(((rt::Scalar(2f32) * room) / (h.y() + above_2.sqrt())));
+            } else {
+                if rt::Scalar::into_branch_condition(h.z().elementwise_gt(rt::Scalar(0f32))) {
+                    let _e62 = exit;
+                    exit = _e62.min(((above_2.sqrt() - h.y()) / (rt::Scalar(2f32) * h.z())));
+                }
+            }
+        }
+        let _e71 = exit;
+        return _e71;
     }
     pub(crate) fn ordered(
         &self,
@@ -1485,47 +1934,47 @@ impl<'g> Resources<'g> {
     pub(crate) fn beside_chord(
         &self,
         pixel_2: PixelIn,
-        a: ShellPoint,
+        a_1: ShellPoint,
         m: ShellPoint,
-        b: ShellPoint,
-        at_7: ShellPoint,
+        b_1: ShellPoint,
+        at_10: ShellPoint,
         part_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_beside_chord(pixel_2, a, m, b, at_7, rt::into(part_1)))
+        rt::into(self.v_beside_chord(pixel_2, a_1, m, b_1, at_10, rt::into(part_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_beside_chord(
         &self,
         pixel_2: PixelIn,
-        a: ShellPoint,
+        a_1: ShellPoint,
         m: ShellPoint,
-        b: ShellPoint,
-        at_7: ShellPoint,
+        b_1: ShellPoint,
+        at_10: ShellPoint,
         part_1: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let line = (a.weights + ((b.weights - a.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
-        let _e19 = self.v_uv_of(pixel_2, (at_7.weights - line));
+        let line = (a_1.weights + ((b_1.weights - a_1.weights).min(<rt::Vec3<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32))) * part_1));
+        let _e19 = self.v_uv_of(pixel_2, (at_10.weights - line));
         let _e21 = self.v_height_size(rt::Scalar(0u32));
         let apart = (_e19 * _e21).abs();
-        let bend = (rt::Scalar(2f32) * ((rt::Scalar(a.height) + rt::Scalar(b.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
-        let slope_4 = ((rt::Scalar(b.height) - rt::Scalar(a.height)) - bend);
-        let height_4 = (rt::Scalar(a.height) + (part_1 * (slope_4 + (part_1 * bend))));
-        return apart.x().max(apart.y()).max(((rt::Scalar(at_7.height) - height_4).abs() / rt::Scalar(0.0625f32)));
+        let bend_1 = (rt::Scalar(2f32) * ((rt::Scalar(a_1.height) + rt::Scalar(b_1.height)) - (rt::Scalar(2f32) * rt::Scalar(m.height))));
+        let slope_4 = ((rt::Scalar(b_1.height) - rt::Scalar(a_1.height)) - bend_1);
+        let height_6 = (rt::Scalar(a_1.height) + (part_1 * (slope_4 + (part_1 * bend_1))));
+        return apart.x().max(apart.y()).max(((rt::Scalar(at_10.height) - height_6).abs() / rt::Scalar(0.0625f32)));
     }
     pub(crate) fn path_height(
         &self,
         path: Path,
-        t: impl rt::Into<rt::Scalar<f32>>,
+        t_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_height(path, rt::into(t)))
+        rt::into(self.v_path_height(path, rt::into(t_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_height(
         &self,
         path: Path,
-        t: rt::Scalar<f32>,
+        t_4: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path.h.x() + (t * (path.h.y() + (t * path.h.z()))));
+        return (path.h.x() + (t_4 * (path.h.y() + (t_4 * path.h.z()))));
     }
     pub(crate) fn height_cell(
         &self,
@@ -1541,15 +1990,15 @@ impl<'g> Resources<'g> {
         level_8: rt::Scalar<u32>,
     ) -> rt::Vec4<f32> {
         let _e2 = self.v_height_texels(level_8);
-        let k_21 = level_8.cast_elem_as_i32();
+        let k_23 = level_8.cast_elem_as_i32();
         let _e6 = self.v_wrap_index(cell.x(), _e2.x());
         let _e11 = self.v_wrap_index((cell.x() + rt::Scalar(1i32)), _e2.x());
         let _e14 = self.v_wrap_index(cell.y(), _e2.y());
         let _e19 = self.v_wrap_index((cell.y() + rt::Scalar(1i32)), _e2.y());
-        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_21));
-        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_21));
-        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_21));
-        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_21));
+        let _e22 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_23));
+        let _e26 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e14), 0i32, 0i32, rt::Scalar::into_inner(k_23));
+        let _e30 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e6, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_23));
+        let _e34 = rt::texture::Read::read_texel((&self.height_map), <rt::Vec2<i32>>::from_scalars(_e11, _e19), 0i32, 0i32, rt::Scalar::into_inner(k_23));
         return <rt::Vec4<f32>>::from_scalars(_e22.x(), _e26.x(), _e30.x(), _e34.x());
     }
     pub(crate) fn height_at(
@@ -1566,9 +2015,9 @@ impl<'g> Resources<'g> {
         level_9: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
         let _e2 = self.v_height_size(level_9);
-        let point_7 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_7);
-        let f = (point_7 - _e8);
+        let point_9 = ((uv_2 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_9);
+        let f = (point_9 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_9);
         let top_2 = (_e11.x() + ((_e11.y() - _e11.x()) * f.x()));
         let bottom_1 = (_e11.z() + ((_e11.w() - _e11.z()) * f.x()));
@@ -1577,33 +2026,33 @@ impl<'g> Resources<'g> {
     pub(crate) fn path_uv(
         &self,
         path_1: Path,
-        t_1: impl rt::Into<rt::Scalar<f32>>,
+        t_5: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_path_uv(path_1, rt::into(t_1)))
+        rt::into(self.v_path_uv(path_1, rt::into(t_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_uv(
         &self,
         path_1: Path,
-        t_1: rt::Scalar<f32>,
+        t_5: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        return (path_1.uv + (path_1.duv * t_1));
+        return (path_1.uv + (path_1.duv * t_5));
     }
     pub(crate) fn path_gap(
         &self,
         path_2: Path,
-        t_2: impl rt::Into<rt::Scalar<f32>>,
+        t_6: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_gap(path_2, rt::into(t_2)))
+        rt::into(self.v_path_gap(path_2, rt::into(t_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_gap(
         &self,
         path_2: Path,
-        t_2: rt::Scalar<f32>,
+        t_6: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let _e2 = self.v_path_height(path_2, t_2);
-        let _e3 = self.v_path_uv(path_2, t_2);
+        let _e2 = self.v_path_height(path_2, t_6);
+        let _e3 = self.v_path_uv(path_2, t_6);
         let _e5 = self.v_height_at(_e3, rt::Scalar(path_2.level));
         return (_e2 - _e5);
     }
@@ -1624,15 +2073,15 @@ impl<'g> Resources<'g> {
         far: rt::Scalar<f32>,
         cost: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_4: rt::Scalar<bool>;
+        let mut local_8: rt::Scalar<bool>;
 
         let _e4 = self.v_path_gap(path_3, near);
         if rt::Scalar::into_branch_condition(near.elementwise_eq(rt::Scalar(0f32))) {
-            local_4 = _e4.elementwise_lt(rt::Scalar(0f32));
+            local_8 = _e4.elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_4 = rt::Scalar(false);
+            local_8 = rt::Scalar(false);
         }
-        let _e12 = local_4;
+        let _e12 = local_8;
         if rt::Scalar::into_branch_condition(_e12) {
             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e4, _e4, (cost + HEIGHTS_READ));
         }
@@ -1643,24 +2092,24 @@ impl<'g> Resources<'g> {
         &self,
         grid: Grid,
         cell_1: impl rt::Into<rt::Vec2<f32>>,
-        leave: impl rt::Into<rt::Vec2<f32>>,
+        leave_1: impl rt::Into<rt::Vec2<f32>>,
         forward: impl rt::Into<rt::Vec2<bool>>,
-        t_3: impl rt::Into<rt::Scalar<f32>>,
+        t_7: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave), rt::into(forward), rt::into(t_3)))
+        rt::into(self.v_cell_after(grid, rt::into(cell_1), rt::into(leave_1), rt::into(forward), rt::into(t_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_after(
         &self,
         grid: Grid,
         cell_1: rt::Vec2<f32>,
-        leave: rt::Vec2<f32>,
+        leave_1: rt::Vec2<f32>,
         forward: rt::Vec2<bool>,
-        t_3: rt::Scalar<f32>,
+        t_7: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_3)));
-        let ahead = _e9.max((cell_1 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_3, t_3)))));
-        let behind = _e9.min((cell_1 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_3, t_3)))));
+        let _e9 = self.v_cell_of((grid.origin + (grid.step * t_7)));
+        let ahead = _e9.max((cell_1 + <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_7, t_7)))));
+        let behind = _e9.min((cell_1 - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), leave_1.elementwise_le(<rt::Vec2<f32>>::from_scalars(t_7, t_7)))));
         return behind.select(ahead, forward);
     }
     pub(crate) fn gap_to(
@@ -1668,10 +2117,10 @@ impl<'g> Resources<'g> {
         path_4: Path,
         grid_1: Grid,
         cell_2: impl rt::Into<rt::Vec2<f32>>,
-        h: impl rt::Into<rt::Vec4<f32>>,
-        t_4: impl rt::Into<rt::Scalar<f32>>,
+        h_1: impl rt::Into<rt::Vec4<f32>>,
+        t_8: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_gap_to(path_4, grid_1, rt::into(cell_2), rt::into(h), rt::into(t_4)))
+        rt::into(self.v_gap_to(path_4, grid_1, rt::into(cell_2), rt::into(h_1), rt::into(t_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_gap_to(
@@ -1679,25 +2128,25 @@ impl<'g> Resources<'g> {
         path_4: Path,
         grid_1: Grid,
         cell_2: rt::Vec2<f32>,
-        h: rt::Vec4<f32>,
-        t_4: rt::Scalar<f32>,
+        h_1: rt::Vec4<f32>,
+        t_8: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let bx = (h.y() - h.x());
-        let by = (h.z() - h.x());
-        let twist = ((h.x() - h.y()) + (h.w() - h.z()));
-        let at_66 = ((grid_1.origin - cell_2) + (grid_1.step * t_4));
-        let z = (path_4.h.x() + (t_4 * (path_4.h.y() + (t_4 * path_4.h.z()))));
-        let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_4) * path_4.h.z()));
-        return <rt::Vec3<f32>>::from_scalars((z - (((h.x() + (bx * at_66.x())) + (by * at_66.y())) + ((twist * at_66.x()) * at_66.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_66.x() * grid_1.step.y()) + (at_66.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
+        let bx = (h_1.y() - h_1.x());
+        let by = (h_1.z() - h_1.x());
+        let twist = ((h_1.x() - h_1.y()) + (h_1.w() - h_1.z()));
+        let at_77 = ((grid_1.origin - cell_2) + (grid_1.step * t_8));
+        let z = (path_4.h.x() + (t_8 * (path_4.h.y() + (t_8 * path_4.h.z()))));
+        let dz = (path_4.h.y() + ((rt::Scalar(2f32) * t_8) * path_4.h.z()));
+        return <rt::Vec3<f32>>::from_scalars((z - (((h_1.x() + (bx * at_77.x())) + (by * at_77.y())) + ((twist * at_77.x()) * at_77.y()))), (dz - (((bx * grid_1.step.x()) + (by * grid_1.step.y())) + (twist * ((at_77.x() * grid_1.step.y()) + (at_77.y() * grid_1.step.x()))))), (path_4.h.z() - ((twist * grid_1.step.x()) * grid_1.step.y())));
     }
     pub(crate) fn cell_gap(
         &self,
         path_5: Path,
         grid_2: Grid,
         cell_3: impl rt::Into<rt::Vec2<f32>>,
-        t_5: impl rt::Into<rt::Scalar<f32>>,
+        t_9: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_cell_gap(path_5, grid_2, rt::into(cell_3), rt::into(t_5)))
+        rt::into(self.v_cell_gap(path_5, grid_2, rt::into(cell_3), rt::into(t_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_gap(
@@ -1705,10 +2154,10 @@ impl<'g> Resources<'g> {
         path_5: Path,
         grid_2: Grid,
         cell_3: rt::Vec2<f32>,
-        t_5: rt::Scalar<f32>,
+        t_9: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
         let _e6 = self.v_height_cell(cell_3.cast_elem_as_i32(), rt::Scalar(path_5.level));
-        let _e7 = self.v_gap_to(path_5, grid_2, cell_3, _e6, t_5);
+        let _e7 = self.v_gap_to(path_5, grid_2, cell_3, _e6, t_9);
         return _e7;
     }
     pub(crate) fn cell_leave(
@@ -1724,42 +2173,42 @@ impl<'g> Resources<'g> {
         grid_3: Grid,
         cell_4: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut leave_1: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let mut leave_2: rt::Vec2<f32> = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
 
         if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_gt(rt::Scalar(0f32))) {
-            leave_1.set_x((((cell_4.x() + rt::Scalar(1f32)) - grid_3.origin.x()) / grid_3.step.x()));
+            leave_2.set_x((((cell_4.x() + rt::Scalar(1f32)) - grid_3.origin.x()) / grid_3.step.x()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.x().elementwise_lt(rt::Scalar(0f32))) {
-            leave_1.set_x(((cell_4.x() - grid_3.origin.x()) / grid_3.step.x()));
+            leave_2.set_x(((cell_4.x() - grid_3.origin.x()) / grid_3.step.x()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_gt(rt::Scalar(0f32))) {
-            leave_1.set_y((((cell_4.y() + rt::Scalar(1f32)) - grid_3.origin.y()) / grid_3.step.y()));
+            leave_2.set_y((((cell_4.y() + rt::Scalar(1f32)) - grid_3.origin.y()) / grid_3.step.y()));
         }
         if rt::Scalar::into_branch_condition(grid_3.step.y().elementwise_lt(rt::Scalar(0f32))) {
-            leave_1.set_y(((cell_4.y() - grid_3.origin.y()) / grid_3.step.y()));
+            leave_2.set_y(((cell_4.y() - grid_3.origin.y()) / grid_3.step.y()));
         }
-        let _e58 = leave_1;
+        let _e58 = leave_2;
         return _e58;
     }
     pub(crate) fn cell_next(
         &self,
         grid_4: Grid,
         cell_5: impl rt::Into<rt::Vec2<f32>>,
-        leave_2: impl rt::Into<rt::Vec2<f32>>,
+        leave_3: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_cell_next(grid_4, rt::into(cell_5), rt::into(leave_2)))
+        rt::into(self.v_cell_next(grid_4, rt::into(cell_5), rt::into(leave_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_cell_next(
         &self,
         grid_4: Grid,
         cell_5: rt::Vec2<f32>,
-        leave_2: rt::Vec2<f32>,
+        leave_3: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
         let mut next: rt::Vec2<f32>;
 
         next = cell_5;
-        if rt::Scalar::into_branch_condition(leave_2.x().elementwise_le(leave_2.y())) {
+        if rt::Scalar::into_branch_condition(leave_3.x().elementwise_le(leave_3.y())) {
             next.set_x((cell_5.x() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.x().elementwise_gt(rt::Scalar(0f32)))));
         } else {
             next.set_y((cell_5.y() + rt::Scalar(-1f32).select(rt::Scalar(1f32), grid_4.step.y().elementwise_gt(rt::Scalar(0f32)))));
@@ -1769,39 +2218,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn chord_end(
         &self,
-        at_8: Entered,
+        at_11: Entered,
         k: impl rt::Into<rt::Scalar<u32>>,
     ) -> f32 {
-        rt::into(self.v_chord_end(at_8, rt::into(k)))
+        rt::into(self.v_chord_end(at_11, rt::into(k)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_chord_end(
         &self,
-        at_8: Entered,
+        at_11: Entered,
         k: rt::Scalar<u32>,
     ) -> rt::Scalar<f32> {
-        return (at_8.span.x() + ((at_8.span.y() - at_8.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.cast_elem_as_f32() / rt::Scalar(at_8.segments).cast_elem_as_f32())));
-    }
-    pub(crate) fn climb(
-        &self,
-        at_9: Entered,
-        direction_2: impl rt::Into<rt::Vec3<f32>>,
-    ) -> rt::Vec3<f32> {
-        rt::into(self.v_climb(at_9, rt::into(direction_2)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_climb(
-        &self,
-        at_9: Entered,
-        direction_2: rt::Vec3<f32>,
-    ) -> rt::Vec3<f32> {
-        let metric = at_9.metric;
-        let td = at_9.tangent.dot(direction_2);
-        let bd = at_9.bitangent.dot(direction_2);
-        let area = ((metric.x() * metric.z()) - (metric.y() * metric.y()));
-        let duv = (<rt::Vec2<f32>>::from_scalars(((td * metric.z()) - (bd * metric.y())), ((bd * metric.x()) - (td * metric.y()))) / rt::Vec2::splat_from_scalar(area));
-        let _e29 = self.v_traced_scale_m();
-        return <rt::Vec3<f32>>::new_21(duv, (at_9.normal.dot(direction_2) / _e29));
+        return (at_11.span.x() + ((at_11.span.y() - at_11.span.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * (k.cast_elem_as_f32() / rt::Scalar(at_11.segments).cast_elem_as_f32())));
     }
     pub(crate) fn color_at(
         &self,
@@ -1819,11 +2247,11 @@ impl<'g> Resources<'g> {
         let _e4 = self.surface_settings.color_size;
         let _e5 = self.v_level_texels(_e4, level_10);
         let _e6 = self.v_texels_around(uv_3, _e5);
-        let k_22 = level_10.cast_elem_as_i32();
-        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_22));
-        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_22));
-        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_22));
-        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_22));
+        let k_24 = level_10.cast_elem_as_i32();
+        let _e14 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_24));
+        let _e21 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.x()), 0i32, 0i32, rt::Scalar::into_inner(k_24));
+        let _e28 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.x(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_24));
+        let _e35 = rt::texture::Read::read_texel((&self.color_map), <rt::Vec2<i32>>::from_scalars(_e6.columns.y(), _e6.rows.y()), 0i32, 0i32, rt::Scalar::into_inner(k_24));
         let _e37 = self.v_bilinear(_e14, _e21, _e28, _e35, _e6.part);
         return _e37;
     }
@@ -1857,18 +2285,18 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn comes_before(
         &self,
-        a_1: impl rt::Into<rt::Vec2<f32>>,
-        b_1: impl rt::Into<rt::Vec2<f32>>,
+        a_2: impl rt::Into<rt::Vec2<f32>>,
+        b_2: impl rt::Into<rt::Vec2<f32>>,
     ) -> u32 {
-        rt::into(self.v_comes_before(rt::into(a_1), rt::into(b_1)))
+        rt::into(self.v_comes_before(rt::into(a_2), rt::into(b_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_comes_before(
         &self,
-        a_1: rt::Vec2<f32>,
-        b_1: rt::Vec2<f32>,
+        a_2: rt::Vec2<f32>,
+        b_2: rt::Vec2<f32>,
     ) -> rt::Scalar<u32> {
-        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_1.x().elementwise_le(b_1.x()));
+        return rt::Scalar(0u32).select(rt::Scalar(1u32), a_2.x().elementwise_le(b_2.x()));
     }
     pub(crate) fn slope_of(&self, value: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_slope_of(rt::into(value)))
@@ -1944,9 +2372,9 @@ impl<'g> Resources<'g> {
         heights: rt::Vec4<f32>,
         corner: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let above_2 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        let below_1 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
-        return above_2.select(below_1, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
+        let above_3 = heights.x().select(heights.y(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        let below_2 = heights.z().select(heights.w(), corner.x().elementwise_gt(rt::Scalar(0.5f32)));
+        return above_3.select(below_2, corner.y().elementwise_gt(rt::Scalar(0.5f32)));
     }
     pub(crate) fn plane_distance(
         &self,
@@ -1963,12 +2391,12 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         return (normal_7.dot((pixel_3.a.position - pixel_3.origin)) / normal_7.dot(pixel_3.direction));
     }
-    pub(crate) fn depth_in_samples(&self, pixel_4: PixelIn, at_10: Entered) -> f32 {
-        rt::into(self.v_depth_in_samples(pixel_4, at_10))
+    pub(crate) fn depth_in_samples(&self, pixel_4: PixelIn, at_12: Entered) -> f32 {
+        rt::into(self.v_depth_in_samples(pixel_4, at_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_depth_in_samples(&self, pixel_4: PixelIn, at_10: Entered) -> rt::Scalar<f32> {
-        let _e3 = self.v_plane_distance(pixel_4, at_10.facing);
+    fn v_depth_in_samples(&self, pixel_4: PixelIn, at_12: Entered) -> rt::Scalar<f32> {
+        let _e3 = self.v_plane_distance(pixel_4, at_12.facing);
         let _e6 = self.frame.eye_right;
         let _e10 = self.frame.right;
         let _e17 = rt::Scalar(self.frame.sample_width);
@@ -1979,53 +2407,53 @@ impl<'g> Resources<'g> {
     pub(crate) fn footprint_axis(
         &self,
         pixel_5: PixelIn,
-        at_11: Entered,
+        at_13: Entered,
         normal_8: impl rt::Into<rt::Vec3<f32>>,
-        t_6: impl rt::Into<rt::Scalar<f32>>,
+        t_10: impl rt::Into<rt::Scalar<f32>>,
         origin: impl rt::Into<rt::Vec3<f32>>,
-        direction_3: impl rt::Into<rt::Vec3<f32>>,
+        direction_4: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_footprint_axis(pixel_5, at_11, rt::into(normal_8), rt::into(t_6), rt::into(origin), rt::into(direction_3)))
+        rt::into(self.v_footprint_axis(pixel_5, at_13, rt::into(normal_8), rt::into(t_10), rt::into(origin), rt::into(direction_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_axis(
         &self,
         pixel_5: PixelIn,
-        at_11: Entered,
+        at_13: Entered,
         normal_8: rt::Vec3<f32>,
-        t_6: rt::Scalar<f32>,
+        t_10: rt::Scalar<f32>,
         origin: rt::Vec3<f32>,
-        direction_3: rt::Vec3<f32>,
+        direction_4: rt::Vec3<f32>,
     ) -> rt::Vec2<f32> {
-        let aside = (origin + (direction_3 * t_6));
-        let along_10 = (normal_8.dot(aside) / normal_8.dot(pixel_5.direction));
-        let _e15 = self.v_climb(at_11, (aside - (pixel_5.direction * along_10)));
+        let aside_2 = (origin + (direction_4 * t_10));
+        let along_10 = (normal_8.dot(aside_2) / normal_8.dot(pixel_5.direction));
+        let _e15 = self.v_climb(at_13, (aside_2 - (pixel_5.direction * along_10)));
         let _e19 = self.surface_settings.height_size;
         return (_e15.xy() * _e19.cast_elem_as_f32());
     }
     pub(crate) fn footprint_of(
         &self,
         pixel_6: PixelIn,
-        at_12: Entered,
+        at_14: Entered,
         anisotropy: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_footprint_of(pixel_6, at_12, rt::into(anisotropy)))
+        rt::into(self.v_footprint_of(pixel_6, at_14, rt::into(anisotropy)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_footprint_of(
         &self,
         pixel_6: PixelIn,
-        at_12: Entered,
+        at_14: Entered,
         anisotropy: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let normal_13 = at_12.facing;
-        let _e4 = self.v_plane_distance(pixel_6, normal_13);
+        let normal_14 = at_14.facing;
+        let _e4 = self.v_plane_distance(pixel_6, normal_14);
         let _e7 = self.frame.eye_right;
         let _e11 = self.frame.right;
-        let _e13 = self.v_footprint_axis(pixel_6, at_12, normal_13, _e4, _e7.xyz(), _e11.xyz());
+        let _e13 = self.v_footprint_axis(pixel_6, at_14, normal_14, _e4, _e7.xyz(), _e11.xyz());
         let _e16 = self.frame.eye_down;
         let _e20 = self.frame.down;
-        let _e22 = self.v_footprint_axis(pixel_6, at_12, normal_13, _e4, _e16.xyz(), _e20.xyz());
+        let _e22 = self.v_footprint_axis(pixel_6, at_14, normal_14, _e4, _e16.xyz(), _e20.xyz());
         let both = <rt::Vec4<f32>>::new_22(_e13, _e22);
         let sum_1 = both.dot(both);
         let area_1 = ((_e13.x() * _e22.y()) - (_e13.y() * _e22.x()));
@@ -2039,22 +2467,22 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_fade(
         &self,
         pixel_7: PixelIn,
-        at_13: Entered,
+        at_15: Entered,
         params_5: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_fade(pixel_7, at_13, rt::into(params_5)))
+        rt::into(self.v_detail_fade(pixel_7, at_15, rt::into(params_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_fade(
         &self,
         pixel_7: PixelIn,
-        at_13: Entered,
+        at_15: Entered,
         params_5: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_7, at_13, params_5.x());
-        let begin = (params_5.z() * params_5.w());
-        let _e8 = self.v_depth_in_samples(pixel_7, at_13);
-        let part_6 = ((begin - _e8) / (begin - params_5.z()).max(rt::Scalar(0.000001f32)));
+        let _e4 = self.v_footprint_of(pixel_7, at_15, params_5.x());
+        let begin_1 = (params_5.z() * params_5.w());
+        let _e8 = self.v_depth_in_samples(pixel_7, at_15);
+        let part_6 = ((begin_1 - _e8) / (begin_1 - params_5.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
         let level_25 = rt::Scalar(_e20.fine);
@@ -2063,19 +2491,19 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_footprint(
         &self,
         pixel_8: PixelIn,
-        at_14: Entered,
+        at_16: Entered,
         params_6: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_footprint(pixel_8, at_14, rt::into(params_6)))
+        rt::into(self.v_detail_footprint(pixel_8, at_16, rt::into(params_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_footprint(
         &self,
         pixel_8: PixelIn,
-        at_14: Entered,
+        at_16: Entered,
         params_6: rt::Vec4<f32>,
     ) -> Detail {
-        let _e4 = self.v_footprint_of(pixel_8, at_14, params_6.x());
+        let _e4 = self.v_footprint_of(pixel_8, at_16, params_6.x());
         let _e9 = rt::Scalar(self.surface_settings.height_levels);
         let _e10 = self.v_levels_of((_e4 / params_6.y()), _e9);
         return <Detail>::new(rt::Scalar(_e10.fine), _e4, rt::Scalar(0f32));
@@ -2083,40 +2511,40 @@ impl<'g> Resources<'g> {
     pub(crate) fn detail_none(
         &self,
         pixel_9: PixelIn,
-        at_15: Entered,
+        at_17: Entered,
         params_7: impl rt::Into<rt::Vec4<f32>>,
     ) -> Detail {
-        rt::into(self.v_detail_none(pixel_9, at_15, rt::into(params_7)))
+        rt::into(self.v_detail_none(pixel_9, at_17, rt::into(params_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_detail_none(
         &self,
         pixel_9: PixelIn,
-        at_15: Entered,
+        at_17: Entered,
         params_7: rt::Vec4<f32>,
     ) -> Detail {
         return <Detail>::new(rt::Scalar(0u32), rt::Scalar(0f32), rt::Scalar(0f32));
     }
-    pub(crate) fn detail_stage(&self, pixel_10: PixelIn, at_16: Entered) -> Detail {
-        rt::into(self.v_detail_stage(pixel_10, at_16))
+    pub(crate) fn detail_stage(&self, pixel_10: PixelIn, at_18: Entered) -> Detail {
+        rt::into(self.v_detail_stage(pixel_10, at_18))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_detail_stage(&self, pixel_10: PixelIn, at_16: Entered) -> Detail {
+    fn v_detail_stage(&self, pixel_10: PixelIn, at_18: Entered) -> Detail {
         let _e6 = rt::Scalar(self.surface_settings.choices[1usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[1usize].params;
-                let _e12 = self.v_detail_none(pixel_10, at_16, _e11);
+                let _e12 = self.v_detail_none(pixel_10, at_18, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[1usize].params;
-                let _e18 = self.v_detail_footprint(pixel_10, at_16, _e17);
+                let _e18 = self.v_detail_footprint(pixel_10, at_18, _e17);
                 return _e18;
             }
             _ => {
                 let _e23 = self.surface_settings.choices[1usize].params;
-                let _e24 = self.v_detail_fade(pixel_10, at_16, _e23);
+                let _e24 = self.v_detail_fade(pixel_10, at_18, _e23);
                 return _e24;
             }
         }
@@ -2158,11 +2586,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_13);
         let _e4 = self.v_texels_around(uv_5, _e3);
-        let k_23 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
-        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_23);
-        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_23);
-        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_23);
-        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_23);
+        let k_25 = (level_13 - SEEN_FIRST_LEVEL).cast_elem_as_i32();
+        let _e13 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_3, k_25);
+        let _e19 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_3, k_25);
+        let _e25 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_3, k_25);
+        let _e31 = self.v_detail_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_3, k_25);
         let _e33 = self.v_bilinear(_e13, _e19, _e25, _e31, _e4.part);
         return _e33;
     }
@@ -2209,12 +2637,12 @@ impl<'g> Resources<'g> {
         slices: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let place_8 = ((height * slices) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (slices - rt::Scalar(1f32)));
-        let below_2 = place_8.floor();
-        let _e13 = self.v_search_texel_between(path_9, uv_7, below_2.cast_elem_as_i32());
+        let below_3 = place_8.floor();
+        let _e13 = self.v_search_texel_between(path_9, uv_7, below_3.cast_elem_as_i32());
         let lower = _e13.x();
-        let _e21 = self.v_search_texel_between(path_9, uv_7, (below_2 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
+        let _e21 = self.v_search_texel_between(path_9, uv_7, (below_3 + rt::Scalar(1f32)).min((slices - rt::Scalar(1f32))).cast_elem_as_i32());
         let upper = _e21.x();
-        return (lower + ((upper - lower) * (place_8 - below_2)));
+        return (lower + ((upper - lower) * (place_8 - below_3)));
     }
     pub(crate) fn eighth_turn(&self, tangent: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_eighth_turn(rt::into(tangent)))
@@ -2233,137 +2661,157 @@ impl<'g> Resources<'g> {
         let a_5 = pixel_11.a.position;
         return (pixel_11.b.position - a_5).cross((pixel_11.c.position - a_5));
     }
-    pub(crate) fn surface_plane_enter(
+    pub(crate) fn plane_weights(
         &self,
         pixel_12: PixelIn,
+        normal_9: impl rt::Into<rt::Vec3<f32>>,
+        point_1: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_plane_weights(pixel_12, rt::into(normal_9), rt::into(point_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_plane_weights(
+        &self,
+        pixel_12: PixelIn,
+        normal_9: rt::Vec3<f32>,
+        point_1: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let a_6 = pixel_12.a.position;
+        let nn = normal_9.dot(normal_9);
+        let from_a = (point_1 - a_6);
+        let wb = (from_a.cross((pixel_12.c.position - a_6)).dot(normal_9) / nn);
+        let wc = ((pixel_12.b.position - a_6).cross(from_a).dot(normal_9) / nn);
+        return <rt::Vec3<f32>>::from_scalars(((rt::Scalar(1f32) - wb) - wc), wb, wc);
+    }
+    pub(crate) fn surface_plane_enter(
+        &self,
+        pixel_13: PixelIn,
         params_8: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_enter(pixel_12, rt::into(params_8)))
+        rt::into(self.v_surface_plane_enter(pixel_13, rt::into(params_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_enter(
         &self,
-        pixel_12: PixelIn,
+        pixel_13: PixelIn,
         params_8: rt::Vec4<f32>,
     ) -> Entered {
-        let mut local_5: rt::Scalar<bool>;
+        let mut local_9: rt::Scalar<bool>;
 
-        let a_6 = pixel_12.a.position;
-        let _e4 = self.v_plane_normal(pixel_12);
-        let nn = _e4.dot(_e4);
-        let _e8 = self.v_plane_distance(pixel_12, _e4);
-        let point_8 = (pixel_12.origin + (pixel_12.direction * _e8));
-        let from_a = (point_8 - a_6);
-        let wb = (from_a.cross((pixel_12.c.position - a_6)).dot(_e4) / nn);
-        let wc = ((pixel_12.b.position - a_6).cross(from_a).dot(_e4) / nn);
-        let wa = ((rt::Scalar(1f32) - wb) - wc);
-        let uv_21 = (((pixel_12.a.uv * wa) + (pixel_12.b.uv * wb)) + (pixel_12.c.uv * wc));
-        let tangent_1 = (((pixel_12.a.tangent * wa) + (pixel_12.b.tangent * wb)) + (pixel_12.c.tangent * wc));
-        let bitangent = (((pixel_12.a.bitangent * wa) + (pixel_12.b.bitangent * wb)) + (pixel_12.c.bitangent * wc));
-        let normal_14 = ((((pixel_12.a.normal * wa) + (pixel_12.b.normal * wb)) + (pixel_12.c.normal * wc)).normalize() * rt::Scalar(pixel_12.side));
+        let _e2 = self.v_plane_normal(pixel_13);
+        let _e5 = self.v_plane_distance(pixel_13, _e2);
+        let point_10 = (pixel_13.origin + (pixel_13.direction * _e5));
+        let _e8 = self.v_plane_weights(pixel_13, _e2, point_10);
+        let wa = _e8.x();
+        let wb_1 = _e8.y();
+        let wc_1 = _e8.z();
+        let uv_21 = (((pixel_13.a.uv * wa) + (pixel_13.b.uv * wb_1)) + (pixel_13.c.uv * wc_1));
+        let tangent_1 = (((pixel_13.a.tangent * wa) + (pixel_13.b.tangent * wb_1)) + (pixel_13.c.tangent * wc_1));
+        let bitangent = (((pixel_13.a.bitangent * wa) + (pixel_13.b.bitangent * wb_1)) + (pixel_13.c.bitangent * wc_1));
+        let normal_15 = ((((pixel_13.a.normal * wa) + (pixel_13.b.normal * wb_1)) + (pixel_13.c.normal * wc_1)).normalize() * rt::Scalar(pixel_13.side));
         let tt = tangent_1.dot(tangent_1);
         let tb = tangent_1.dot(bitangent);
         let bb = bitangent.dot(bitangent);
         let area_2 = ((tt * bb) - (tb * tb));
-        let _e82 = rt::Scalar(self.surface_settings.scale_m);
-        let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e82);
+        let _e67 = rt::Scalar(self.surface_settings.scale_m);
+        let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_5 = normal_14.dot(pixel_12.direction).elementwise_lt(rt::Scalar(0f32));
+            local_9 = normal_15.dot(pixel_13.direction).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_5 = rt::Scalar(false);
+            local_9 = rt::Scalar(false);
         }
-        let _e95 = local_5;
-        let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e95);
-        return <Entered>::new(segments, point_8, uv_21, tangent_1, bitangent, normal_14, metric_1, rt::Scalar(0u32), _e4, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32));
+        let _e80 = local_9;
+        let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e80);
+        return <Entered>::new(segments, point_10, uv_21, tangent_1, bitangent, normal_15, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
         &self,
-        pixel_13: PixelIn,
+        pixel_14: PixelIn,
         along: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_middle_of(pixel_13, rt::into(along)))
+        rt::into(self.v_middle_of(pixel_14, rt::into(along)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_middle_of(
         &self,
-        pixel_13: PixelIn,
+        pixel_14: PixelIn,
         along: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
-        let centre = (((pixel_13.a.position + pixel_13.b.position) + pixel_13.c.position) * rt::Scalar(0.33333334f32));
-        return (centre - pixel_13.origin).dot(along);
+        let centre = (((pixel_14.a.position + pixel_14.b.position) + pixel_14.c.position) * rt::Scalar(0.33333334f32));
+        return (centre - pixel_14.origin).dot(along);
     }
     pub(crate) fn frame_at(
         &self,
-        pixel_14: PixelIn,
+        pixel_15: PixelIn,
         weights_1: impl rt::Into<rt::Vec3<f32>>,
-        point_1: impl rt::Into<rt::Vec3<f32>>,
+        point_2: impl rt::Into<rt::Vec3<f32>>,
         uv_8: impl rt::Into<rt::Vec2<f32>>,
         facing: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_frame_at(pixel_14, rt::into(weights_1), rt::into(point_1), rt::into(uv_8), rt::into(facing)))
+        rt::into(self.v_frame_at(pixel_15, rt::into(weights_1), rt::into(point_2), rt::into(uv_8), rt::into(facing)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frame_at(
         &self,
-        pixel_14: PixelIn,
+        pixel_15: PixelIn,
         weights_1: rt::Vec3<f32>,
-        point_1: rt::Vec3<f32>,
+        point_2: rt::Vec3<f32>,
         uv_8: rt::Vec2<f32>,
         facing: rt::Vec3<f32>,
     ) -> Entered {
-        let _e6 = self.v_ordered(pixel_14, rt::Scalar(0u32));
-        let _e8 = self.v_ordered(pixel_14, rt::Scalar(1u32));
-        let _e10 = self.v_ordered(pixel_14, rt::Scalar(2u32));
+        let _e6 = self.v_ordered(pixel_15, rt::Scalar(0u32));
+        let _e8 = self.v_ordered(pixel_15, rt::Scalar(1u32));
+        let _e10 = self.v_ordered(pixel_15, rt::Scalar(2u32));
         let tangent_2 = (((_e6.tangent * weights_1.x()) + (_e8.tangent * weights_1.y())) + (_e10.tangent * weights_1.z()));
         let bitangent_1 = (((_e6.bitangent * weights_1.x()) + (_e8.bitangent * weights_1.y())) + (_e10.bitangent * weights_1.z()));
-        let normal_15 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
+        let normal_16 = (((_e6.normal * weights_1.x()) + (_e8.normal * weights_1.y())) + (_e10.normal * weights_1.z()));
         let _e49 = rt::Scalar(self.surface_settings.scale_m);
         let metric_2 = <rt::Vec4<f32>>::from_scalars(tangent_2.dot(tangent_2), tangent_2.dot(bitangent_1), bitangent_1.dot(bitangent_1), _e49);
-        let unit = (normal_15.normalize() * rt::Scalar(pixel_14.side));
-        return <Entered>::new(rt::Scalar(1u32), point_1, uv_8, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32));
+        let unit = (normal_16.normalize() * rt::Scalar(pixel_15.side));
+        return <Entered>::new(rt::Scalar(1u32), point_2, uv_8, tangent_2, bitangent_1, unit, metric_2, rt::Scalar(0u32), facing, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn facing_of(
         &self,
-        pixel_15: PixelIn,
+        pixel_16: PixelIn,
         along_1: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_facing_of(pixel_15, rt::into(along_1)))
+        rt::into(self.v_facing_of(pixel_16, rt::into(along_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_facing_of(
         &self,
-        pixel_15: PixelIn,
+        pixel_16: PixelIn,
         along_1: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let _e2 = self.v_plane_normal(pixel_15);
-        let unit_1 = (_e2 * (rt::Scalar(pixel_15.side) / _e2.dot(_e2).sqrt()));
+        let _e2 = self.v_plane_normal(pixel_16);
+        let unit_1 = (_e2 * (rt::Scalar(pixel_16.side) / _e2.dot(_e2).sqrt()));
         let cosine_4 = (rt::Scalar(0f32) - unit_1.dot(along_1));
         return (unit_1 - (along_1 * (rt::Scalar(0.0625f32) - cosine_4).max(rt::Scalar(0f32))));
     }
     pub(crate) fn shell_middle(
         &self,
-        pixel_16: PixelIn,
+        pixel_17: PixelIn,
         along_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> Entered {
-        rt::into(self.v_shell_middle(pixel_16, rt::into(along_2)))
+        rt::into(self.v_shell_middle(pixel_17, rt::into(along_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_middle(
         &self,
-        pixel_16: PixelIn,
+        pixel_17: PixelIn,
         along_2: rt::Vec3<f32>,
     ) -> Entered {
-        let mut at_17: Entered;
+        let mut at_19: Entered;
 
         let third = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32), rt::Scalar(0.33333334f32));
-        let uv_22 = (((pixel_16.a.uv + pixel_16.b.uv) + pixel_16.c.uv) * rt::Scalar(0.33333334f32));
-        let _e17 = self.v_middle_of(pixel_16, along_2);
-        let point_9 = (pixel_16.origin + (along_2 * _e17));
-        let _e20 = self.v_facing_of(pixel_16, along_2);
-        let _e21 = self.v_frame_at(pixel_16, third, point_9, uv_22, _e20);
-        at_17 = _e21;
-        rt::Scalar(at_17.segments) = rt::Scalar(0u32);
-        let _e25 = at_17;
+        let uv_22 = (((pixel_17.a.uv + pixel_17.b.uv) + pixel_17.c.uv) * rt::Scalar(0.33333334f32));
+        let _e17 = self.v_middle_of(pixel_17, along_2);
+        let point_11 = (pixel_17.origin + (along_2 * _e17));
+        let _e20 = self.v_facing_of(pixel_17, along_2);
+        let _e21 = self.v_frame_at(pixel_17, third, point_11, uv_22, _e20);
+        at_19 = _e21;
+        rt::Scalar(at_19.segments) = rt::Scalar(0u32);
+        let _e25 = at_19;
         return _e25;
     }
     pub(crate) fn moved_out(
@@ -2398,24 +2846,24 @@ impl<'g> Resources<'g> {
         side_1: rt::Scalar<f32>,
         height_1: rt::Scalar<f32>,
     ) -> rt::Vec3<f32> {
-        let shell_3 = self.surface_settings.shell_m;
-        let _e14 = self.v_moved_out(corner_2, side_1, (shell_3.x() + ((shell_3.y() - shell_3.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_1)));
+        let shell_4 = self.surface_settings.shell_m;
+        let _e14 = self.v_moved_out(corner_2, side_1, (shell_4.x() + ((shell_4.y() - shell_4.x()).min(rt::Scalar(300000000000000000000000000000000000000f32)) * height_1)));
         return _e14;
     }
     pub(crate) fn shell_slack(
         &self,
-        pixel_17: PixelIn,
+        pixel_18: PixelIn,
         middle: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_shell_slack(pixel_17, rt::into(middle)))
+        rt::into(self.v_shell_slack(pixel_18, rt::into(middle)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shell_slack(
         &self,
-        pixel_17: PixelIn,
+        pixel_18: PixelIn,
         middle: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        let origin_2 = pixel_17.origin.abs();
+        let origin_2 = pixel_18.origin.abs();
         return (rt::Scalar(0.0000009536743f32) * (origin_2.x().max(origin_2.y()).max(origin_2.z()) + middle.abs()));
     }
     pub(crate) fn where_positive(
@@ -2438,46 +2886,46 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(change.elementwise_eq(rt::Scalar(0f32))) {
             return <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32).select(interval.x(), weight_1.elementwise_ge((rt::Scalar(0f32) - slack))), interval.y());
         }
-        let t_29 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
+        let t_33 = (((rt::Scalar(0f32) - slack) - weight_1) / change);
         if rt::Scalar::into_branch_condition(change.elementwise_gt(rt::Scalar(0f32))) {
-            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_29), interval.y());
+            return <rt::Vec2<f32>>::from_scalars(interval.x().max(t_33), interval.y());
         }
-        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_29));
+        return <rt::Vec2<f32>>::from_scalars(interval.x(), interval.y().min(t_33));
     }
     pub(crate) fn tetrahedron(
         &self,
-        pixel_18: PixelIn,
+        pixel_19: PixelIn,
         along_3: impl rt::Into<rt::Vec3<f32>>,
         middle_1: impl rt::Into<rt::Scalar<f32>>,
         number: impl rt::Into<rt::Scalar<u32>>,
     ) -> Tetrahedron {
-        rt::into(self.v_tetrahedron(pixel_18, rt::into(along_3), rt::into(middle_1), rt::into(number)))
+        rt::into(self.v_tetrahedron(pixel_19, rt::into(along_3), rt::into(middle_1), rt::into(number)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_tetrahedron(
         &self,
-        pixel_18: PixelIn,
+        pixel_19: PixelIn,
         along_3: rt::Vec3<f32>,
         middle_1: rt::Scalar<f32>,
         number: rt::Scalar<u32>,
     ) -> Tetrahedron {
         let mut inside: rt::Vec2<f32>;
-        let mut local_6: rt::Scalar<bool>;
+        let mut local_10: rt::Scalar<bool>;
 
-        let origin_3 = (pixel_18.origin + (along_3 * middle_1));
+        let origin_3 = (pixel_19.origin + (along_3 * middle_1));
         let is_first = number.elementwise_eq(rt::Scalar(0u32));
         let is_last = number.elementwise_eq(rt::Scalar(2u32));
-        let _e12 = self.v_ordered(pixel_18, rt::Scalar(0u32));
-        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_18.side), rt::Scalar(0f32));
+        let _e12 = self.v_ordered(pixel_19, rt::Scalar(0u32));
+        let _e15 = self.v_raised(_e12, rt::Scalar(pixel_19.side), rt::Scalar(0f32));
         let q0_ = (_e15 - origin_3);
-        let _e20 = self.v_ordered(pixel_18, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last));
-        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_18.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last));
+        let _e20 = self.v_ordered(pixel_19, rt::Scalar(1u32).select(rt::Scalar(0u32), is_last));
+        let _e25 = self.v_raised(_e20, rt::Scalar(pixel_19.side), rt::Scalar(0f32).select(rt::Scalar(1f32), is_last));
         let q1_ = (_e25 - origin_3);
-        let _e30 = self.v_ordered(pixel_18, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first));
-        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_18.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first));
+        let _e30 = self.v_ordered(pixel_19, rt::Scalar(1u32).select(rt::Scalar(2u32), is_first));
+        let _e35 = self.v_raised(_e30, rt::Scalar(pixel_19.side), rt::Scalar(1f32).select(rt::Scalar(0f32), is_first));
         let q2_ = (_e35 - origin_3);
-        let _e38 = self.v_ordered(pixel_18, rt::Scalar(2u32));
-        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_18.side), rt::Scalar(1f32));
+        let _e38 = self.v_ordered(pixel_19, rt::Scalar(2u32));
+        let _e41 = self.v_raised(_e38, rt::Scalar(pixel_19.side), rt::Scalar(1f32));
         let q3_ = (_e41 - origin_3);
         let e1_ = (q1_ - q0_);
         let e2_ = (q2_ - q0_);
@@ -2495,7 +2943,7 @@ impl<'g> Resources<'g> {
         let g2_ = (along_3.dot(n2_) / volume);
         let g3_ = (along_3.dot(n3_) / volume);
         let g0_ = (rt::Scalar(0f32) - (along_3.dot(n0_) / volume));
-        let _e77 = self.v_shell_slack(pixel_18, middle_1);
+        let _e77 = self.v_shell_slack(pixel_19, middle_1);
         let slack_4 = (_e77 / volume.abs());
         inside = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_1), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e85 = inside;
@@ -2512,11 +2960,11 @@ impl<'g> Resources<'g> {
         inside = _e100;
         if rt::Scalar::into_branch_condition((!(!volume.abs().elementwise_gt(rt::Scalar(0f32))))) {
             let _e109 = inside.y();
-            local_6 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_10 = (!_e109.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_6 = rt::Scalar(true);
+            local_10 = rt::Scalar(true);
         }
-        let _e114 = local_6;
+        let _e114 = local_10;
         if rt::Scalar::into_branch_condition(_e114) {
             inside = <rt::Vec2<f32>>::from_scalars(rt::Scalar(300000000000000000000000000000000000000f32), rt::Scalar(-300000000000000000000000000000000000000f32));
         }
@@ -2534,45 +2982,45 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn is_met(
         &self,
-        pixel_19: PixelIn,
+        pixel_20: PixelIn,
         along_4: impl rt::Into<rt::Vec3<f32>>,
         middle_2: impl rt::Into<rt::Scalar<f32>>,
         number_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> bool {
-        rt::into(self.v_is_met(pixel_19, rt::into(along_4), rt::into(middle_2), rt::into(number_1)))
+        rt::into(self.v_is_met(pixel_20, rt::into(along_4), rt::into(middle_2), rt::into(number_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_is_met(
         &self,
-        pixel_19: PixelIn,
+        pixel_20: PixelIn,
         along_4: rt::Vec3<f32>,
         middle_2: rt::Scalar<f32>,
         number_1: rt::Scalar<u32>,
     ) -> rt::Scalar<bool> {
-        let _e4 = self.v_tetrahedron(pixel_19, along_4, middle_2, number_1);
-        let inside_4 = _e4.inside;
-        return inside_4.y().elementwise_gt(inside_4.x());
+        let _e4 = self.v_tetrahedron(pixel_20, along_4, middle_2, number_1);
+        let inside_5 = _e4.inside;
+        return inside_5.y().elementwise_gt(inside_5.x());
     }
     pub(crate) fn surface_tetrahedra_enter(
         &self,
-        pixel_20: PixelIn,
+        pixel_21: PixelIn,
         params_9: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_enter(pixel_20, rt::into(params_9)))
+        rt::into(self.v_surface_tetrahedra_enter(pixel_21, rt::into(params_9)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_enter(
         &self,
-        pixel_20: PixelIn,
+        pixel_21: PixelIn,
         params_9: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_18: Entered;
+        let mut at_20: Entered;
         let mut number_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let along_11 = pixel_20.direction.normalize();
-        let _e4 = self.v_middle_of(pixel_20, along_11);
-        let _e5 = self.v_shell_middle(pixel_20, along_11);
-        at_18 = _e5;
+        let along_11 = pixel_21.direction.normalize();
+        let _e4 = self.v_middle_of(pixel_21, along_11);
+        let _e5 = self.v_shell_middle(pixel_21, along_11);
+        at_20 = _e5;
         'naga_break: loop {
             'naga_continue: {
                 let _e9 = number_2;
@@ -2582,40 +3030,40 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e12 = number_2;
-                    let _e13 = self.v_is_met(pixel_20, along_11, _e4, _e12);
+                    let _e13 = self.v_is_met(pixel_21, along_11, _e4, _e12);
                     if rt::Scalar::into_branch_condition(_e13) {
-                        rt::Scalar(at_18.segments) = rt::Scalar(3u32);
+                        rt::Scalar(at_20.segments) = rt::Scalar(3u32);
                     }
                     let _e16 = number_2;
                     number_2 = (_e16 + rt::Scalar(1u32));
                 }
             }
         }
-        let _e19 = at_18;
+        let _e19 = at_20;
         return _e19;
     }
     pub(crate) fn prism_of(
         &self,
-        pixel_21: PixelIn,
+        pixel_22: PixelIn,
         along_5: impl rt::Into<rt::Vec3<f32>>,
         middle_3: impl rt::Into<rt::Scalar<f32>>,
         params_10: impl rt::Into<rt::Vec4<f32>>,
     ) -> Prism {
-        rt::into(self.v_prism_of(pixel_21, rt::into(along_5), rt::into(middle_3), rt::into(params_10)))
+        rt::into(self.v_prism_of(pixel_22, rt::into(along_5), rt::into(middle_3), rt::into(params_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_prism_of(
         &self,
-        pixel_21: PixelIn,
+        pixel_22: PixelIn,
         along_5: rt::Vec3<f32>,
         middle_3: rt::Scalar<f32>,
         params_10: rt::Vec4<f32>,
     ) -> Prism {
-        let origin_4 = (pixel_21.origin + (along_5 * middle_3));
-        let _e8 = self.v_ordered(pixel_21, rt::Scalar(0u32));
-        let _e10 = self.v_ordered(pixel_21, rt::Scalar(1u32));
-        let _e12 = self.v_ordered(pixel_21, rt::Scalar(2u32));
-        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_21.side)), (_e10.normal * rt::Scalar(pixel_21.side)), (_e12.normal * rt::Scalar(pixel_21.side)), (pixel_21.shell.lift * (params_10.y() * rt::Scalar(pixel_21.side))));
+        let origin_4 = (pixel_22.origin + (along_5 * middle_3));
+        let _e8 = self.v_ordered(pixel_22, rt::Scalar(0u32));
+        let _e10 = self.v_ordered(pixel_22, rt::Scalar(1u32));
+        let _e12 = self.v_ordered(pixel_22, rt::Scalar(2u32));
+        return <Prism>::new((_e8.position - origin_4), (_e10.position - origin_4), (_e12.position - origin_4), (_e8.normal * rt::Scalar(pixel_22.side)), (_e10.normal * rt::Scalar(pixel_22.side)), (_e12.normal * rt::Scalar(pixel_22.side)), (pixel_22.shell.lift * (params_10.y() * rt::Scalar(pixel_22.side))));
     }
     pub(crate) fn offsets_of(&self, shell: Shell) -> rt::Vec2<f32> {
         rt::into(self.v_offsets_of(shell))
@@ -2635,93 +3083,108 @@ impl<'g> Resources<'g> {
     pub(crate) fn in_slab(
         &self,
         interval_1: impl rt::Into<rt::Vec2<f32>>,
-        normal_9: impl rt::Into<rt::Vec3<f32>>,
+        normal_10: impl rt::Into<rt::Vec3<f32>>,
         prism: Prism,
         offsets: impl rt::Into<rt::Vec2<f32>>,
         along_6: impl rt::Into<rt::Vec3<f32>>,
         slack_1: impl rt::Into<rt::Scalar<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_in_slab(rt::into(interval_1), rt::into(normal_9), prism, rt::into(offsets), rt::into(along_6), rt::into(slack_1)))
+        rt::into(self.v_in_slab(rt::into(interval_1), rt::into(normal_10), prism, rt::into(offsets), rt::into(along_6), rt::into(slack_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_in_slab(
         &self,
         interval_1: rt::Vec2<f32>,
-        normal_9: rt::Vec3<f32>,
+        normal_10: rt::Vec3<f32>,
         prism: Prism,
         offsets: rt::Vec2<f32>,
         along_6: rt::Vec3<f32>,
         slack_1: rt::Scalar<f32>,
     ) -> rt::Vec2<f32> {
-        let a_7 = <rt::Vec2<f32>>::from_scalars(normal_9.dot((prism.p0_ + (prism.n0_ * offsets.x()))), normal_9.dot((prism.p0_ + (prism.n0_ * offsets.y()))));
-        let b_5 = <rt::Vec2<f32>>::from_scalars(normal_9.dot((prism.p1_ + (prism.n1_ * offsets.x()))), normal_9.dot((prism.p1_ + (prism.n1_ * offsets.y()))));
-        let c_5 = <rt::Vec2<f32>>::from_scalars(normal_9.dot((prism.p2_ + (prism.n2_ * offsets.x()))), normal_9.dot((prism.p2_ + (prism.n2_ * offsets.y()))));
-        let least = a_7.x().min(a_7.y()).min(b_5.x().min(b_5.y())).min(c_5.x().min(c_5.y()));
-        let most_3 = a_7.x().max(a_7.y()).max(b_5.x().max(b_5.y())).max(c_5.x().max(c_5.y()));
-        let beyond = (slack_1 * normal_9.length());
-        let change_1 = normal_9.dot(along_6);
+        let a_7 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p0_ + (prism.n0_ * offsets.x()))), normal_10.dot((prism.p0_ + (prism.n0_ * offsets.y()))));
+        let b_6 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p1_ + (prism.n1_ * offsets.x()))), normal_10.dot((prism.p1_ + (prism.n1_ * offsets.y()))));
+        let c_6 = <rt::Vec2<f32>>::from_scalars(normal_10.dot((prism.p2_ + (prism.n2_ * offsets.x()))), normal_10.dot((prism.p2_ + (prism.n2_ * offsets.y()))));
+        let least = a_7.x().min(a_7.y()).min(b_6.x().min(b_6.y())).min(c_6.x().min(c_6.y()));
+        let most_3 = a_7.x().max(a_7.y()).max(b_6.x().max(b_6.y())).max(c_6.x().max(c_6.y()));
+        let beyond = (slack_1 * normal_10.length());
+        let change_1 = normal_10.dot(along_6);
         let _e72 = self.v_where_positive(interval_1, (rt::Scalar(0f32) - least), change_1, beyond);
         let _e75 = self.v_where_positive(_e72, most_3, (rt::Scalar(0f32) - change_1), beyond);
         return _e75;
     }
     pub(crate) fn span_of(
         &self,
-        pixel_22: PixelIn,
+        pixel_23: PixelIn,
         prism_1: Prism,
         along_7: impl rt::Into<rt::Vec3<f32>>,
         middle_4: impl rt::Into<rt::Scalar<f32>>,
         params_11: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec2<f32> {
-        rt::into(self.v_span_of(pixel_22, prism_1, rt::into(along_7), rt::into(middle_4), rt::into(params_11)))
+        rt::into(self.v_span_of(pixel_23, prism_1, rt::into(along_7), rt::into(middle_4), rt::into(params_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_span_of(
         &self,
-        pixel_22: PixelIn,
+        pixel_23: PixelIn,
         prism_1: Prism,
         along_7: rt::Vec3<f32>,
         middle_4: rt::Scalar<f32>,
         params_11: rt::Vec4<f32>,
     ) -> rt::Vec2<f32> {
         let mut shell_1: Shell;
-        let mut span: rt::Vec2<f32>;
+        let mut span_1: rt::Vec2<f32>;
 
-        shell_1 = pixel_22.shell;
+        shell_1 = pixel_23.shell;
         let _e9 = shell_1.lift;
         shell_1.lift = (_e9 * params_11.y());
         let _e12 = shell_1;
         let _e13 = self.v_offsets_of(_e12);
-        let _e14 = self.v_shell_slack(pixel_22, middle_4);
+        let _e14 = self.v_shell_slack(pixel_23, middle_4);
         let low0_ = (prism_1.p0_ + (prism_1.n0_ * _e13.x()));
         let low1_ = (prism_1.p1_ + (prism_1.n1_ * _e13.x()));
         let low2_ = (prism_1.p2_ + (prism_1.n2_ * _e13.x()));
         let high0_ = (prism_1.p0_ + (prism_1.n0_ * _e13.y()));
         let high1_ = (prism_1.p1_ + (prism_1.n1_ * _e13.y()));
         let high2_ = (prism_1.p2_ + (prism_1.n2_ * _e13.y()));
-        span = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_4), rt::Scalar(300000000000000000000000000000000000000f32));
-        let _e50 = span;
+        span_1 = <rt::Vec2<f32>>::from_scalars((rt::Scalar(0f32) - middle_4), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e50 = span_1;
         let _e54 = self.v_in_slab(_e50, (low1_ - low0_).cross((low2_ - low0_)), prism_1, _e13, along_7, _e14);
-        span = _e54;
-        let _e55 = span;
+        span_1 = _e54;
+        let _e55 = span_1;
         let _e59 = self.v_in_slab(_e55, (high1_ - high0_).cross((high2_ - high0_)), prism_1, _e13, along_7, _e14);
-        span = _e59;
-        let _e61 = span.y();
-        let _e63 = span.x();
+        span_1 = _e59;
+        let _e61 = span_1.y();
+        let _e63 = span_1.x();
         if rt::Scalar::into_branch_condition((!_e61.elementwise_gt(_e63))) {
-            let _e66 = span;
+            let _e66 = span_1;
             return _e66;
         }
-        let _e67 = span;
+        let _e67 = span_1;
         let _e71 = self.v_in_slab(_e67, (high1_ - low0_).cross((low1_ - high0_)), prism_1, _e13, along_7, _e14);
-        span = _e71;
-        let _e72 = span;
+        span_1 = _e71;
+        let _e72 = span_1;
         let _e76 = self.v_in_slab(_e72, (high2_ - low1_).cross((low2_ - high1_)), prism_1, _e13, along_7, _e14);
-        span = _e76;
-        let _e77 = span;
+        span_1 = _e76;
+        let _e77 = span_1;
         let _e81 = self.v_in_slab(_e77, (high0_ - low2_).cross((low0_ - high2_)), prism_1, _e13, along_7, _e14);
-        span = _e81;
-        let _e82 = span;
+        span_1 = _e81;
+        let _e82 = span_1;
         return _e82;
+    }
+    pub(crate) fn lift_of(
+        &self,
+        lift: impl rt::Into<rt::Vec3<f32>>,
+        w: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_lift_of(rt::into(lift), rt::into(w)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_lift_of(
+        &self,
+        lift: rt::Vec3<f32>,
+        w: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        return ((((lift.x() * w.y()) * w.z()) + ((lift.y() * w.z()) * w.x())) + ((lift.z() * w.x()) * w.y()));
     }
     pub(crate) fn shell_point(
         &self,
@@ -2738,15 +3201,15 @@ impl<'g> Resources<'g> {
         place_5: rt::Vec3<f32>,
         height_2: rt::Scalar<f32>,
     ) -> ShellPoint {
-        let mut w: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
-        let mut h_1: rt::Scalar<f32>;
+        let mut w_1: rt::Vec3<f32> = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0.28125f32), rt::Scalar(0.375f32), rt::Scalar(0.34375f32));
+        let mut h_2: rt::Scalar<f32>;
         let mut step: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let low = self.surface_settings.shell_m.x();
         let _e10 = self.surface_settings.shell_m.y();
         let width_3 = (_e10 - low).min(rt::Scalar(300000000000000000000000000000000000000f32));
         let l = prism_2.lift;
-        h_1 = height_2;
+        h_2 = height_2;
         'naga_break: loop {
             'naga_continue: {
                 let _e23 = step;
@@ -2757,155 +3220,291 @@ impl<'g> Resources<'g> {
                 {
                     let _e26 = step;
                     step = (_e26 + rt::Scalar(1u32));
-                    let _e31 = w.y();
-                    let _e34 = w.z();
-                    let _e38 = w.z();
-                    let _e41 = w.x();
-                    let _e46 = w.x();
-                    let _e49 = w.y();
-                    let lift = ((((l.x() * _e31) * _e34) + ((l.y() * _e38) * _e41)) + ((l.z() * _e46) * _e49));
-                    let _e52 = h_1;
-                    let offset_2 = ((low + (width_3 * _e52)) + lift);
-                    let _e58 = w.x();
-                    let _e62 = w.y();
-                    let _e67 = w.z();
-                    let normal_16 = (((prism_2.n0_ * _e58) + (prism_2.n1_ * _e62)) + (prism_2.n2_ * _e67));
-                    let _e72 = w.x();
-                    let _e76 = w.y();
-                    let _e81 = w.z();
-                    let base_1 = (((prism_2.p0_ * _e72) + (prism_2.p1_ * _e76)) + (prism_2.p2_ * _e81));
-                    let rest_2 = ((place_5 - base_1) - (normal_16 * offset_2));
-                    let _e89 = w.x();
-                    let _e91 = w.y();
-                    let _e95 = w.z();
-                    let second_1 = ((l.z() * (_e89 - _e91)) + (_e95 * (l.x() - l.y())));
-                    let _e103 = w.x();
-                    let _e105 = w.z();
-                    let _e109 = w.y();
-                    let third_1 = ((l.y() * (_e103 - _e105)) + (_e109 * (l.x() - l.z())));
-                    let a_8 = (((prism_2.p1_ - prism_2.p0_) + ((prism_2.n1_ - prism_2.n0_) * offset_2)) + (normal_16 * second_1));
-                    let b_6 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_16 * third_1));
-                    let c_6 = (normal_16 * width_3);
-                    let across_2 = b_6.cross(c_6);
+                    let _e29 = h_2;
+                    let _e32 = w_1;
+                    let _e33 = self.v_lift_of(l, _e32);
+                    let offset_2 = ((low + (width_3 * _e29)) + _e33);
+                    let _e37 = w_1.x();
+                    let _e41 = w_1.y();
+                    let _e46 = w_1.z();
+                    let normal_17 = (((prism_2.n0_ * _e37) + (prism_2.n1_ * _e41)) + (prism_2.n2_ * _e46));
+                    let _e51 = w_1.x();
+                    let _e55 = w_1.y();
+                    let _e60 = w_1.z();
+                    let base_1 = (((prism_2.p0_ * _e51) + (prism_2.p1_ * _e55)) + (prism_2.p2_ * _e60));
+                    let rest_2 = ((place_5 - base_1) - (normal_17 * offset_2));
+                    let _e68 = w_1.x();
+                    let _e70 = w_1.y();
+                    let _e74 = w_1.z();
+                    let second_1 = ((l.z() * (_e68 - _e70)) + (_e74 * (l.x() - l.y())));
+                    let _e82 = w_1.x();
+                    let _e84 = w_1.z();
+                    let _e88 = w_1.y();
+                    let third_1 = ((l.y() * (_e82 - _e84)) + (_e88 * (l.x() - l.z())));
+                    let a_8 = (((prism_2.p1_ - prism_2.p0_) + ((prism_2.n1_ - prism_2.n0_) * offset_2)) + (normal_17 * second_1));
+                    let b_7 = (((prism_2.p2_ - prism_2.p0_) + ((prism_2.n2_ - prism_2.n0_) * offset_2)) + (normal_17 * third_1));
+                    let c_7 = (normal_17 * width_3);
+                    let across_2 = b_7.cross(c_7);
                     let volume_1 = a_8.dot(across_2);
                     let db = (rest_2.dot(across_2) / volume_1);
-                    let dc = (rest_2.dot(c_6.cross(a_8)) / volume_1);
-                    let dh = (rest_2.dot(a_8.cross(b_6)) / volume_1);
-                    let _e147 = w.x();
-                    let _e151 = w.y();
-                    let _e154 = w.z();
-                    w = <rt::Vec3<f32>>::from_scalars(((_e147 - db) - dc), (_e151 + db), (_e154 + dc));
-                    let _e157 = h_1;
-                    h_1 = (_e157 + dh);
+                    let dc = (rest_2.dot(c_7.cross(a_8)) / volume_1);
+                    let dh = (rest_2.dot(a_8.cross(b_7)) / volume_1);
+                    let _e126 = w_1.x();
+                    let _e130 = w_1.y();
+                    let _e133 = w_1.z();
+                    w_1 = <rt::Vec3<f32>>::from_scalars(((_e126 - db) - dc), (_e130 + db), (_e133 + dc));
+                    let _e136 = h_2;
+                    h_2 = (_e136 + dh);
                     if rt::Scalar::into_branch_condition(db.abs().max(dc.abs()).max(dh.abs()).elementwise_lt(rt::Scalar(0.0001f32))) {
                         break 'naga_break;
                     }
                 }
             }
         }
-        let _e166 = w;
-        let _e167 = h_1;
-        return <ShellPoint>::new(_e166, _e167);
+        let _e145 = w_1;
+        let _e146 = h_2;
+        return <ShellPoint>::new(_e145, _e146);
     }
     pub(crate) fn surface_prism_enter(
         &self,
-        pixel_23: PixelIn,
+        pixel_24: PixelIn,
         params_12: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_enter(pixel_23, rt::into(params_12)))
+        rt::into(self.v_surface_prism_enter(pixel_24, rt::into(params_12)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_enter(
         &self,
-        pixel_23: PixelIn,
+        pixel_24: PixelIn,
         params_12: rt::Vec4<f32>,
     ) -> Entered {
-        let mut at_19: Entered;
-        let mut local_7: rt::Scalar<bool>;
+        let mut at_21: Entered;
+        let mut local_11: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_23.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e6 = self.v_surface_tetrahedra_enter(pixel_23, params_12);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_24.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e6 = self.v_surface_tetrahedra_enter(pixel_24, params_12);
             return _e6;
         }
-        let along_12 = pixel_23.direction.normalize();
-        let _e9 = self.v_middle_of(pixel_23, along_12);
-        let _e10 = self.v_prism_of(pixel_23, along_12, _e9, params_12);
-        let _e11 = self.v_shell_middle(pixel_23, along_12);
-        at_19 = _e11;
-        let _e14 = self.v_span_of(pixel_23, _e10, along_12, _e9, params_12);
-        at_19.span = _e14;
-        let _e17 = at_19.span.y();
-        let _e20 = at_19.span.x();
+        let along_12 = pixel_24.direction.normalize();
+        let _e9 = self.v_middle_of(pixel_24, along_12);
+        let _e10 = self.v_prism_of(pixel_24, along_12, _e9, params_12);
+        let _e11 = self.v_shell_middle(pixel_24, along_12);
+        at_21 = _e11;
+        let _e14 = self.v_span_of(pixel_24, _e10, along_12, _e9, params_12);
+        at_21.span = _e14;
+        let _e17 = at_21.span.y();
+        let _e20 = at_21.span.x();
         let long = (_e17 - _e20).min(rt::Scalar(300000000000000000000000000000000000000f32));
         if rt::Scalar::into_branch_condition((!(!long.elementwise_gt(rt::Scalar(0f32))))) {
-            local_7 = (!long.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
+            local_11 = (!long.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32)));
         } else {
-            local_7 = rt::Scalar(true);
+            local_11 = rt::Scalar(true);
         }
-        let _e34 = local_7;
+        let _e34 = local_11;
         if rt::Scalar::into_branch_condition(_e34) {
-            let _e35 = at_19;
+            let _e35 = at_21;
             return _e35;
         }
-        let height_5 = (rt::Scalar(0.5f32) * (pixel_23.shell.heights.x() + pixel_23.shell.heights.y()));
-        let _e47 = at_19.span.x();
-        let _e49 = self.v_shell_point(_e10, (along_12 * _e47), height_5);
-        let _e52 = at_19.span.y();
-        let _e54 = self.v_shell_point(_e10, (along_12 * _e52), height_5);
-        let _e57 = at_19.span.x();
-        let _e62 = self.v_shell_point(_e10, (along_12 * (_e57 + (rt::Scalar(0.5f32) * long))), height_5);
-        let _e65 = at_19.span.x();
-        let _e70 = self.v_shell_point(_e10, (along_12 * (_e65 + (rt::Scalar(0.25f32) * long))), height_5);
-        let _e73 = at_19.span.x();
-        let _e78 = self.v_shell_point(_e10, (along_12 * (_e73 + (rt::Scalar(0.75f32) * long))), height_5);
-        let _e80 = self.v_beside_chord(pixel_23, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
-        let _e82 = self.v_beside_chord(pixel_23, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
+        let height_7 = (rt::Scalar(0.5f32) * (pixel_24.shell.heights.x() + pixel_24.shell.heights.y()));
+        let _e47 = at_21.span.x();
+        let _e49 = self.v_shell_point(_e10, (along_12 * _e47), height_7);
+        let _e52 = at_21.span.y();
+        let _e54 = self.v_shell_point(_e10, (along_12 * _e52), height_7);
+        let _e57 = at_21.span.x();
+        let _e62 = self.v_shell_point(_e10, (along_12 * (_e57 + (rt::Scalar(0.5f32) * long))), height_7);
+        let _e65 = at_21.span.x();
+        let _e70 = self.v_shell_point(_e10, (along_12 * (_e65 + (rt::Scalar(0.25f32) * long))), height_7);
+        let _e73 = at_21.span.x();
+        let _e78 = self.v_shell_point(_e10, (along_12 * (_e73 + (rt::Scalar(0.75f32) * long))), height_7);
+        let _e80 = self.v_beside_chord(pixel_24, _e49, _e62, _e54, _e70, rt::Scalar(0.25f32));
+        let _e82 = self.v_beside_chord(pixel_24, _e49, _e62, _e54, _e78, rt::Scalar(0.75f32));
         let quarters = _e80.max(_e82);
-        let _e85 = self.v_beside_chord(pixel_23, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
+        let _e85 = self.v_beside_chord(pixel_24, _e49, _e62, _e54, _e62, rt::Scalar(0.5f32));
         let most_4 = _e85.max(quarters);
-        rt::Scalar(at_19.segments) = (most_4 / params_12.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
-        let _e96 = at_19;
+        rt::Scalar(at_21.segments) = (most_4 / params_12.x()).sqrt().ceil().clamp(rt::Scalar(1f32), rt::Scalar(32f32)).cast_elem_as_u32();
+        let _e96 = at_21;
         return _e96;
     }
-    pub(crate) fn surface_enter_stage(&self, pixel_24: PixelIn) -> Entered {
-        rt::into(self.v_surface_enter_stage(pixel_24))
+    pub(crate) fn weight_at(
+        &self,
+        order: impl rt::Into<rt::Scalar<u32>>,
+        weights_2: impl rt::Into<rt::Vec3<f32>>,
+    ) -> f32 {
+        rt::into(self.v_weight_at(rt::into(order), rt::into(weights_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_enter_stage(&self, pixel_24: PixelIn) -> Entered {
+    fn v_weight_at(
+        &self,
+        order: rt::Scalar<u32>,
+        weights_2: rt::Vec3<f32>,
+    ) -> rt::Scalar<f32> {
+        let corner_5 = (order & rt::Scalar(3u32));
+        return weights_2.z().select(weights_2.y(), corner_5.elementwise_eq(rt::Scalar(1u32))).select(weights_2.x(), corner_5.elementwise_eq(rt::Scalar(0u32)));
+    }
+    pub(crate) fn ordered_weights(
+        &self,
+        shell_2: Shell,
+        weights_3: impl rt::Into<rt::Vec3<f32>>,
+    ) -> rt::Vec3<f32> {
+        rt::into(self.v_ordered_weights(shell_2, rt::into(weights_3)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_ordered_weights(
+        &self,
+        shell_2: Shell,
+        weights_3: rt::Vec3<f32>,
+    ) -> rt::Vec3<f32> {
+        let _e3 = self.v_weight_at(rt::Scalar(shell_2.order), weights_3);
+        let _e7 = self.v_weight_at((rt::Scalar(shell_2.order) >> rt::Scalar(2u32)), weights_3);
+        let _e11 = self.v_weight_at((rt::Scalar(shell_2.order) >> rt::Scalar(4u32)), weights_3);
+        return <rt::Vec3<f32>>::from_scalars(_e3, _e7, _e11);
+    }
+    pub(crate) fn quadric_of(
+        &self,
+        pixel_25: PixelIn,
+        point_3: impl rt::Into<rt::Vec3<f32>>,
+        lift_1: impl rt::Into<rt::Scalar<f32>>,
+    ) -> rt::Vec4<f32> {
+        rt::into(self.v_quadric_of(pixel_25, rt::into(point_3), rt::into(lift_1)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_quadric_of(
+        &self,
+        pixel_25: PixelIn,
+        point_3: rt::Vec3<f32>,
+        lift_1: rt::Scalar<f32>,
+    ) -> rt::Vec4<f32> {
+        let mut height_3: rt::Scalar<f32>;
+
+        let _e3 = self.v_plane_normal(pixel_25);
+        let _e4 = self.v_plane_weights(pixel_25, _e3, point_3);
+        let quadric_2 = (((pixel_25.a.quadric * _e4.x()) + (pixel_25.b.quadric * _e4.y())) + (pixel_25.c.quadric * _e4.z()));
+        let _e19 = self.v_base_height();
+        height_3 = _e19;
+        let _e23 = rt::Scalar(self.surface_settings.bias_m);
+        let _e26 = rt::Scalar(self.surface_settings.scale_m);
+        if rt::Scalar::into_branch_condition((_e23 + _e26).elementwise_gt(rt::Scalar(0f32))) {
+            let _e30 = height_3;
+            height_3 = ((rt::Scalar(2f32) * _e30) - rt::Scalar(1f32)).select(rt::Scalar(1f32), rt::Scalar(pixel_25.side).elementwise_gt(rt::Scalar(0f32)));
+        }
+        let _e43 = self.v_ordered_weights(pixel_25.shell, _e4);
+        let _e44 = self.v_lift_of(pixel_25.shell.lift, _e43);
+        let lifted_1 = (_e44 * (lift_1 * rt::Scalar(pixel_25.side)));
+        let _e50 = height_3;
+        let _e51 = self.v_traced_scale_m();
+        return <rt::Vec4<f32>>::new_31((quadric_2 * rt::Scalar(pixel_25.side)), (_e50 - (lifted_1 / _e51)));
+    }
+    pub(crate) fn surface_quadric_vertical_enter(
+        &self,
+        pixel_26: PixelIn,
+        params_13: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_quadric_vertical_enter(pixel_26, rt::into(params_13)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_quadric_vertical_enter(
+        &self,
+        pixel_26: PixelIn,
+        params_13: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_22: Entered;
+
+        let _e2 = self.v_surface_plane_enter(pixel_26, params_13);
+        at_22 = _e2;
+        let _e6 = at_22.point;
+        let _e8 = self.v_quadric_of(pixel_26, _e6, params_13.y());
+        at_22.quadric = _e8;
+        let _e11 = at_22.metric.x();
+        let _e14 = at_22.metric.z();
+        let _e18 = at_22.metric.y();
+        let _e21 = at_22.metric.y();
+        let area_3 = ((_e11 * _e14) - (_e18 * _e21));
+        rt::Scalar(at_22.segments) = rt::Scalar(0u32).select(rt::Scalar(1u32), area_3.elementwise_gt(rt::Scalar(0f32)));
+        let _e30 = at_22;
+        return _e30;
+    }
+    pub(crate) fn surface_quadric_perpendicular_enter(
+        &self,
+        pixel_27: PixelIn,
+        params_14: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_quadric_perpendicular_enter(pixel_27, rt::into(params_14)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_quadric_perpendicular_enter(
+        &self,
+        pixel_27: PixelIn,
+        params_14: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut at_23: Entered;
+
+        let _e2 = self.v_surface_quadric_vertical_enter(pixel_27, params_14);
+        at_23 = _e2;
+        let along_13 = pixel_27.direction.length();
+        let _e6 = at_23;
+        let _e10 = self.v_across_of(_e6, (pixel_27.direction / rt::Vec3::splat_from_scalar(along_13)));
+        let _e11 = self.v_plane_normal(pixel_27);
+        let _e12 = self.v_plane_distance(pixel_27, _e11);
+        let eye_1 = (rt::Scalar(0f32) - (_e12 * along_13));
+        let _e17 = at_23;
+        let _e18 = self.v_across_span(_e17, _e10, eye_1);
+        at_23.span = _e18;
+        let _e22 = rt::Scalar(at_23.segments);
+        let _e28 = at_23.span.y();
+        let _e31 = at_23.span.x();
+        rt::Scalar(at_23.segments) = rt::Scalar(0u32).select((_e22 * params_14.z().cast_elem_as_u32()), _e28.elementwise_gt(_e31));
+        let _e34 = at_23;
+        return _e34;
+    }
+    pub(crate) fn surface_enter_stage(&self, pixel_28: PixelIn) -> Entered {
+        rt::into(self.v_surface_enter_stage(pixel_28))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_enter_stage(&self, pixel_28: PixelIn) -> Entered {
         let _e5 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[0usize].params;
-                let _e11 = self.v_surface_plane_enter(pixel_24, _e10);
+                let _e11 = self.v_surface_plane_enter(pixel_28, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[0usize].params;
-                let _e17 = self.v_surface_prism_enter(pixel_24, _e16);
+                let _e17 = self.v_surface_prism_enter(pixel_28, _e16);
                 return _e17;
             }
-            _ => {
+            2u32 => {
                 let _e22 = self.surface_settings.choices[0usize].params;
-                let _e23 = self.v_surface_tetrahedra_enter(pixel_24, _e22);
+                let _e23 = self.v_surface_quadric_perpendicular_enter(pixel_28, _e22);
                 return _e23;
+            }
+            3u32 => {
+                let _e28 = self.surface_settings.choices[0usize].params;
+                let _e29 = self.v_surface_quadric_vertical_enter(pixel_28, _e28);
+                return _e29;
+            }
+            _ => {
+                let _e34 = self.surface_settings.choices[0usize].params;
+                let _e35 = self.v_surface_tetrahedra_enter(pixel_28, _e34);
+                return _e35;
             }
         }
     }
-    pub(crate) fn enter_relief(&self, pixel_25: PixelIn) -> Entered {
-        rt::into(self.v_enter_relief(pixel_25))
+    pub(crate) fn enter_relief(&self, pixel_29: PixelIn) -> Entered {
+        rt::into(self.v_enter_relief(pixel_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_enter_relief(&self, pixel_25: PixelIn) -> Entered {
-        let mut at_20: Entered;
+    fn v_enter_relief(&self, pixel_29: PixelIn) -> Entered {
+        let mut at_24: Entered;
 
-        let _e1 = self.v_surface_enter_stage(pixel_25);
-        at_20 = _e1;
-        let _e3 = at_20;
-        let _e4 = self.v_detail_stage(pixel_25, _e3);
-        rt::Scalar(at_20.level) = rt::Scalar(_e4.level);
-        rt::Scalar(at_20.footprint) = rt::Scalar(_e4.footprint);
-        rt::Scalar(at_20.fade) = rt::Scalar(_e4.fade);
-        let _e11 = at_20;
+        let _e1 = self.v_surface_enter_stage(pixel_29);
+        at_24 = _e1;
+        let _e3 = at_24;
+        let _e4 = self.v_detail_stage(pixel_29, _e3);
+        rt::Scalar(at_24.level) = rt::Scalar(_e4.level);
+        rt::Scalar(at_24.footprint) = rt::Scalar(_e4.footprint);
+        rt::Scalar(at_24.fade) = rt::Scalar(_e4.fade);
+        let _e11 = at_24;
         return _e11;
     }
     pub(crate) fn entered_once(
@@ -2936,7 +3535,7 @@ impl<'g> Resources<'g> {
         let mut near_gap: rt::Scalar<f32>;
         let mut far_gap: rt::Scalar<f32>;
         let mut cost_1: rt::Vec3<u32>;
-        let mut local_8: rt::Scalar<bool>;
+        let mut local_12: rt::Scalar<bool>;
 
         near_1 = above;
         far_1 = below;
@@ -2961,11 +3560,11 @@ impl<'g> Resources<'g> {
                     let _e33 = near_1;
                     if rt::Scalar::into_branch_condition(middle_8.elementwise_gt(_e33)) {
                         let _e37 = far_1;
-                        local_8 = middle_8.elementwise_lt(_e37);
+                        local_12 = middle_8.elementwise_lt(_e37);
                     } else {
-                        local_8 = rt::Scalar(false);
+                        local_12 = rt::Scalar(false);
                     }
-                    let _e40 = local_8;
+                    let _e40 = local_12;
                     if rt::Scalar::into_branch_condition((!_e40)) {
                         break 'naga_break;
                     }
@@ -3026,25 +3625,25 @@ impl<'g> Resources<'g> {
         let _e5 = self.surface_settings.normal_size;
         let _e6 = self.v_level_texels(_e5, level_14);
         let _e7 = self.v_texels_around(uv_9, _e6);
-        let k_24 = level_14.cast_elem_as_i32();
-        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_24));
-        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_24));
-        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_24));
-        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_24));
+        let k_26 = level_14.cast_elem_as_i32();
+        let _e15 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_26));
+        let _e22 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.x()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_26));
+        let _e29 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.x(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_26));
+        let _e36 = rt::texture::Read::read_texel((&self.normal_map), <rt::Vec2<i32>>::from_scalars(_e7.columns.y(), _e7.rows.y()), rt::Scalar::into_inner(layer_5), 0i32, rt::Scalar::into_inner(k_26));
         let _e38 = self.v_bilinear(_e15, _e22, _e29, _e36, _e7.part);
         return _e38;
     }
     pub(crate) fn normal_from_height(
         &self,
-        at_21: Entered,
+        at_25: Entered,
         uv_10: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_normal_from_height(at_21, rt::into(uv_10)))
+        rt::into(self.v_normal_from_height(at_25, rt::into(uv_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_from_height(
         &self,
-        at_21: Entered,
+        at_25: Entered,
         uv_10: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e3 = self.v_height_size(rt::Scalar(0u32));
@@ -3060,31 +3659,31 @@ impl<'g> Resources<'g> {
         let slope_u = (rise_u * ((rt::Scalar(0.5f32) * _e3.x()) * _e33));
         let _e41 = rt::Scalar(self.surface_settings.scale_m);
         let slope_v = (rise_v * ((rt::Scalar(0.5f32) * _e3.y()) * _e41));
-        let along_u_1 = (at_21.tangent + (at_21.normal * slope_u));
-        let along_v_1 = (at_21.bitangent + (at_21.normal * slope_v));
+        let along_u_1 = (at_25.tangent + (at_25.normal * slope_u));
+        let along_v_1 = (at_25.bitangent + (at_25.normal * slope_v));
         let across_3 = along_v_1.cross(along_u_1).normalize();
-        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_21.normal).elementwise_ge(rt::Scalar(0f32))));
+        return (across_3 * rt::Scalar(-1f32).select(rt::Scalar(1f32), across_3.dot(at_25.normal).elementwise_ge(rt::Scalar(0f32))));
     }
     pub(crate) fn finest_normal(
         &self,
-        at_22: Entered,
+        at_26: Entered,
         uv_11: impl rt::Into<rt::Vec2<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_finest_normal(at_22, rt::into(uv_11)))
+        rt::into(self.v_finest_normal(at_26, rt::into(uv_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_finest_normal(
         &self,
-        at_22: Entered,
+        at_26: Entered,
         uv_11: rt::Vec2<f32>,
     ) -> rt::Vec3<f32> {
         let _e4 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e4.elementwise_eq(rt::Scalar(1u32))) {
             let _e9 = self.v_normal_at(uv_11, rt::Scalar(0i32), rt::Scalar(0u32));
-            let _e11 = self.v_from_tangent_space(at_22, _e9.xyz());
+            let _e11 = self.v_from_tangent_space(at_26, _e9.xyz());
             return _e11.normalize();
         }
-        let _e13 = self.v_normal_from_height(at_22, uv_11);
+        let _e13 = self.v_normal_from_height(at_26, uv_11);
         return _e13;
     }
     pub(crate) fn inside_unit(
@@ -3102,76 +3701,76 @@ impl<'g> Resources<'g> {
         dx: rt::Scalar<f32>,
         interval_2: rt::Vec2<f32>,
     ) -> rt::Vec2<f32> {
-        let mut local_9: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(dx.elementwise_eq(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition((!x0_.elementwise_lt(rt::Scalar(0f32)))) {
-                local_9 = x0_.elementwise_gt(rt::Scalar(1f32));
+                local_13 = x0_.elementwise_gt(rt::Scalar(1f32));
             } else {
-                local_9 = rt::Scalar(true);
+                local_13 = rt::Scalar(true);
             }
-            let _e13 = local_9;
+            let _e13 = local_13;
             if rt::Scalar::into_branch_condition(_e13) {
                 return <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(-1f32));
             }
             return interval_2;
         }
         let a_9 = ((rt::Scalar(0f32) - x0_) / dx);
-        let b_7 = ((rt::Scalar(1f32) - x0_) / dx);
-        return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(a_9.min(b_7)), interval_2.y().min(a_9.max(b_7)));
+        let b_8 = ((rt::Scalar(1f32) - x0_) / dx);
+        return <rt::Vec2<f32>>::from_scalars(interval_2.x().max(a_9.min(b_8)), interval_2.y().min(a_9.max(b_8)));
     }
     pub(crate) fn surface_plane_segment(
         &self,
-        pixel_26: PixelIn,
-        at_23: Entered,
+        pixel_30: PixelIn,
+        at_27: Entered,
         k_1: impl rt::Into<rt::Scalar<u32>>,
-        params_13: impl rt::Into<rt::Vec4<f32>>,
+        params_15: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_plane_segment(pixel_26, at_23, rt::into(k_1), rt::into(params_13)))
+        rt::into(self.v_surface_plane_segment(pixel_30, at_27, rt::into(k_1), rt::into(params_15)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_segment(
         &self,
-        pixel_26: PixelIn,
-        at_23: Entered,
+        pixel_30: PixelIn,
+        at_27: Entered,
         k_1: rt::Scalar<u32>,
-        params_13: rt::Vec4<f32>,
+        params_15: rt::Vec4<f32>,
     ) -> Path {
         let mut enter: rt::Scalar<f32>;
-        let mut leave_3: rt::Scalar<f32>;
+        let mut leave_4: rt::Scalar<f32>;
         let mut interval_3: rt::Vec2<f32>;
 
-        let along_13 = pixel_26.direction.length();
-        let direction_4 = (pixel_26.direction / rt::Vec3::splat_from_scalar(along_13));
-        let _e9 = self.v_climb(at_23, direction_4);
-        let duv_1 = _e9.xy();
-        let descent = (rt::Scalar(0f32) - at_23.normal.dot(direction_4));
+        let along_14 = pixel_30.direction.length();
+        let direction_5 = (pixel_30.direction / rt::Vec3::splat_from_scalar(along_14));
+        let _e9 = self.v_climb(at_27, direction_5);
+        let duv_4 = _e9.xy();
+        let descent_2 = (rt::Scalar(0f32) - at_27.normal.dot(direction_5));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
-        let slope_5 = ((rt::Scalar(0f32) - descent) / _e15);
-        let _e20 = self.v_plane_normal(pixel_26);
-        let _e21 = self.v_plane_distance(pixel_26, _e20);
-        let distance = (_e21 * along_13);
-        let eye = (rt::Scalar(0f32) - distance);
-        let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent);
-        enter = top_3.max(eye);
-        leave_3 = ((_e16 * _e15) / descent);
-        let _e34 = leave_3;
-        let _e35 = leave_3;
-        leave_3 = (_e34 + ((_e35 - top_3) * rt::Scalar(0.000001f32)));
+        let slope_5 = ((rt::Scalar(0f32) - descent_2) / _e15);
+        let _e20 = self.v_plane_normal(pixel_30);
+        let _e21 = self.v_plane_distance(pixel_30, _e20);
+        let distance = (_e21 * along_14);
+        let eye_2 = (rt::Scalar(0f32) - distance);
+        let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_2);
+        enter = top_3.max(eye_2);
+        leave_4 = ((_e16 * _e15) / descent_2);
+        let _e34 = leave_4;
+        let _e35 = leave_4;
+        leave_4 = (_e34 + ((_e35 - top_3) * rt::Scalar(0.000001f32)));
         let _e42 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e42.elementwise_eq(WRAP_CLAMP)) {
             let _e48 = enter;
-            let _e49 = leave_3;
-            let _e51 = self.v_inside_unit(at_23.uv.x(), duv_1.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
+            let _e49 = leave_4;
+            let _e51 = self.v_inside_unit(at_27.uv.x(), duv_4.x(), <rt::Vec2<f32>>::from_scalars(_e48, _e49));
             interval_3 = _e51;
             let _e56 = interval_3;
-            let _e57 = self.v_inside_unit(at_23.uv.y(), duv_1.y(), _e56);
+            let _e57 = self.v_inside_unit(at_27.uv.y(), duv_4.y(), _e56);
             interval_3 = _e57;
             let _e59 = interval_3.x();
             enter = _e59;
             let _e61 = interval_3.y();
-            leave_3 = _e61;
+            leave_4 = _e61;
         }
         let _e62 = enter;
         let _e65 = enter;
@@ -3179,32 +3778,32 @@ impl<'g> Resources<'g> {
         let _e69 = enter;
         let base_2 = (rt::Scalar(0f32) - _e69).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e76 = enter;
-        let _e81 = leave_3;
+        let _e81 = leave_4;
         let _e82 = enter;
         let _e87 = enter;
-        return <Path>::new((at_23.uv + (duv_1 * _e76)), duv_1, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_23.metric, RAY_VIEW, rt::Scalar(at_23.level), (distance + _e87), rt::Scalar(1f32));
+        return <Path>::new((at_27.uv + (duv_4 * _e76)), duv_4, <rt::Vec3<f32>>::from_scalars(entry_height, slope_5, rt::Scalar(0f32)), (_e81 - _e82), base_2, at_27.metric, RAY_VIEW, rt::Scalar(at_27.level), (distance + _e87), rt::Scalar(1f32));
     }
     pub(crate) fn path_from(
         &self,
         path_11: Path,
-        t_7: impl rt::Into<rt::Scalar<f32>>,
+        t_11: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_path_from(path_11, rt::into(t_7)))
+        rt::into(self.v_path_from(path_11, rt::into(t_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_from(
         &self,
         path_11: Path,
-        t_7: rt::Scalar<f32>,
+        t_11: rt::Scalar<f32>,
     ) -> Path {
         let mut rest: Path;
 
         rest = path_11;
-        let _e4 = self.v_path_uv(path_11, t_7);
+        let _e4 = self.v_path_uv(path_11, t_11);
         rest.uv = _e4;
-        rest.h = <rt::Vec3<f32>>::from_scalars((path_11.h.x() + (t_7 * (path_11.h.y() + (t_7 * path_11.h.z())))), (path_11.h.y() + ((rt::Scalar(2f32) * t_7) * path_11.h.z())), path_11.h.z());
-        rt::Scalar(rest.exit) = (rt::Scalar(path_11.exit) - t_7);
-        rt::Scalar(rest.start) = (rt::Scalar(path_11.start) + t_7);
+        rest.h = <rt::Vec3<f32>>::from_scalars((path_11.h.x() + (t_11 * (path_11.h.y() + (t_11 * path_11.h.z())))), (path_11.h.y() + ((rt::Scalar(2f32) * t_11) * path_11.h.z())), path_11.h.z());
+        rt::Scalar(rest.exit) = (rt::Scalar(path_11.exit) - t_11);
+        rt::Scalar(rest.start) = (rt::Scalar(path_11.start) + t_11);
         let _e33 = rest;
         return _e33;
     }
@@ -3237,68 +3836,8 @@ impl<'g> Resources<'g> {
         let range = (_e14.x().max(_e14.y()).max(_e14.z().max(_e14.w())) - _e14.x().min(_e14.y()).min(_e14.z().min(_e14.w())));
         let change_2 = (path_13.duv.abs() * _e4);
         let places = ((path_13.uv.abs() * _e4) * rt::Scalar(0.0000009536743f32));
-        let aside_1 = (((((change_2.x() + change_2.y()) * slack_2) + places.x()) + places.y()) + texels_1);
-        return (((path_13.h.y().abs() * slack_2) + (range * aside_1)) + rt::Scalar(0.0000009536743f32));
-    }
-    pub(crate) fn quadratic(
-        &self,
-        c: impl rt::Into<rt::Vec3<f32>>,
-        s: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_quadratic(rt::into(c), rt::into(s)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_quadratic(
-        &self,
-        c: rt::Vec3<f32>,
-        s: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        return (c.x() + (s * (c.y() + (s * c.z()))));
-    }
-    pub(crate) fn first_root(
-        &self,
-        c_1: impl rt::Into<rt::Vec3<f32>>,
-        span_1: impl rt::Into<rt::Scalar<f32>>,
-    ) -> f32 {
-        rt::into(self.v_first_root(rt::into(c_1), rt::into(span_1)))
-    }
-    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_root(
-        &self,
-        c_1: rt::Vec3<f32>,
-        span_1: rt::Scalar<f32>,
-    ) -> rt::Scalar<f32> {
-        let mut a_2: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
-        let mut b_2: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
-
-        let discriminant = ((c_1.y() * c_1.y()) - ((rt::Scalar(4f32) * c_1.z()) * c_1.x()));
-        if rt::Scalar::into_branch_condition(discriminant.elementwise_ge(rt::Scalar(0f32))) {
-            let root = discriminant.sqrt();
-            let q = (rt::Scalar(-0.5f32) * (c_1.y() + (rt::Scalar(0f32) - root).select(root, c_1.y().elementwise_ge(rt::Scalar(0f32)))));
-            if rt::Scalar::into_branch_condition(c_1.z().elementwise_ne(rt::Scalar(0f32))) {
-                a_2 = (q / c_1.z());
-            }
-            if rt::Scalar::into_branch_condition(q.elementwise_ne(rt::Scalar(0f32))) {
-                b_2 = (c_1.x() / q);
-            }
-            let _e37 = a_2;
-            let _e38 = a_2;
-            a_2 = rt::Scalar(300000000000000000000000000000000000000f32).select(_e37, _e38.elementwise_ge(rt::Scalar(0f32)));
-            let _e43 = b_2;
-            let _e44 = b_2;
-            b_2 = rt::Scalar(300000000000000000000000000000000000000f32).select(_e43, _e44.elementwise_ge(rt::Scalar(0f32)));
-            let _e49 = a_2;
-            let _e50 = b_2;
-            let first_2 = _e49.min(_e50);
-            if rt::Scalar::into_branch_condition(first_2.elementwise_le(span_1)) {
-                return first_2;
-            }
-        }
-        let _e53 = self.v_quadratic(c_1, span_1);
-        if rt::Scalar::into_branch_condition(_e53.elementwise_le(rt::Scalar(0f32))) {
-            return span_1;
-        }
-        return rt::Scalar(300000000000000000000000000000000000000f32);
+        let aside_3 = (((((change_2.x() + change_2.y()) * slack_2) + places.x()) + places.y()) + texels_1);
+        return (((path_13.h.y().abs() * slack_2) + (range * aside_3)) + rt::Scalar(0.0000009536743f32));
     }
     pub(crate) fn out_of_ground(
         &self,
@@ -3316,7 +3855,7 @@ impl<'g> Resources<'g> {
         texels_2: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut cell_6: rt::Vec2<f32>;
-        let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_grid_of(path_14);
         let _e4 = self.v_rounded_gap(path_14, slack_3, texels_2);
@@ -3329,7 +3868,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = t_8;
+                let _e18 = t_12;
                 if rt::Scalar::into_branch_condition(_e18.elementwise_lt(rt::Scalar(path_14.exit))) {
                 } else {
                     break 'naga_break;
@@ -3337,26 +3876,26 @@ impl<'g> Resources<'g> {
                 {
                     let _e21 = cell_6;
                     let _e22 = self.v_cell_leave(_e3, _e21);
-                    let end = _e22.x().min(_e22.y()).min(rt::Scalar(path_14.exit));
+                    let end_1 = _e22.x().min(_e22.y()).min(rt::Scalar(path_14.exit));
                     let _e31 = cell_6;
-                    let _e32 = t_8;
+                    let _e32 = t_12;
                     let _e33 = self.v_cell_gap(path_14, _e3, _e31, _e32);
-                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e4, rt::Scalar(0f32), rt::Scalar(0f32)) - _e33);
-                    if rt::Scalar::into_branch_condition((!below_3.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e39 = t_8;
+                    let below_4 = (<rt::Vec3<f32>>::from_scalars(_e4, rt::Scalar(0f32), rt::Scalar(0f32)) - _e33);
+                    if rt::Scalar::into_branch_condition((!below_4.x().elementwise_gt(rt::Scalar(0f32)))) {
+                        let _e39 = t_12;
                         return _e39;
                     }
-                    let _e40 = t_8;
-                    let _e44 = self.v_first_root(below_3, (end - _e40).max(rt::Scalar(0f32)));
+                    let _e40 = t_12;
+                    let _e44 = self.v_first_root(below_4, (end_1 - _e40).max(rt::Scalar(0f32)));
                     if rt::Scalar::into_branch_condition(_e44.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e47 = t_8;
+                        let _e47 = t_12;
                         return (_e47 + _e44);
                     }
                     let _e49 = cell_6;
                     let _e50 = self.v_cell_next(_e3, _e49, _e22);
                     cell_6 = _e50;
-                    let _e51 = t_8;
-                    t_8 = _e51.max(end);
+                    let _e51 = t_12;
+                    t_12 = _e51.max(end_1);
                 }
             }
         }
@@ -3364,30 +3903,30 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_tetrahedra_segment(
         &self,
-        pixel_27: PixelIn,
-        at_24: Entered,
+        pixel_31: PixelIn,
+        at_28: Entered,
         k_2: impl rt::Into<rt::Scalar<u32>>,
-        params_14: impl rt::Into<rt::Vec4<f32>>,
+        params_16: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_tetrahedra_segment(pixel_27, at_24, rt::into(k_2), rt::into(params_14)))
+        rt::into(self.v_surface_tetrahedra_segment(pixel_31, at_28, rt::into(k_2), rt::into(params_16)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_segment(
         &self,
-        pixel_27: PixelIn,
-        at_24: Entered,
+        pixel_31: PixelIn,
+        at_28: Entered,
         k_2: rt::Scalar<u32>,
-        params_14: rt::Vec4<f32>,
+        params_16: rt::Vec4<f32>,
     ) -> Path {
         let mut chosen: Tetrahedron;
         let mut inside_1: rt::Vec2<f32>;
         let mut path_15: Path;
 
-        let along_14 = pixel_27.direction.normalize();
-        let _e6 = self.v_middle_of(pixel_27, along_14);
-        let _e8 = self.v_tetrahedron(pixel_27, along_14, _e6, rt::Scalar(0u32));
-        let _e10 = self.v_tetrahedron(pixel_27, along_14, _e6, rt::Scalar(1u32));
-        let _e12 = self.v_tetrahedron(pixel_27, along_14, _e6, rt::Scalar(2u32));
+        let along_15 = pixel_31.direction.normalize();
+        let _e6 = self.v_middle_of(pixel_31, along_15);
+        let _e8 = self.v_tetrahedron(pixel_31, along_15, _e6, rt::Scalar(0u32));
+        let _e10 = self.v_tetrahedron(pixel_31, along_15, _e6, rt::Scalar(1u32));
+        let _e12 = self.v_tetrahedron(pixel_31, along_15, _e6, rt::Scalar(2u32));
         let _e15 = self.v_comes_before(_e8.inside, _e10.inside);
         let _e18 = self.v_comes_before(_e8.inside, _e12.inside);
         let _e21 = self.v_comes_before(_e10.inside, _e12.inside);
@@ -3398,30 +3937,30 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((_e18 + _e21).elementwise_eq(k_2)) {
             chosen = _e12;
         }
-        let _e30 = self.v_ordered(pixel_27, rt::Scalar(0u32));
-        let _e32 = self.v_ordered(pixel_27, rt::Scalar(1u32));
-        let _e34 = self.v_ordered(pixel_27, rt::Scalar(2u32));
-        let w_1 = chosen.weights;
+        let _e30 = self.v_ordered(pixel_31, rt::Scalar(0u32));
+        let _e32 = self.v_ordered(pixel_31, rt::Scalar(1u32));
+        let _e34 = self.v_ordered(pixel_31, rt::Scalar(2u32));
+        let w_2 = chosen.weights;
         let g = chosen.change;
-        let uv_23 = (((_e30.uv * w_1.x()) + (_e32.uv * w_1.y())) + (_e34.uv * w_1.z()));
-        let duv_2 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
-        let _e61 = self.v_shell_slack(pixel_27, _e6);
+        let uv_23 = (((_e30.uv * w_2.x()) + (_e32.uv * w_2.y())) + (_e34.uv * w_2.z()));
+        let duv_5 = (((_e30.uv * g.x()) + (_e32.uv * g.y())) + (_e34.uv * g.z()));
+        let _e61 = self.v_shell_slack(pixel_31, _e6);
         let beyond_1 = (rt::Scalar(0.000001f32) + (_e61 * g.w().abs()));
         let _e68 = chosen.inside;
         inside_1 = _e68;
         let _e70 = inside_1;
-        let _e77 = self.v_where_positive(_e70, (w_1.w() - pixel_27.shell.heights.x()), g.w(), beyond_1);
+        let _e77 = self.v_where_positive(_e70, (w_2.w() - pixel_31.shell.heights.x()), g.w(), beyond_1);
         inside_1 = _e77;
         let _e78 = inside_1;
-        let _e87 = self.v_where_positive(_e78, (pixel_27.shell.heights.y() - w_1.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
+        let _e87 = self.v_where_positive(_e78, (pixel_31.shell.heights.y() - w_2.w()), (rt::Scalar(0f32) - g.w()), beyond_1);
         inside_1 = _e87;
         let _e90 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e90.elementwise_eq(WRAP_CLAMP)) {
             let _e95 = inside_1;
-            let _e96 = self.v_inside_unit(uv_23.x(), duv_2.x(), _e95);
+            let _e96 = self.v_inside_unit(uv_23.x(), duv_5.x(), _e95);
             inside_1 = _e96;
             let _e99 = inside_1;
-            let _e100 = self.v_inside_unit(uv_23.y(), duv_2.y(), _e99);
+            let _e100 = self.v_inside_unit(uv_23.y(), duv_5.y(), _e99);
             inside_1 = _e100;
         }
         let whole = (((_e8.inside.y() - _e8.inside.x()).max(rt::Scalar(0f32)) + (_e10.inside.y() - _e10.inside.x()).max(rt::Scalar(0f32))) + (_e12.inside.y() - _e12.inside.x()).max(rt::Scalar(0f32)));
@@ -3432,7 +3971,7 @@ impl<'g> Resources<'g> {
         let _e146 = inside_1.x();
         let _e149 = inside_1.y();
         let _e151 = inside_1.x();
-        path_15 = <Path>::new((uv_23 + (duv_2 * _e125)), duv_2, <rt::Vec3<f32>>::from_scalars((w_1.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_24.metric, RAY_VIEW, rt::Scalar(at_24.level), (_e6 + _e146), ((_e149 - _e151) / whole));
+        path_15 = <Path>::new((uv_23 + (duv_5 * _e125)), duv_5, <rt::Vec3<f32>>::from_scalars((w_2.w() + (g.w() * _e131)), g.w(), rt::Scalar(0f32)), (_e138 - _e140), rt::Scalar(0f32), at_28.metric, RAY_VIEW, rt::Scalar(at_28.level), (_e6 + _e146), ((_e149 - _e151) / whole));
         let _e158 = rt::Scalar(path_15.exit);
         if rt::Scalar::into_branch_condition(_e158.elementwise_gt(rt::Scalar(0f32))) {
             let _e161 = path_15;
@@ -3446,52 +3985,52 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn surface_prism_segment(
         &self,
-        pixel_28: PixelIn,
-        at_25: Entered,
+        pixel_32: PixelIn,
+        at_29: Entered,
         k_3: impl rt::Into<rt::Scalar<u32>>,
-        params_15: impl rt::Into<rt::Vec4<f32>>,
+        params_17: impl rt::Into<rt::Vec4<f32>>,
     ) -> Path {
-        rt::into(self.v_surface_prism_segment(pixel_28, at_25, rt::into(k_3), rt::into(params_15)))
+        rt::into(self.v_surface_prism_segment(pixel_32, at_29, rt::into(k_3), rt::into(params_17)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_segment(
         &self,
-        pixel_28: PixelIn,
-        at_25: Entered,
+        pixel_32: PixelIn,
+        at_29: Entered,
         k_3: rt::Scalar<u32>,
-        params_15: rt::Vec4<f32>,
+        params_17: rt::Vec4<f32>,
     ) -> Path {
         let mut inside_2: rt::Vec2<f32>;
         let mut path_16: Path;
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_28.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e8 = self.v_surface_tetrahedra_segment(pixel_28, at_25, k_3, params_15);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_32.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e8 = self.v_surface_tetrahedra_segment(pixel_32, at_29, k_3, params_17);
             return _e8;
         }
-        let along_15 = pixel_28.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_28, along_15);
-        let _e12 = self.v_prism_of(pixel_28, along_15, _e11, params_15);
-        let heights_1 = pixel_28.shell.heights;
+        let along_16 = pixel_32.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_32, along_16);
+        let _e12 = self.v_prism_of(pixel_32, along_16, _e11, params_17);
+        let heights_1 = pixel_32.shell.heights;
         let mean_3 = (rt::Scalar(0.5f32) * (heights_1.x() + heights_1.y()));
-        let _e20 = self.v_chord_end(at_25, k_3);
-        let _e23 = self.v_chord_end(at_25, (k_3 + rt::Scalar(1u32)));
+        let _e20 = self.v_chord_end(at_29, k_3);
+        let _e23 = self.v_chord_end(at_29, (k_3 + rt::Scalar(1u32)));
         let long_1 = (_e23 - _e20);
-        let _e26 = self.v_shell_point(_e12, (along_15 * _e20), mean_3);
-        let _e31 = self.v_shell_point(_e12, (along_15 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
-        let _e33 = self.v_shell_point(_e12, (along_15 * _e23), mean_3);
-        let _e35 = self.v_uv_of(pixel_28, _e26.weights);
-        let _e37 = self.v_uv_of(pixel_28, _e33.weights);
-        let duv_3 = ((_e37 - _e35) / rt::Vec2::splat_from_scalar(long_1));
-        let bend_1 = (rt::Scalar(2f32) * ((rt::Scalar(_e26.height) + rt::Scalar(_e33.height)) - (rt::Scalar(2f32) * rt::Scalar(_e31.height))));
-        let slope_6 = ((rt::Scalar(_e33.height) - rt::Scalar(_e26.height)) - bend_1);
-        let _e54 = self.v_shell_slack(pixel_28, _e11);
+        let _e26 = self.v_shell_point(_e12, (along_16 * _e20), mean_3);
+        let _e31 = self.v_shell_point(_e12, (along_16 * (rt::Scalar(0.5f32) * (_e20 + _e23))), mean_3);
+        let _e33 = self.v_shell_point(_e12, (along_16 * _e23), mean_3);
+        let _e35 = self.v_uv_of(pixel_32, _e26.weights);
+        let _e37 = self.v_uv_of(pixel_32, _e33.weights);
+        let duv_6 = ((_e37 - _e35) / rt::Vec2::splat_from_scalar(long_1));
+        let bend_2 = (rt::Scalar(2f32) * ((rt::Scalar(_e26.height) + rt::Scalar(_e33.height)) - (rt::Scalar(2f32) * rt::Scalar(_e31.height))));
+        let slope_6 = ((rt::Scalar(_e33.height) - rt::Scalar(_e26.height)) - bend_2);
+        let _e54 = self.v_shell_slack(pixel_32, _e11);
         let change_3 = ((_e33.weights - _e26.weights) / rt::Vec3::splat_from_scalar(long_1));
         let _e67 = self.v_height_size(rt::Scalar(0u32));
         let _e70 = self.v_height_size(rt::Scalar(0u32));
-        let texel_6 = (at_25.metric.x().max(at_25.metric.z()).sqrt() / _e67.x().max(_e70.y()));
+        let texel_6 = (at_29.metric.x().max(at_29.metric.z()).sqrt() / _e67.x().max(_e70.y()));
         let edges = <rt::Vec3<f32>>::from_scalars((_e12.p2_ - _e12.p1_).length(), (_e12.p0_ - _e12.p2_).length(), (_e12.p1_ - _e12.p0_).length());
         let twice = (_e12.p1_ - _e12.p0_).cross((_e12.p2_ - _e12.p0_)).length();
-        let beyond_2 = (edges * ((_e54 + ((rt::Scalar(2f32) * params_15.x()) * texel_6)) / twice));
+        let beyond_2 = (edges * ((_e54 + ((rt::Scalar(2f32) * params_17.x()) * texel_6)) / twice));
         inside_2 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_1);
         let _e105 = inside_2;
         let _e110 = self.v_where_positive(_e105, _e26.weights.x(), change_3.x(), beyond_2.x());
@@ -3505,14 +4044,14 @@ impl<'g> Resources<'g> {
         let _e125 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e125.elementwise_eq(WRAP_CLAMP)) {
             let _e130 = inside_2;
-            let _e131 = self.v_inside_unit(_e35.x(), duv_3.x(), _e130);
+            let _e131 = self.v_inside_unit(_e35.x(), duv_6.x(), _e130);
             inside_2 = _e131;
             let _e134 = inside_2;
-            let _e135 = self.v_inside_unit(_e35.y(), duv_3.y(), _e134);
+            let _e135 = self.v_inside_unit(_e35.y(), duv_6.y(), _e134);
             inside_2 = _e135;
         }
         let _e142 = inside_2.y();
-        path_16 = <Path>::new(_e35, duv_3, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_1 / (long_1 * long_1))), _e142, rt::Scalar(0f32), at_25.metric, RAY_VIEW, rt::Scalar(at_25.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_25.segments).cast_elem_as_f32()));
+        path_16 = <Path>::new(_e35, duv_6, <rt::Vec3<f32>>::from_scalars(rt::Scalar(_e26.height), (slope_6 / long_1), (bend_2 / (long_1 * long_1))), _e142, rt::Scalar(0f32), at_29.metric, RAY_VIEW, rt::Scalar(at_29.level), (_e11 + _e20), (rt::Scalar(1f32) / rt::Scalar(at_29.segments).cast_elem_as_f32()));
         let _e155 = inside_2.y();
         let _e157 = inside_2.x();
         if rt::Scalar::into_branch_condition((!_e155.elementwise_gt(_e157))) {
@@ -3525,13 +4064,13 @@ impl<'g> Resources<'g> {
         let _e166 = self.v_path_from(_e163, _e165);
         path_16 = _e166;
         let _e169 = path_16.h.x();
-        let above_3 = (_e169 - heights_1.y());
-        if rt::Scalar::into_branch_condition(above_3.elementwise_gt(rt::Scalar(0f32))) {
+        let above_4 = (_e169 - heights_1.y());
+        if rt::Scalar::into_branch_condition(above_4.elementwise_gt(rt::Scalar(0f32))) {
             let _e174 = path_16;
             let _e177 = path_16.h.y();
             let _e180 = path_16.h.z();
             let _e183 = rt::Scalar(path_16.exit);
-            let _e184 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_3, _e177, _e180), _e183);
+            let _e184 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, _e177, _e180), _e183);
             let _e186 = rt::Scalar(path_16.exit);
             let _e188 = self.v_path_from(_e174, _e184.min(_e186));
             path_16 = _e188;
@@ -3540,74 +4079,270 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e190.elementwise_gt(rt::Scalar(0f32))) {
             let _e193 = path_16;
             let _e194 = path_16;
-            let _e198 = self.v_out_of_ground(_e194, (rt::Scalar(4f32) * _e54), params_15.x());
+            let _e198 = self.v_out_of_ground(_e194, (rt::Scalar(4f32) * _e54), params_17.x());
             let _e199 = self.v_path_from(_e193, _e198);
             path_16 = _e199;
         }
         let _e200 = path_16;
         return _e200;
     }
+    pub(crate) fn surface_quadric_perpendicular_segment(
+        &self,
+        pixel_33: PixelIn,
+        at_30: Entered,
+        k_4: impl rt::Into<rt::Scalar<u32>>,
+        params_18: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_quadric_perpendicular_segment(pixel_33, at_30, rt::into(k_4), rt::into(params_18)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_quadric_perpendicular_segment(
+        &self,
+        pixel_33: PixelIn,
+        at_30: Entered,
+        k_4: rt::Scalar<u32>,
+        params_18: rt::Vec4<f32>,
+    ) -> Path {
+        let mut end: rt::Scalar<f32>;
+        let mut local_14: rt::Scalar<bool>;
+        let mut path_17: Path;
+        let mut inside_3: rt::Vec2<f32>;
+
+        let along_17 = pixel_33.direction.length();
+        let _e9 = self.v_across_of(at_30, (pixel_33.direction / rt::Vec3::splat_from_scalar(along_17)));
+        let _e10 = self.v_traced_scale_m();
+        let _e11 = self.v_plane_normal(pixel_33);
+        let _e12 = self.v_plane_distance(pixel_33, _e11);
+        let distance_1 = (_e12 * along_17);
+        let whole_1 = (at_30.span.y() - at_30.span.x());
+        let first_3 = (at_30.span.x() + (whole_1 * (k_4.cast_elem_as_f32() / params_18.z())));
+        let last_2 = (at_30.span.x() + (whole_1 * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_18.z())));
+        let long_2 = (last_2 - first_3);
+        let _e38 = self.v_across_depth(_e9, first_3);
+        let begin_2 = (at_30.quadric.w() - (_e38 / _e10)).min(rt::Scalar(1f32));
+        let _e48 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_3 + last_2)));
+        let middle_9 = (at_30.quadric.w() - (_e48 / _e10));
+        let _e53 = self.v_across_depth(_e9, last_2);
+        end = (at_30.quadric.w() - (_e53 / _e10));
+        if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_18.z().cast_elem_as_u32())) {
+            let _e64 = end;
+            local_14 = _e64.elementwise_lt(rt::Scalar(0.5f32));
+        } else {
+            local_14 = rt::Scalar(false);
+        }
+        let _e68 = local_14;
+        if rt::Scalar::into_branch_condition(_e68) {
+            let _e69 = end;
+            end = _e69.min(rt::Scalar(-0.000001f32));
+        }
+        let _e72 = end;
+        let bend_3 = (rt::Scalar(2f32) * ((begin_2 + _e72) - (rt::Scalar(2f32) * middle_9)));
+        let _e79 = end;
+        let slope_7 = ((_e79 - begin_2) - bend_3);
+        let base_3 = (rt::Scalar(0f32) - first_3).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        path_17 = <Path>::new((at_30.uv + (_e9.duv * first_3)), _e9.duv, <rt::Vec3<f32>>::from_scalars(begin_2, (slope_7 / long_2), (bend_3 / (long_2 * long_2))), long_2, base_3, at_30.metric, RAY_VIEW, rt::Scalar(at_30.level), (distance_1 + first_3), (rt::Scalar(1f32) / params_18.z()));
+        inside_3 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_2);
+        let _e110 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e110.elementwise_eq(WRAP_CLAMP)) {
+            let _e115 = path_17.uv.x();
+            let _e118 = inside_3;
+            let _e119 = self.v_inside_unit(_e115, _e9.duv.x(), _e118);
+            inside_3 = _e119;
+            let _e122 = path_17.uv.y();
+            let _e125 = inside_3;
+            let _e126 = self.v_inside_unit(_e122, _e9.duv.y(), _e125);
+            inside_3 = _e126;
+            let _e129 = inside_3.y();
+            rt::Scalar(path_17.exit) = _e129;
+            let _e130 = path_17;
+            let _e132 = inside_3.x();
+            let _e133 = self.v_path_from(_e130, _e132);
+            path_17 = _e133;
+        }
+        let _e135 = rt::Scalar(path_17.exit);
+        if rt::Scalar::into_branch_condition((!_e135.elementwise_gt(rt::Scalar(0f32)))) {
+            rt::Scalar(path_17.exit) = rt::Scalar(0f32);
+        }
+        let _e141 = path_17;
+        return _e141;
+    }
+    pub(crate) fn surface_quadric_vertical_segment(
+        &self,
+        pixel_34: PixelIn,
+        at_31: Entered,
+        k_5: impl rt::Into<rt::Scalar<u32>>,
+        params_19: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Path {
+        rt::into(self.v_surface_quadric_vertical_segment(pixel_34, at_31, rt::into(k_5), rt::into(params_19)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_quadric_vertical_segment(
+        &self,
+        pixel_34: PixelIn,
+        at_31: Entered,
+        k_5: rt::Scalar<u32>,
+        params_19: rt::Vec4<f32>,
+    ) -> Path {
+        let mut local_15: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
+        let mut enter_1: rt::Scalar<f32>;
+        let mut leave_5: rt::Scalar<f32>;
+        let mut interval_4: rt::Vec2<f32>;
+        let mut path_18: Path;
+        let mut local_17: rt::Scalar<bool>;
+
+        let along_18 = pixel_34.direction.length();
+        let direction_6 = (pixel_34.direction / rt::Vec3::splat_from_scalar(along_18));
+        let _e9 = self.v_climb(at_31, direction_6);
+        let duv_7 = _e9.xy();
+        let descent_3 = (rt::Scalar(0f32) - at_31.normal.dot(direction_6));
+        let _e15 = self.v_traced_scale_m();
+        let height_8 = at_31.quadric.w();
+        let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
+        let _e23 = self.v_quadric_at(at_31.quadric.xyz(), duv_7);
+        let curve = ((rt::Scalar(0f32) - _e23) / _e15);
+        let _e27 = self.v_plane_normal(pixel_34);
+        let _e28 = self.v_plane_distance(pixel_34, _e27);
+        let distance_2 = (_e28 * along_18);
+        let eye_3 = (rt::Scalar(0f32) - distance_2);
+        let _e35 = self.v_bent_descent(((height_8 - rt::Scalar(1f32)) * _e15), descent_3, _e23);
+        if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+            if rt::Scalar::into_branch_condition((!height_8.elementwise_lt(rt::Scalar(1f32)))) {
+                local_16 = _e35.elementwise_ge(rt::Scalar(0f32));
+            } else {
+                local_16 = rt::Scalar(true);
+            }
+            let _e48 = local_16;
+            local_15 = _e48;
+        } else {
+            local_15 = rt::Scalar(false);
+        }
+        let comes_down = local_15;
+        enter_1 = _e35.max(eye_3);
+        let _e53 = enter_1;
+        let _e54 = enter_1;
+        let _e59 = enter_1;
+        let begin_3 = (height_8 + (_e53 * (slope_8 + (curve * _e54)))).select(rt::Scalar(1f32), _e59.elementwise_eq(_e35));
+        let _e63 = enter_1;
+        let _e66 = enter_1;
+        let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_3, (slope_8 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
+        leave_5 = (_e63 + _e70);
+        if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
+            leave_5 = ((height_8 * _e15) / descent_3);
+            let _e77 = leave_5;
+            let _e78 = leave_5;
+            leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));
+        }
+        let _e85 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e85.elementwise_eq(WRAP_CLAMP)) {
+            let _e91 = enter_1;
+            let _e92 = leave_5;
+            let _e94 = self.v_inside_unit(at_31.uv.x(), duv_7.x(), <rt::Vec2<f32>>::from_scalars(_e91, _e92));
+            interval_4 = _e94;
+            let _e99 = interval_4;
+            let _e100 = self.v_inside_unit(at_31.uv.y(), duv_7.y(), _e99);
+            interval_4 = _e100;
+            let _e102 = interval_4.x();
+            enter_1 = _e102;
+            let _e104 = interval_4.y();
+            leave_5 = _e104;
+        }
+        let _e105 = enter_1;
+        let _e106 = enter_1;
+        let _e111 = enter_1;
+        let entry_height_1 = (height_8 + (_e105 * (slope_8 + (curve * _e106)))).select(rt::Scalar(1f32), _e111.elementwise_eq(_e35));
+        let _e115 = enter_1;
+        let base_4 = (rt::Scalar(0f32) - _e115).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let _e122 = enter_1;
+        let _e127 = enter_1;
+        let _e131 = leave_5;
+        let _e132 = enter_1;
+        let _e137 = enter_1;
+        path_18 = <Path>::new((at_31.uv + (duv_7 * _e122)), duv_7, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_8 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_31.metric, RAY_VIEW, rt::Scalar(at_31.level), (distance_2 + _e137), rt::Scalar(1f32));
+        if rt::Scalar::into_branch_condition((!(!comes_down))) {
+            let _e147 = rt::Scalar(path_18.exit);
+            local_17 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+        } else {
+            local_17 = rt::Scalar(true);
+        }
+        let _e152 = local_17;
+        if rt::Scalar::into_branch_condition(_e152) {
+            rt::Scalar(path_18.exit) = rt::Scalar(0f32);
+        }
+        let _e155 = path_18;
+        return _e155;
+    }
     pub(crate) fn surface_segment_stage(
         &self,
-        pixel_29: PixelIn,
-        at_26: Entered,
-        k_4: impl rt::Into<rt::Scalar<u32>>,
+        pixel_35: PixelIn,
+        at_32: Entered,
+        k_6: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_surface_segment_stage(pixel_29, at_26, rt::into(k_4)))
+        rt::into(self.v_surface_segment_stage(pixel_35, at_32, rt::into(k_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_segment_stage(
         &self,
-        pixel_29: PixelIn,
-        at_26: Entered,
-        k_4: rt::Scalar<u32>,
+        pixel_35: PixelIn,
+        at_32: Entered,
+        k_6: rt::Scalar<u32>,
     ) -> Path {
         let _e7 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[0usize].params;
-                let _e13 = self.v_surface_plane_segment(pixel_29, at_26, k_4, _e12);
+                let _e13 = self.v_surface_plane_segment(pixel_35, at_32, k_6, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[0usize].params;
-                let _e19 = self.v_surface_prism_segment(pixel_29, at_26, k_4, _e18);
+                let _e19 = self.v_surface_prism_segment(pixel_35, at_32, k_6, _e18);
                 return _e19;
             }
-            _ => {
+            2u32 => {
                 let _e24 = self.surface_settings.choices[0usize].params;
-                let _e25 = self.v_surface_tetrahedra_segment(pixel_29, at_26, k_4, _e24);
+                let _e25 = self.v_surface_quadric_perpendicular_segment(pixel_35, at_32, k_6, _e24);
                 return _e25;
+            }
+            3u32 => {
+                let _e30 = self.surface_settings.choices[0usize].params;
+                let _e31 = self.v_surface_quadric_vertical_segment(pixel_35, at_32, k_6, _e30);
+                return _e31;
+            }
+            _ => {
+                let _e36 = self.surface_settings.choices[0usize].params;
+                let _e37 = self.v_surface_tetrahedra_segment(pixel_35, at_32, k_6, _e36);
+                return _e37;
             }
         }
     }
     pub(crate) fn path_slope(
         &self,
-        path_17: Path,
-        t_9: impl rt::Into<rt::Scalar<f32>>,
+        path_19: Path,
+        t_13: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_path_slope(path_17, rt::into(t_9)))
+        rt::into(self.v_path_slope(path_19, rt::into(t_13)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_path_slope(
         &self,
-        path_17: Path,
-        t_9: rt::Scalar<f32>,
+        path_19: Path,
+        t_13: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
-        return (path_17.h.y() + ((rt::Scalar(2f32) * t_9) * path_17.h.z()));
+        return (path_19.h.y() + ((rt::Scalar(2f32) * t_13) * path_19.h.z()));
     }
     pub(crate) fn flattened(
         &self,
-        path_18: Path,
+        path_20: Path,
         middle_6: impl rt::Into<rt::Scalar<f32>>,
         part_2: impl rt::Into<rt::Scalar<f32>>,
     ) -> Path {
-        rt::into(self.v_flattened(path_18, rt::into(middle_6), rt::into(part_2)))
+        rt::into(self.v_flattened(path_20, rt::into(middle_6), rt::into(part_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_flattened(
         &self,
-        path_18: Path,
+        path_20: Path,
         middle_6: rt::Scalar<f32>,
         part_2: rt::Scalar<f32>,
     ) -> Path {
@@ -3615,57 +4350,57 @@ impl<'g> Resources<'g> {
 
         let kept = (rt::Scalar(1f32) - part_2);
         let top_4 = (middle_6 + ((rt::Scalar(1f32) - middle_6) * kept));
-        let above_4 = (path_18.h.x() - top_4);
-        let begins = above_4.elementwise_gt(rt::Scalar(0f32));
+        let above_5 = (path_20.h.x() - top_4);
+        let begins = above_5.elementwise_gt(rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition(begins) {
-            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_4, path_18.h.y(), path_18.h.z()), rt::Scalar(path_18.exit));
-            start = _e22.min(rt::Scalar(path_18.exit));
+            let _e22 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(above_5, path_20.h.y(), path_20.h.z()), rt::Scalar(path_20.exit));
+            start = _e22.min(rt::Scalar(path_20.exit));
         }
-        let height_6 = (middle_6 + ((path_18.h.x() - middle_6) / kept)).select(rt::Scalar(1f32), begins);
+        let height_9 = (middle_6 + ((path_20.h.x() - middle_6) / kept)).select(rt::Scalar(1f32), begins);
         let _e32 = start;
-        let _e33 = self.v_path_slope(path_18, _e32);
-        let h_2 = <rt::Vec3<f32>>::from_scalars(height_6, (_e33 / kept), (path_18.h.z() / kept));
+        let _e33 = self.v_path_slope(path_20, _e32);
+        let h_3 = <rt::Vec3<f32>>::from_scalars(height_9, (_e33 / kept), (path_20.h.z() / kept));
         let _e40 = start;
-        let rest_3 = (rt::Scalar(path_18.exit) - _e40);
-        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_2.x().max(rt::Scalar(0f32)), h_2.y(), h_2.z()), rest_3);
-        let exit = (_e48 * rt::Scalar(1.000001f32)).min(rest_3);
+        let rest_3 = (rt::Scalar(path_20.exit) - _e40);
+        let _e48 = self.v_first_root(<rt::Vec3<f32>>::from_scalars(h_3.x().max(rt::Scalar(0f32)), h_3.y(), h_3.z()), rest_3);
+        let exit_1 = (_e48 * rt::Scalar(1.000001f32)).min(rest_3);
         let _e53 = start;
-        let base_3 = (rt::Scalar(path_18.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
+        let base_5 = (rt::Scalar(path_20.base) - _e53).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
         let _e58 = start;
-        let _e59 = self.v_path_uv(path_18, _e58);
+        let _e59 = self.v_path_uv(path_20, _e58);
         let _e65 = start;
-        return <Path>::new(_e59, path_18.duv, h_2, exit, base_3, path_18.metric, rt::Scalar(path_18.ray), rt::Scalar(path_18.level), (rt::Scalar(path_18.start) + _e65), rt::Scalar(path_18.share));
+        return <Path>::new(_e59, path_20.duv, h_3, exit_1, base_5, path_20.metric, rt::Scalar(path_20.ray), rt::Scalar(path_20.level), (rt::Scalar(path_20.start) + _e65), rt::Scalar(path_20.share));
     }
     pub(crate) fn segment_of(
         &self,
-        pixel_30: PixelIn,
-        at_27: Entered,
-        k_5: impl rt::Into<rt::Scalar<u32>>,
+        pixel_36: PixelIn,
+        at_33: Entered,
+        k_7: impl rt::Into<rt::Scalar<u32>>,
     ) -> Path {
-        rt::into(self.v_segment_of(pixel_30, at_27, rt::into(k_5)))
+        rt::into(self.v_segment_of(pixel_36, at_33, rt::into(k_7)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_segment_of(
         &self,
-        pixel_30: PixelIn,
-        at_27: Entered,
-        k_5: rt::Scalar<u32>,
+        pixel_36: PixelIn,
+        at_33: Entered,
+        k_7: rt::Scalar<u32>,
     ) -> Path {
-        let mut path_19: Path;
+        let mut path_21: Path;
 
-        let _e3 = self.v_surface_segment_stage(pixel_30, at_27, k_5);
-        path_19 = _e3;
-        if rt::Scalar::into_branch_condition(rt::Scalar(at_27.fade).elementwise_gt(rt::Scalar(0f32))) {
-            let _e8 = path_19;
+        let _e3 = self.v_surface_segment_stage(pixel_36, at_33, k_7);
+        path_21 = _e3;
+        if rt::Scalar::into_branch_condition(rt::Scalar(at_33.fade).elementwise_gt(rt::Scalar(0f32))) {
+            let _e8 = path_21;
             let _e11 = rt::Scalar(self.surface_settings.mean_height);
-            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_27.fade));
-            path_19 = _e13;
-            let _e16 = path_19.h.x();
+            let _e13 = self.v_flattened(_e8, _e11, rt::Scalar(at_33.fade));
+            path_21 = _e13;
+            let _e16 = path_21.h.x();
             if rt::Scalar::into_branch_condition((!_e16.elementwise_gt(rt::Scalar(0f32)))) {
-                rt::Scalar(path_19.exit) = rt::Scalar(0f32);
+                rt::Scalar(path_21.exit) = rt::Scalar(0f32);
             }
         }
-        let _e22 = path_19;
+        let _e22 = path_21;
         return _e22;
     }
     pub(crate) fn miss(&self, cost_2: impl rt::Into<rt::Vec3<u32>>) -> Hit {
@@ -3677,55 +4412,55 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn hit_on_path(
         &self,
-        path_20: Path,
-        t_10: impl rt::Into<rt::Scalar<f32>>,
+        path_22: Path,
+        t_14: impl rt::Into<rt::Scalar<f32>>,
         exhausted: impl rt::Into<rt::Scalar<u32>>,
         cost_3: impl rt::Into<rt::Vec3<u32>>,
     ) -> Hit {
-        rt::into(self.v_hit_on_path(path_20, rt::into(t_10), rt::into(exhausted), rt::into(cost_3)))
+        rt::into(self.v_hit_on_path(path_22, rt::into(t_14), rt::into(exhausted), rt::into(cost_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_hit_on_path(
         &self,
-        path_20: Path,
-        t_10: rt::Scalar<f32>,
+        path_22: Path,
+        t_14: rt::Scalar<f32>,
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_10: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
 
-        if rt::Scalar::into_branch_condition(t_10.elementwise_gt(rt::Scalar(path_20.exit))) {
-            let _e9 = self.v_path_height(path_20, rt::Scalar(path_20.exit));
-            local_10 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+        if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_22.exit))) {
+            let _e9 = self.v_path_height(path_22, rt::Scalar(path_22.exit));
+            local_18 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_10 = rt::Scalar(false);
+            local_18 = rt::Scalar(false);
         }
-        let _e13 = local_10;
+        let _e13 = local_18;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
         }
-        let inside_5 = t_10.clamp(rt::Scalar(0f32), rt::Scalar(path_20.exit));
-        let _e19 = self.v_path_uv(path_20, inside_5);
-        let _e20 = self.v_path_height(path_20, inside_5);
-        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_5, cost_3);
+        let inside_6 = t_14.clamp(rt::Scalar(0f32), rt::Scalar(path_22.exit));
+        let _e19 = self.v_path_uv(path_22, inside_6);
+        let _e20 = self.v_path_height(path_22, inside_6);
+        return <Hit>::new(rt::Scalar(1u32), exhausted, _e19, _e20, inside_6, cost_3);
     }
-    pub(crate) fn starting_point(&self, path_21: Path, found: Found) -> f32 {
-        rt::into(self.v_starting_point(path_21, found))
+    pub(crate) fn starting_point(&self, path_23: Path, found: Found) -> f32 {
+        rt::into(self.v_starting_point(path_23, found))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_starting_point(&self, path_21: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_11: rt::Scalar<bool>;
+    fn v_starting_point(&self, path_23: Path, found: Found) -> rt::Scalar<f32> {
+        let mut local_19: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
-            return rt::Scalar(path_21.base);
+            return rt::Scalar(path_23.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_11 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_19 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_11 = rt::Scalar(true);
+            local_19 = rt::Scalar(true);
         }
-        let _e16 = local_11;
+        let _e16 = local_19;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -3733,76 +4468,76 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn refine_none(
         &self,
-        path_22: Path,
+        path_24: Path,
         found_1: Found,
-        params_16: impl rt::Into<rt::Vec4<f32>>,
+        params_20: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_none(path_22, found_1, rt::into(params_16)))
+        rt::into(self.v_refine_none(path_24, found_1, rt::into(params_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_none(
         &self,
-        path_22: Path,
+        path_24: Path,
         found_1: Found,
-        params_16: rt::Vec4<f32>,
+        params_20: rt::Vec4<f32>,
     ) -> Hit {
         if rt::Scalar::into_branch_condition(rt::Scalar(found_1.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_1.cost);
             return _e7;
         }
         let exhausted_1 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_1.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e14 = self.v_starting_point(path_22, found_1);
-        let _e16 = self.v_hit_on_path(path_22, _e14, exhausted_1, found_1.cost);
+        let _e14 = self.v_starting_point(path_24, found_1);
+        let _e16 = self.v_hit_on_path(path_24, _e14, exhausted_1, found_1.cost);
         return _e16;
     }
     pub(crate) fn refine_offset(
         &self,
-        path_23: Path,
+        path_25: Path,
         found_2: Found,
-        params_17: impl rt::Into<rt::Vec4<f32>>,
+        params_21: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset(path_23, found_2, rt::into(params_17)))
+        rt::into(self.v_refine_offset(path_25, found_2, rt::into(params_21)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset(
         &self,
-        path_23: Path,
+        path_25: Path,
         found_2: Found,
-        params_17: rt::Vec4<f32>,
+        params_21: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_11: rt::Scalar<f32>;
+        let mut t_15: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_2.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_2.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_23, found_2);
-        let _e9 = self.v_path_uv(path_23, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_23.level));
-        let _e12 = self.v_path_slope(path_23, _e8);
-        t_11 = _e8;
+        let _e8 = self.v_starting_point(path_25, found_2);
+        let _e9 = self.v_path_uv(path_25, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_25.level));
+        let _e12 = self.v_path_slope(path_25, _e8);
+        t_15 = _e8;
         if rt::Scalar::into_branch_condition(_e12.elementwise_ne(rt::Scalar(0f32))) {
-            let _e16 = self.v_path_height(path_23, _e8);
-            t_11 = (_e8 + ((_e11 - _e16) / _e12));
+            let _e16 = self.v_path_height(path_25, _e8);
+            t_15 = (_e8 + ((_e11 - _e16) / _e12));
         }
-        let _e20 = t_11;
-        let _e30 = self.v_hit_on_path(path_23, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
+        let _e20 = t_15;
+        let _e30 = self.v_hit_on_path(path_25, _e20, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_2.status).elementwise_eq(FOUND_EXHAUSTED)), (found_2.cost + HEIGHTS_READ));
         return _e30;
     }
     pub(crate) fn refine_offset_limited(
         &self,
-        path_24: Path,
+        path_26: Path,
         found_3: Found,
-        params_18: impl rt::Into<rt::Vec4<f32>>,
+        params_22: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_offset_limited(path_24, found_3, rt::into(params_18)))
+        rt::into(self.v_refine_offset_limited(path_26, found_3, rt::into(params_22)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_offset_limited(
         &self,
-        path_24: Path,
+        path_26: Path,
         found_3: Found,
-        params_18: rt::Vec4<f32>,
+        params_22: rt::Vec4<f32>,
     ) -> Hit {
         let mut hit_6: Hit;
 
@@ -3810,13 +4545,13 @@ impl<'g> Resources<'g> {
             let _e7 = self.v_miss(found_3.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_24, found_3);
-        let _e9 = self.v_path_uv(path_24, _e8);
-        let _e11 = self.v_height_at(_e9, rt::Scalar(path_24.level));
-        let _e12 = self.v_path_height(path_24, _e8);
-        let rise_m = ((_e11 - _e12) * path_24.metric.w());
+        let _e8 = self.v_starting_point(path_26, found_3);
+        let _e9 = self.v_path_uv(path_26, _e8);
+        let _e11 = self.v_height_at(_e9, rt::Scalar(path_26.level));
+        let _e12 = self.v_path_height(path_26, _e8);
+        let rise_m = ((_e11 - _e12) * path_26.metric.w());
         let exhausted_2 = rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_3.status).elementwise_eq(FOUND_EXHAUSTED));
-        let _e27 = self.v_hit_on_path(path_24, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
+        let _e27 = self.v_hit_on_path(path_26, (_e8 - rise_m), exhausted_2, (found_3.cost + HEIGHTS_READ));
         hit_6 = _e27;
         let _e30 = rt::Scalar(hit_6.found);
         if rt::Scalar::into_branch_condition(_e30.elementwise_eq(rt::Scalar(1u32))) {
@@ -3839,9 +4574,9 @@ impl<'g> Resources<'g> {
         level_15: rt::Scalar<u32>,
     ) -> rt::Vec3<f32> {
         let _e2 = self.v_height_size(level_15);
-        let point_10 = ((uv_12 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
-        let _e8 = self.v_cell_of(point_10);
-        let f_1 = (point_10 - _e8);
+        let point_12 = ((uv_12 * _e2) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32)));
+        let _e8 = self.v_cell_of(point_12);
+        let f_1 = (point_12 - _e8);
         let _e11 = self.v_height_cell(_e8.cast_elem_as_i32(), level_15);
         let top_5 = (_e11.x() + ((_e11.y() - _e11.x()) * f_1.x()));
         let bottom_2 = (_e11.z() + ((_e11.w() - _e11.z()) * f_1.x()));
@@ -3851,130 +4586,130 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn normal_z(
         &self,
-        path_25: Path,
+        path_27: Path,
         slope: impl rt::Into<rt::Vec2<f32>>,
     ) -> f32 {
-        rt::into(self.v_normal_z(path_25, rt::into(slope)))
+        rt::into(self.v_normal_z(path_27, rt::into(slope)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normal_z(
         &self,
-        path_25: Path,
+        path_27: Path,
         slope: rt::Vec2<f32>,
     ) -> rt::Scalar<f32> {
-        let m_1 = path_25.metric;
-        let area_3 = ((m_1.x() * m_1.z()) - (m_1.y() * m_1.y()));
-        let squared_2 = (((((slope.x() * slope.x()) * m_1.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m_1.y())) + ((slope.y() * slope.y()) * m_1.x())) / area_3);
+        let m_1 = path_27.metric;
+        let area_4 = ((m_1.x() * m_1.z()) - (m_1.y() * m_1.y()));
+        let squared_2 = (((((slope.x() * slope.x()) * m_1.z()) - (((rt::Scalar(2f32) * slope.x()) * slope.y()) * m_1.y())) + ((slope.y() * slope.y()) * m_1.x())) / area_4);
         return (rt::Scalar(1f32) / (rt::Scalar(1f32) + ((m_1.w() * m_1.w()) * squared_2)).sqrt());
     }
     pub(crate) fn refine_slope(
         &self,
-        path_26: Path,
+        path_28: Path,
         found_4: Found,
-        params_19: impl rt::Into<rt::Vec4<f32>>,
+        params_23: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope(path_26, found_4, rt::into(params_19)))
+        rt::into(self.v_refine_slope(path_28, found_4, rt::into(params_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope(
         &self,
-        path_26: Path,
+        path_28: Path,
         found_4: Found,
-        params_19: rt::Vec4<f32>,
+        params_23: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_12: rt::Scalar<f32>;
+        let mut t_16: rt::Scalar<f32>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_4.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_4.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_26, found_4);
-        let _e9 = self.v_path_uv(path_26, _e8);
-        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_26.level));
-        let _e13 = self.v_path_height(path_26, _e8);
+        let _e8 = self.v_starting_point(path_28, found_4);
+        let _e9 = self.v_path_uv(path_28, _e8);
+        let _e11 = self.v_height_and_slope(_e9, rt::Scalar(path_28.level));
+        let _e13 = self.v_path_height(path_28, _e8);
         let rise = (_e11.x() - _e13);
-        t_12 = _e8;
-        if rt::Scalar::into_branch_condition(params_19.x().elementwise_gt(rt::Scalar(0.5f32))) {
-            let _e19 = self.v_path_slope(path_26, _e8);
-            let closing = (_e19 - ((_e11.y() * path_26.duv.x()) + (_e11.z() * path_26.duv.y())));
+        t_16 = _e8;
+        if rt::Scalar::into_branch_condition(params_23.x().elementwise_gt(rt::Scalar(0.5f32))) {
+            let _e19 = self.v_path_slope(path_28, _e8);
+            let closing = (_e19 - ((_e11.y() * path_28.duv.x()) + (_e11.z() * path_28.duv.y())));
             if rt::Scalar::into_branch_condition(closing.elementwise_lt(rt::Scalar(0f32))) {
-                t_12 = (_e8 + (rise / closing));
+                t_16 = (_e8 + (rise / closing));
             }
         } else {
-            let _e40 = self.v_normal_z(path_26, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
-            t_12 = (_e8 - ((rise * path_26.metric.w()) * _e40));
+            let _e40 = self.v_normal_z(path_28, <rt::Vec2<f32>>::from_scalars(_e11.y(), _e11.z()));
+            t_16 = (_e8 - ((rise * path_28.metric.w()) * _e40));
         }
-        let _e43 = t_12;
-        let _e53 = self.v_hit_on_path(path_26, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
+        let _e43 = t_16;
+        let _e53 = self.v_hit_on_path(path_28, _e43, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_4.status).elementwise_eq(FOUND_EXHAUSTED)), (found_4.cost + HEIGHTS_READ));
         return _e53;
     }
     pub(crate) fn refine_slope_iterative(
         &self,
-        path_27: Path,
+        path_29: Path,
         found_5: Found,
-        params_20: impl rt::Into<rt::Vec4<f32>>,
+        params_24: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_slope_iterative(path_27, found_5, rt::into(params_20)))
+        rt::into(self.v_refine_slope_iterative(path_29, found_5, rt::into(params_24)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_slope_iterative(
         &self,
-        path_27: Path,
+        path_29: Path,
         found_5: Found,
-        params_20: rt::Vec4<f32>,
+        params_24: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_13: rt::Scalar<f32>;
+        let mut t_17: rt::Scalar<f32>;
         let mut cost_4: rt::Vec3<u32>;
-        let mut k_6: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_8: rt::Scalar<f32> = rt::Scalar(0f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_5.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_5.cost);
             return _e7;
         }
-        let _e8 = self.v_starting_point(path_27, found_5);
-        t_13 = _e8;
+        let _e8 = self.v_starting_point(path_29, found_5);
+        t_17 = _e8;
         cost_4 = found_5.cost;
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_6;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_20.x())) {
+                let _e14 = k_8;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_24.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_4;
                     cost_4 = (_e17 + STEP);
-                    let _e20 = t_13;
-                    let _e21 = self.v_path_uv(path_27, _e20);
-                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_27.level));
+                    let _e20 = t_17;
+                    let _e21 = self.v_path_uv(path_29, _e20);
+                    let _e23 = self.v_height_and_slope(_e21, rt::Scalar(path_29.level));
                     let _e24 = cost_4;
                     cost_4 = (_e24 + HEIGHTS_READ);
-                    let _e28 = t_13;
-                    let _e29 = self.v_path_height(path_27, _e28);
+                    let _e28 = t_17;
+                    let _e29 = self.v_path_height(path_29, _e28);
                     let rise_1 = (_e23.x() - _e29);
-                    if rt::Scalar::into_branch_condition(params_20.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e34 = t_13;
-                        let _e35 = self.v_path_slope(path_27, _e34);
-                        let closing_1 = (_e35 - ((_e23.y() * path_27.duv.x()) + (_e23.z() * path_27.duv.y())));
+                    if rt::Scalar::into_branch_condition(params_24.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e34 = t_17;
+                        let _e35 = self.v_path_slope(path_29, _e34);
+                        let closing_1 = (_e35 - ((_e23.y() * path_29.duv.x()) + (_e23.z() * path_29.duv.y())));
                         if rt::Scalar::into_branch_condition(closing_1.elementwise_lt(rt::Scalar(0f32))) {
-                            let _e48 = t_13;
-                            t_13 = (_e48 + (rise_1 / closing_1));
+                            let _e48 = t_17;
+                            t_17 = (_e48 + (rise_1 / closing_1));
                         }
                     } else {
-                        let _e51 = t_13;
-                        let _e58 = self.v_normal_z(path_27, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
-                        t_13 = (_e51 - ((rise_1 * path_27.metric.w()) * _e58));
+                        let _e51 = t_17;
+                        let _e58 = self.v_normal_z(path_29, <rt::Vec2<f32>>::from_scalars(_e23.y(), _e23.z()));
+                        t_17 = (_e51 - ((rise_1 * path_29.metric.w()) * _e58));
                     }
-                    let _e61 = t_13;
-                    t_13 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_27.exit));
-                    let _e65 = k_6;
-                    k_6 = (_e65 + rt::Scalar(1f32));
+                    let _e61 = t_17;
+                    t_17 = _e61.clamp(rt::Scalar(0f32), rt::Scalar(path_29.exit));
+                    let _e65 = k_8;
+                    k_8 = (_e65 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e68 = t_13;
+        let _e68 = t_17;
         let _e75 = cost_4;
-        let _e76 = self.v_hit_on_path(path_27, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
+        let _e76 = self.v_hit_on_path(path_29, _e68, rt::Scalar(0u32).select(rt::Scalar(1u32), rt::Scalar(found_5.status).elementwise_eq(FOUND_EXHAUSTED)), _e75);
         return _e76;
     }
     pub(crate) fn has_interval(&self, found_6: Found) -> bool {
@@ -3982,55 +4717,55 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_12: rt::Scalar<bool>;
-        let mut local_13: rt::Scalar<bool>;
-        let mut local_14: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_13 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_21 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_13 = rt::Scalar(true);
+                local_21 = rt::Scalar(true);
             }
-            let _e16 = local_13;
+            let _e16 = local_21;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_14 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_22 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_14 = rt::Scalar(true);
+                local_22 = rt::Scalar(true);
             }
-            let _e24 = local_14;
-            local_12 = _e24;
+            let _e24 = local_22;
+            local_20 = _e24;
         } else {
-            local_12 = rt::Scalar(false);
+            local_20 = rt::Scalar(false);
         }
-        let _e26 = local_12;
+        let _e26 = local_20;
         return _e26;
     }
     pub(crate) fn refine_binary(
         &self,
-        path_28: Path,
+        path_30: Path,
         found_7: Found,
-        params_21: impl rt::Into<rt::Vec4<f32>>,
+        params_25: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_binary(path_28, found_7, rt::into(params_21)))
+        rt::into(self.v_refine_binary(path_30, found_7, rt::into(params_25)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_binary(
         &self,
-        path_28: Path,
+        path_30: Path,
         found_7: Found,
-        params_21: rt::Vec4<f32>,
+        params_25: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_15: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
-        let mut k_7: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut k_9: rt::Scalar<f32> = rt::Scalar(0f32);
 
         let _e3 = self.v_has_interval(found_7);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_28, found_7, params_21);
+            let _e5 = self.v_refine_none(path_30, found_7, params_25);
             return _e5;
         }
         near_2 = rt::Scalar(found_7.near);
@@ -4038,17 +4773,17 @@ impl<'g> Resources<'g> {
         cost_5 = found_7.cost;
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
-            let _e19 = self.v_path_height(path_28, _e18);
-            local_15 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            let _e19 = self.v_path_height(path_30, _e18);
+            local_23 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_15 = rt::Scalar(true);
+            local_23 = rt::Scalar(true);
         }
-        let _e23 = local_15;
+        let _e23 = local_23;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
-                let _e27 = k_7;
-                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_21.x())) {
+                let _e27 = k_9;
+                if rt::Scalar::into_branch_condition(_e27.elementwise_lt(params_25.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4057,18 +4792,18 @@ impl<'g> Resources<'g> {
                     cost_5 = (_e30 + STEP);
                     let _e33 = near_2;
                     let _e34 = far_2;
-                    let middle_9 = (rt::Scalar(0.5f32) * (_e33 + _e34));
+                    let middle_10 = (rt::Scalar(0.5f32) * (_e33 + _e34));
                     let _e38 = cost_5;
                     cost_5 = (_e38 + HEIGHTS_READ);
-                    let _e41 = self.v_path_gap(path_28, middle_9);
+                    let _e41 = self.v_path_gap(path_30, middle_10);
                     if rt::Scalar::into_branch_condition(_e41.elementwise_le(rt::Scalar(0f32))) {
-                        far_2 = middle_9;
+                        far_2 = middle_10;
                         crossed = rt::Scalar(true);
                     } else {
-                        near_2 = middle_9;
+                        near_2 = middle_10;
                     }
-                    let _e45 = k_7;
-                    k_7 = (_e45 + rt::Scalar(1f32));
+                    let _e45 = k_9;
+                    k_9 = (_e45 + rt::Scalar(1f32));
                 }
             }
         }
@@ -4081,35 +4816,35 @@ impl<'g> Resources<'g> {
         let _e52 = near_2;
         let _e53 = far_2;
         let _e58 = cost_5;
-        let _e59 = self.v_hit_on_path(path_28, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
+        let _e59 = self.v_hit_on_path(path_30, (rt::Scalar(0.5f32) * (_e52 + _e53)), rt::Scalar(0u32), _e58);
         return _e59;
     }
     pub(crate) fn refine_secant(
         &self,
-        path_29: Path,
+        path_31: Path,
         found_8: Found,
-        params_22: impl rt::Into<rt::Vec4<f32>>,
+        params_26: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_secant(path_29, found_8, rt::into(params_22)))
+        rt::into(self.v_refine_secant(path_31, found_8, rt::into(params_26)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_secant(
         &self,
-        path_29: Path,
+        path_31: Path,
         found_8: Found,
-        params_22: rt::Vec4<f32>,
+        params_26: rt::Vec4<f32>,
     ) -> Hit {
         let mut near_3: rt::Scalar<f32>;
         let mut far_3: rt::Scalar<f32>;
         let mut near_gap_1: rt::Scalar<f32>;
         let mut far_gap_1: rt::Scalar<f32>;
         let mut cost_6: rt::Vec3<u32>;
-        let mut t_14: rt::Scalar<f32>;
-        let mut k_8: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut t_18: rt::Scalar<f32>;
+        let mut k_10: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_8);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_29, found_8, params_22);
+            let _e5 = self.v_refine_none(path_31, found_8, params_26);
             return _e5;
         }
         near_3 = rt::Scalar(found_8.near);
@@ -4119,10 +4854,10 @@ impl<'g> Resources<'g> {
         cost_6 = found_8.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_8.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = near_3;
-            let _e20 = self.v_path_gap(path_29, _e19);
+            let _e20 = self.v_path_gap(path_31, _e19);
             near_gap_1 = _e20;
             let _e21 = far_3;
-            let _e22 = self.v_path_gap(path_29, _e21);
+            let _e22 = self.v_path_gap(path_31, _e21);
             far_gap_1 = _e22;
             let _e23 = cost_6;
             cost_6 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -4134,11 +4869,11 @@ impl<'g> Resources<'g> {
             }
         }
         let _e33 = far_3;
-        t_14 = _e33;
+        t_18 = _e33;
         'naga_break: loop {
             'naga_continue: {
-                let _e37 = k_8;
-                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_22.x())) {
+                let _e37 = k_10;
+                if rt::Scalar::into_branch_condition(_e37.elementwise_le(params_26.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4155,58 +4890,58 @@ impl<'g> Resources<'g> {
                     let _e50 = far_3;
                     let _e51 = near_3;
                     let _e53 = near_gap_1;
-                    t_14 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
-                    let _e57 = k_8;
-                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_22.x())) {
-                        let _e60 = t_14;
-                        let _e61 = self.v_path_gap(path_29, _e60);
+                    t_18 = (_e49 + ((_e50 - _e51) * (_e53 / drop)));
+                    let _e57 = k_10;
+                    if rt::Scalar::into_branch_condition(_e57.elementwise_lt(params_26.x())) {
+                        let _e60 = t_18;
+                        let _e61 = self.v_path_gap(path_31, _e60);
                         let _e62 = cost_6;
                         cost_6 = (_e62 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_le(rt::Scalar(0f32))) {
-                            let _e67 = t_14;
+                            let _e67 = t_18;
                             far_3 = _e67;
                             far_gap_1 = _e61;
                         } else {
-                            let _e68 = t_14;
+                            let _e68 = t_18;
                             near_3 = _e68;
                             near_gap_1 = _e61;
                         }
                     }
-                    let _e69 = k_8;
-                    k_8 = (_e69 + rt::Scalar(1f32));
+                    let _e69 = k_10;
+                    k_10 = (_e69 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e72 = t_14;
+        let _e72 = t_18;
         let _e74 = cost_6;
-        let _e75 = self.v_hit_on_path(path_29, _e72, rt::Scalar(0u32), _e74);
+        let _e75 = self.v_hit_on_path(path_31, _e72, rt::Scalar(0u32), _e74);
         return _e75;
     }
     pub(crate) fn refine_true_secant(
         &self,
-        path_30: Path,
+        path_32: Path,
         found_9: Found,
-        params_23: impl rt::Into<rt::Vec4<f32>>,
+        params_27: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_true_secant(path_30, found_9, rt::into(params_23)))
+        rt::into(self.v_refine_true_secant(path_32, found_9, rt::into(params_27)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_true_secant(
         &self,
-        path_30: Path,
+        path_32: Path,
         found_9: Found,
-        params_23: rt::Vec4<f32>,
+        params_27: rt::Vec4<f32>,
     ) -> Hit {
         let mut before: rt::Scalar<f32>;
         let mut last: rt::Scalar<f32>;
         let mut before_gap: rt::Scalar<f32>;
         let mut last_gap: rt::Scalar<f32>;
         let mut cost_7: rt::Vec3<u32>;
-        let mut k_9: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_11: rt::Scalar<f32> = rt::Scalar(1f32);
 
         let _e3 = self.v_has_interval(found_9);
         if rt::Scalar::into_branch_condition((!_e3)) {
-            let _e5 = self.v_refine_none(path_30, found_9, params_23);
+            let _e5 = self.v_refine_none(path_32, found_9, params_27);
             return _e5;
         }
         before = rt::Scalar(found_9.near);
@@ -4216,10 +4951,10 @@ impl<'g> Resources<'g> {
         cost_7 = found_9.cost;
         if rt::Scalar::into_branch_condition(rt::Scalar(found_9.status).elementwise_ne(FOUND_BRACKET)) {
             let _e19 = before;
-            let _e20 = self.v_path_gap(path_30, _e19);
+            let _e20 = self.v_path_gap(path_32, _e19);
             before_gap = _e20;
             let _e21 = last;
-            let _e22 = self.v_path_gap(path_30, _e21);
+            let _e22 = self.v_path_gap(path_32, _e21);
             last_gap = _e22;
             let _e23 = cost_7;
             cost_7 = ((_e23 + HEIGHTS_READ) + HEIGHTS_READ);
@@ -4232,8 +4967,8 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e35 = k_9;
-                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_23.x())) {
+                let _e35 = k_11;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_le(params_27.x())) {
                 } else {
                     break 'naga_break;
                 }
@@ -4250,69 +4985,69 @@ impl<'g> Resources<'g> {
                     let _e47 = last;
                     let _e48 = before;
                     let _e50 = last_gap;
-                    let t_30 = (_e46 + ((_e47 - _e48) * (_e50 / change_4))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
+                    let t_34 = (_e46 + ((_e47 - _e48) * (_e50 / change_4))).clamp(rt::Scalar(found_9.near), rt::Scalar(found_9.far));
                     let _e57 = last;
                     before = _e57;
                     let _e58 = last_gap;
                     before_gap = _e58;
-                    last = t_30;
-                    let _e59 = k_9;
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_23.x())) {
-                        let _e62 = self.v_path_gap(path_30, t_30);
+                    last = t_34;
+                    let _e59 = k_11;
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(params_27.x())) {
+                        let _e62 = self.v_path_gap(path_32, t_34);
                         last_gap = _e62;
                         let _e63 = cost_7;
                         cost_7 = (_e63 + HEIGHTS_READ);
                     }
-                    let _e66 = k_9;
-                    k_9 = (_e66 + rt::Scalar(1f32));
+                    let _e66 = k_11;
+                    k_11 = (_e66 + rt::Scalar(1f32));
                 }
             }
         }
         let _e69 = last;
         let _e71 = cost_7;
-        let _e72 = self.v_hit_on_path(path_30, _e69, rt::Scalar(0u32), _e71);
+        let _e72 = self.v_hit_on_path(path_32, _e69, rt::Scalar(0u32), _e71);
         return _e72;
     }
     pub(crate) fn refine_patch(
         &self,
-        path_31: Path,
+        path_33: Path,
         found_10: Found,
-        params_24: impl rt::Into<rt::Vec4<f32>>,
+        params_28: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_patch(path_31, found_10, rt::into(params_24)))
+        rt::into(self.v_refine_patch(path_33, found_10, rt::into(params_28)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_patch(
         &self,
-        path_31: Path,
+        path_33: Path,
         found_10: Found,
-        params_24: rt::Vec4<f32>,
+        params_28: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_15: rt::Scalar<f32>;
+        let mut t_19: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_16: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
             return _e7;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_EXHAUSTED)) {
-            let _e14 = self.v_hit_on_path(path_31, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
+            let _e14 = self.v_hit_on_path(path_33, rt::Scalar(found_10.near), rt::Scalar(1u32), found_10.cost);
             return _e14;
         }
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_STARTED_BELOW)) {
-            let _e21 = self.v_hit_on_path(path_31, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
+            let _e21 = self.v_hit_on_path(path_33, rt::Scalar(found_10.near), rt::Scalar(0u32), found_10.cost);
             return _e21;
         }
-        let _e22 = self.v_grid_of(path_31);
-        t_15 = rt::Scalar(found_10.near);
-        let _e27 = t_15;
+        let _e22 = self.v_grid_of(path_33);
+        t_19 = rt::Scalar(found_10.near);
+        let _e27 = t_19;
         let _e30 = self.v_cell_of((_e22.origin + (_e22.step * _e27)));
         cell_7 = _e30;
         cost_8 = found_10.cost;
         let _e35 = cost_8.x();
-        let limit = (_e35 + params_24.x().cast_elem_as_u32());
+        let limit = (_e35 + params_28.x().cast_elem_as_u32());
         'naga_break: loop {
             'naga_continue: {
                 let _e40 = cost_8.x();
@@ -4325,37 +5060,37 @@ impl<'g> Resources<'g> {
                     cost_8 = (_e42 + STEP);
                     let _e45 = cell_7;
                     let _e46 = self.v_cell_leave(_e22, _e45);
-                    let end_1 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
-                    let _e52 = t_15;
-                    let span_5 = (end_1 - _e52).max(rt::Scalar(0f32));
+                    let end_2 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
+                    let _e52 = t_19;
+                    let span_5 = (end_2 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_7;
-                    let _e57 = t_15;
-                    let _e58 = self.v_cell_gap(path_31, _e22, _e56, _e57);
+                    let _e57 = t_19;
+                    let _e58 = self.v_cell_gap(path_33, _e22, _e56, _e57);
                     let _e59 = cost_8;
                     cost_8 = (_e59 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e58.x().elementwise_le(rt::Scalar(0f32))) {
-                        let _e65 = t_15;
+                        let _e65 = t_19;
                         let _e67 = cost_8;
-                        let _e68 = self.v_hit_on_path(path_31, _e65, rt::Scalar(0u32), _e67);
+                        let _e68 = self.v_hit_on_path(path_33, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
                     let _e69 = self.v_first_root(_e58, span_5);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e72 = t_15;
+                        let _e72 = t_19;
                         let _e75 = cost_8;
-                        let _e76 = self.v_hit_on_path(path_31, (_e72 + _e69), rt::Scalar(0u32), _e75);
+                        let _e76 = self.v_hit_on_path(path_33, (_e72 + _e69), rt::Scalar(0u32), _e75);
                         return _e76;
                     }
-                    if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(found_10.far))) {
+                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_16 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_24 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_16 = rt::Scalar(true);
+                            local_24 = rt::Scalar(true);
                         }
-                        let _e89 = local_16;
+                        let _e89 = local_24;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
-                            let _e93 = self.v_hit_on_path(path_31, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
+                            let _e93 = self.v_hit_on_path(path_33, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
                             return _e93;
                         }
                         let _e94 = cost_8;
@@ -4365,153 +5100,153 @@ impl<'g> Resources<'g> {
                     let _e96 = cell_7;
                     let _e97 = self.v_cell_next(_e22, _e96, _e46);
                     cell_7 = _e97;
-                    let _e98 = t_15;
-                    t_15 = _e98.max(end_1);
+                    let _e98 = t_19;
+                    t_19 = _e98.max(end_2);
                 }
             }
         }
-        let _e100 = t_15;
+        let _e100 = t_19;
         let _e102 = cost_8;
-        let _e103 = self.v_hit_on_path(path_31, _e100, rt::Scalar(1u32), _e102);
+        let _e103 = self.v_hit_on_path(path_33, _e100, rt::Scalar(1u32), _e102);
         return _e103;
     }
     pub(crate) fn refine_half_texel(
         &self,
-        path_32: Path,
+        path_34: Path,
         found_11: Found,
-        params_25: impl rt::Into<rt::Vec4<f32>>,
+        params_29: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_refine_half_texel(path_32, found_11, rt::into(params_25)))
+        rt::into(self.v_refine_half_texel(path_34, found_11, rt::into(params_29)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_refine_half_texel(
         &self,
-        path_32: Path,
+        path_34: Path,
         found_11: Found,
-        params_25: rt::Vec4<f32>,
+        params_29: rt::Vec4<f32>,
     ) -> Hit {
         let mut part_3: rt::Scalar<f32> = rt::Scalar(0.5f32);
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_11.status).elementwise_ne(FOUND_BELOW)) {
-            let _e6 = self.v_refine_none(path_32, found_11, params_25);
+            let _e6 = self.v_refine_none(path_34, found_11, params_29);
             return _e6;
         }
-        let _e9 = self.v_height_size(rt::Scalar(path_32.level));
-        let speed_1 = (path_32.duv * _e9).length();
-        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_32.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
-            let _e17 = self.v_refine_none(path_32, found_11, params_25);
+        let _e9 = self.v_height_size(rt::Scalar(path_34.level));
+        let speed_1 = (path_34.duv * _e9).length();
+        if rt::Scalar::into_branch_condition((!(speed_1 * rt::Scalar(path_34.exit)).elementwise_gt(rt::Scalar(0.5f32)))) {
+            let _e17 = self.v_refine_none(path_34, found_11, params_29);
             return _e17;
         }
         let half = (rt::Scalar(0.5f32) / speed_1);
         let backward = (rt::Scalar(found_11.far) - half).max(rt::Scalar(0f32));
-        let forward_2 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_32.exit));
-        let _e28 = self.v_path_gap(path_32, backward);
+        let forward_2 = (rt::Scalar(found_11.far) + half).min(rt::Scalar(path_34.exit));
+        let _e28 = self.v_path_gap(path_34, backward);
         let before_1 = _e28.abs();
-        let _e30 = self.v_path_gap(path_32, forward_2);
+        let _e30 = self.v_path_gap(path_34, forward_2);
         let behind_1 = _e30.abs();
         if rt::Scalar::into_branch_condition((before_1 + behind_1).elementwise_gt(rt::Scalar(0f32))) {
             part_3 = (before_1 / (before_1 + behind_1));
         }
         let cost_22 = ((found_11.cost + HEIGHTS_READ) + HEIGHTS_READ);
         let _e45 = part_3;
-        let _e49 = self.v_hit_on_path(path_32, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
+        let _e49 = self.v_hit_on_path(path_34, (backward + ((forward_2 - backward) * _e45)), rt::Scalar(0u32), cost_22);
         return _e49;
     }
-    pub(crate) fn refine_stage(&self, path_33: Path, found_12: Found) -> Hit {
-        rt::into(self.v_refine_stage(path_33, found_12))
+    pub(crate) fn refine_stage(&self, path_35: Path, found_12: Found) -> Hit {
+        rt::into(self.v_refine_stage(path_35, found_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_refine_stage(&self, path_33: Path, found_12: Found) -> Hit {
+    fn v_refine_stage(&self, path_35: Path, found_12: Found) -> Hit {
         let _e6 = rt::Scalar(self.surface_settings.choices[3usize].number);
         match rt::Scalar::into_inner(_e6) {
             0u32 => {
                 let _e11 = self.surface_settings.choices[3usize].params;
-                let _e12 = self.v_refine_none(path_33, found_12, _e11);
+                let _e12 = self.v_refine_none(path_35, found_12, _e11);
                 return _e12;
             }
             1u32 => {
                 let _e17 = self.surface_settings.choices[3usize].params;
-                let _e18 = self.v_refine_offset(path_33, found_12, _e17);
+                let _e18 = self.v_refine_offset(path_35, found_12, _e17);
                 return _e18;
             }
             2u32 => {
                 let _e23 = self.surface_settings.choices[3usize].params;
-                let _e24 = self.v_refine_offset_limited(path_33, found_12, _e23);
+                let _e24 = self.v_refine_offset_limited(path_35, found_12, _e23);
                 return _e24;
             }
             3u32 => {
                 let _e29 = self.surface_settings.choices[3usize].params;
-                let _e30 = self.v_refine_slope(path_33, found_12, _e29);
+                let _e30 = self.v_refine_slope(path_35, found_12, _e29);
                 return _e30;
             }
             4u32 => {
                 let _e35 = self.surface_settings.choices[3usize].params;
-                let _e36 = self.v_refine_slope_iterative(path_33, found_12, _e35);
+                let _e36 = self.v_refine_slope_iterative(path_35, found_12, _e35);
                 return _e36;
             }
             5u32 => {
                 let _e41 = self.surface_settings.choices[3usize].params;
-                let _e42 = self.v_refine_binary(path_33, found_12, _e41);
+                let _e42 = self.v_refine_binary(path_35, found_12, _e41);
                 return _e42;
             }
             6u32 => {
                 let _e47 = self.surface_settings.choices[3usize].params;
-                let _e48 = self.v_refine_secant(path_33, found_12, _e47);
+                let _e48 = self.v_refine_secant(path_35, found_12, _e47);
                 return _e48;
             }
             7u32 => {
                 let _e53 = self.surface_settings.choices[3usize].params;
-                let _e54 = self.v_refine_true_secant(path_33, found_12, _e53);
+                let _e54 = self.v_refine_true_secant(path_35, found_12, _e53);
                 return _e54;
             }
             8u32 => {
                 let _e59 = self.surface_settings.choices[3usize].params;
-                let _e60 = self.v_refine_patch(path_33, found_12, _e59);
+                let _e60 = self.v_refine_patch(path_35, found_12, _e59);
                 return _e60;
             }
             _ => {
                 let _e65 = self.surface_settings.choices[3usize].params;
-                let _e66 = self.v_refine_half_texel(path_33, found_12, _e65);
+                let _e66 = self.v_refine_half_texel(path_35, found_12, _e65);
                 return _e66;
             }
         }
     }
     pub(crate) fn search_none(
         &self,
-        path_34: Path,
-        params_26: impl rt::Into<rt::Vec4<f32>>,
+        path_36: Path,
+        params_30: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_none(path_34, rt::into(params_26)))
+        rt::into(self.v_search_none(path_36, rt::into(params_30)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_none(
         &self,
-        path_34: Path,
-        params_26: rt::Vec4<f32>,
+        path_36: Path,
+        params_30: rt::Vec4<f32>,
     ) -> Found {
-        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_34.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
+        return <Found>::new(FOUND_UNBRACKETED, rt::Scalar(0f32), rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), NO_COST);
     }
     pub(crate) fn search_linear(
         &self,
-        path_35: Path,
-        params_27: impl rt::Into<rt::Vec4<f32>>,
+        path_37: Path,
+        params_31: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_linear(path_35, rt::into(params_27)))
+        rt::into(self.v_search_linear(path_37, rt::into(params_31)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_linear(
         &self,
-        path_35: Path,
-        params_27: rt::Vec4<f32>,
+        path_37: Path,
+        params_31: rt::Vec4<f32>,
     ) -> Found {
         let mut near_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_2: rt::Scalar<f32>;
         let mut cost_9: rt::Vec3<u32> = HEIGHTS_READ;
-        let mut k_10: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_12: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let cosine_5 = (path_35.h.y().abs() * path_35.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
-        let steps = rt::Scalar(1f32).max(((params_27.x() * params_27.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_35.share)).ceil());
-        let _e24 = self.v_path_gap(path_35, rt::Scalar(0f32));
+        let cosine_5 = (path_37.h.y().abs() * path_37.metric.w()).clamp(rt::Scalar(0f32), rt::Scalar(1f32));
+        let steps = rt::Scalar(1f32).max(((params_31.x() * params_31.y().mix_scalar(rt::Scalar(1f32), cosine_5)) * rt::Scalar(path_37.share)).ceil());
+        let _e24 = self.v_path_gap(path_37, rt::Scalar(0f32));
         near_gap_2 = _e24;
         let _e28 = near_gap_2;
         if rt::Scalar::into_branch_condition(_e28.elementwise_lt(rt::Scalar(0f32))) {
@@ -4522,7 +5257,7 @@ impl<'g> Resources<'g> {
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e40 = k_10;
+                let _e40 = k_12;
                 if rt::Scalar::into_branch_condition(_e40.elementwise_le(steps)) {
                 } else {
                     break 'naga_break;
@@ -4530,21 +5265,21 @@ impl<'g> Resources<'g> {
                 {
                     let _e42 = cost_9;
                     cost_9 = (_e42 + STEP);
-                    let _e46 = k_10;
-                    let t_31 = (rt::Scalar(path_35.exit) * (_e46 / steps));
-                    let _e49 = self.v_path_gap(path_35, t_31);
+                    let _e46 = k_12;
+                    let t_35 = (rt::Scalar(path_37.exit) * (_e46 / steps));
+                    let _e49 = self.v_path_gap(path_37, t_35);
                     let _e50 = cost_9;
                     cost_9 = (_e50 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e49.elementwise_le(rt::Scalar(0f32))) {
                         let _e56 = near_4;
                         let _e57 = near_gap_2;
                         let _e58 = cost_9;
-                        return <Found>::new(FOUND_BRACKET, _e56, t_31, _e57, _e49, _e58);
+                        return <Found>::new(FOUND_BRACKET, _e56, t_35, _e57, _e49, _e58);
                     }
-                    near_4 = t_31;
+                    near_4 = t_35;
                     near_gap_2 = _e49;
-                    let _e60 = k_10;
-                    k_10 = (_e60 + rt::Scalar(1f32));
+                    let _e60 = k_12;
+                    k_12 = (_e60 + rt::Scalar(1f32));
                 }
             }
         }
@@ -4576,65 +5311,65 @@ impl<'g> Resources<'g> {
     pub(crate) fn found_in_cell(
         &self,
         c_3: impl rt::Into<rt::Vec3<f32>>,
-        t_16: impl rt::Into<rt::Scalar<f32>>,
+        t_20: impl rt::Into<rt::Scalar<f32>>,
         span_3: impl rt::Into<rt::Scalar<f32>>,
         first: impl rt::Into<rt::Scalar<bool>>,
         cost_10: impl rt::Into<rt::Vec3<u32>>,
     ) -> Found {
-        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_16), rt::into(span_3), rt::into(first), rt::into(cost_10)))
+        rt::into(self.v_found_in_cell(rt::into(c_3), rt::into(t_20), rt::into(span_3), rt::into(first), rt::into(cost_10)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_found_in_cell(
         &self,
         c_3: rt::Vec3<f32>,
-        t_16: rt::Scalar<f32>,
+        t_20: rt::Scalar<f32>,
         span_3: rt::Scalar<f32>,
         first: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_17: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_17 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_25 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_17 = rt::Scalar(false);
+                local_25 = rt::Scalar(false);
             }
-            let _e14 = local_17;
+            let _e14 = local_25;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_10);
             }
-            return <Found>::new(FOUND_BRACKET, t_16, t_16, c_3.x(), c_3.x(), cost_10);
+            return <Found>::new(FOUND_BRACKET, t_20, t_20, c_3.x(), c_3.x(), cost_10);
         }
         let _e25 = self.v_least_at(c_3, span_3);
         let _e26 = self.v_quadratic(c_3, _e25);
         if rt::Scalar::into_branch_condition(_e26.elementwise_le(rt::Scalar(0f32))) {
-            return <Found>::new(FOUND_BRACKET, t_16, (t_16 + _e25), c_3.x(), _e26, cost_10);
+            return <Found>::new(FOUND_BRACKET, t_20, (t_20 + _e25), c_3.x(), _e26, cost_10);
         }
         let _e36 = self.v_quadratic(c_3, span_3);
-        return <Found>::new(FOUND_ABOVE, t_16, (t_16 + span_3), c_3.x(), _e36, cost_10);
+        return <Found>::new(FOUND_ABOVE, t_20, (t_20 + span_3), c_3.x(), _e36, cost_10);
     }
     pub(crate) fn search_cells(
         &self,
-        path_36: Path,
-        params_28: impl rt::Into<rt::Vec4<f32>>,
+        path_38: Path,
+        params_32: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cells(path_36, rt::into(params_28)))
+        rt::into(self.v_search_cells(path_38, rt::into(params_32)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cells(
         &self,
-        path_36: Path,
-        params_28: rt::Vec4<f32>,
+        path_38: Path,
+        params_32: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_8: rt::Vec2<f32>;
-        let mut t_17: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_11: rt::Vec3<u32> = NO_COST;
 
-        let _e2 = self.v_grid_of(path_36);
+        let _e2 = self.v_grid_of(path_38);
         let _e4 = self.v_cell_of(_e2.origin);
         cell_8 = _e4;
-        let limit_1 = params_28.x().cast_elem_as_u32();
+        let limit_1 = params_32.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e13 = cost_11.x();
@@ -4647,37 +5382,37 @@ impl<'g> Resources<'g> {
                     cost_11 = (_e15 + STEP);
                     let _e18 = cell_8;
                     let _e19 = self.v_cell_leave(_e2, _e18);
-                    let end_2 = _e19.x().min(_e19.y()).min(rt::Scalar(path_36.exit));
+                    let end_3 = _e19.x().min(_e19.y()).min(rt::Scalar(path_38.exit));
                     let _e25 = cell_8;
-                    let _e26 = t_17;
-                    let _e27 = self.v_cell_gap(path_36, _e2, _e25, _e26);
+                    let _e26 = t_21;
+                    let _e27 = self.v_cell_gap(path_38, _e2, _e25, _e26);
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
-                    let _e31 = t_17;
-                    let span_6 = (end_2 - _e31).max(rt::Scalar(0f32));
-                    let _e35 = t_17;
+                    let _e31 = t_21;
+                    let span_6 = (end_3 - _e31).max(rt::Scalar(0f32));
+                    let _e35 = t_21;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
                     let _e41 = self.v_found_in_cell(_e27, _e35, span_6, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
-                    if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(path_36.exit))) {
-                        let _e48 = t_17;
+                    if rt::Scalar::into_branch_condition(end_3.elementwise_ge(rt::Scalar(path_38.exit))) {
+                        let _e48 = t_21;
                         let _e52 = cost_11;
-                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_36.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
+                        return <Found>::new(FOUND_MISS, _e48, rt::Scalar(path_38.exit), _e27.x(), rt::Scalar(_e41.far_gap), _e52);
                     }
                     let _e54 = cell_8;
                     let _e55 = self.v_cell_next(_e2, _e54, _e19);
                     cell_8 = _e55;
-                    let _e56 = t_17;
-                    t_17 = _e56.max(end_2);
+                    let _e56 = t_21;
+                    t_21 = _e56.max(end_3);
                 }
             }
         }
-        let _e59 = t_17;
+        let _e59 = t_21;
         let _e61 = cost_11;
-        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_36.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
+        return <Found>::new(FOUND_EXHAUSTED, _e59, rt::Scalar(path_38.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e61);
     }
     pub(crate) fn image_of(
         &self,
@@ -4692,14 +5427,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_3: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_18: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_18 = cell_9.elementwise_lt(n_3);
+            local_26 = cell_9.elementwise_lt(n_3);
         } else {
-            local_18 = rt::Scalar(false);
+            local_26 = rt::Scalar(false);
         }
-        let _e8 = local_18;
+        let _e8 = local_26;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -4723,52 +5458,52 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn frustum_slope(
         &self,
-        path_37: Path,
+        path_39: Path,
         cell_10: impl rt::Into<rt::Vec2<i32>>,
         forward_1: impl rt::Into<rt::Vec2<bool>>,
     ) -> f32 {
-        rt::into(self.v_frustum_slope(path_37, rt::into(cell_10), rt::into(forward_1)))
+        rt::into(self.v_frustum_slope(path_39, rt::into(cell_10), rt::into(forward_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_frustum_slope(
         &self,
-        path_37: Path,
+        path_39: Path,
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_19: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
 
-        let _e4 = self.v_height_texels(rt::Scalar(path_37.level));
+        let _e4 = self.v_height_texels(rt::Scalar(path_39.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_19 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_27 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_19 = rt::Scalar(true);
+            local_27 = rt::Scalar(true);
         }
-        let _e21 = local_19;
+        let _e21 = local_27;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
-        let _e29 = self.v_search_texel(path_37, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_37.level).cast_elem_as_i32());
+        let _e29 = self.v_search_texel(path_39, <rt::Vec2<i32>>::from_scalars(_e7.x(), _e10.x()), rt::Scalar(0i32), rt::Scalar(path_39.level).cast_elem_as_i32());
         let right_1 = forward_1.x().elementwise_eq(_e7.y().elementwise_eq(rt::Scalar(0i32)));
         let down = forward_1.y().elementwise_eq(_e10.y().elementwise_eq(rt::Scalar(0i32)));
         return _e29.w().select(_e29.z(), right_1).select(_e29.y().select(_e29.x(), right_1), down);
     }
     pub(crate) fn map_read(
         &self,
-        path_38: Path,
+        path_40: Path,
         texels_3: impl rt::Into<rt::Scalar<u32>>,
     ) -> rt::Vec3<u32> {
-        rt::into(self.v_map_read(path_38, rt::into(texels_3)))
+        rt::into(self.v_map_read(path_40, rt::into(texels_3)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_map_read(
         &self,
-        path_38: Path,
+        path_40: Path,
         texels_3: rt::Scalar<u32>,
     ) -> rt::Vec3<u32> {
-        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_38.ray).elementwise_eq(RAY_SHADOW));
+        let slot = SLOT_SEARCH.select(SLOT_SHADOW_SEARCH, rt::Scalar(path_40.ray).elementwise_eq(RAY_SHADOW));
         let _e14 = rt::Scalar(self.surface_settings.maps[rt::Scalar::into_array_index(slot)].texel_bytes);
         return <rt::Vec3<u32>>::from_scalars(rt::Scalar(1u32), rt::Scalar(0u32), (texels_3 * _e14));
     }
@@ -4810,29 +5545,29 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_frustum(
         &self,
-        path_39: Path,
-        params_29: impl rt::Into<rt::Vec4<f32>>,
+        path_41: Path,
+        params_33: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_frustum(path_39, rt::into(params_29)))
+        rt::into(self.v_search_frustum(path_41, rt::into(params_33)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_frustum(
         &self,
-        path_39: Path,
-        params_29: rt::Vec4<f32>,
+        path_41: Path,
+        params_33: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_11: rt::Vec2<f32>;
-        let mut t_18: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_20: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_39);
+        let _e2 = self.v_grid_of(path_41);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_11 = _e9;
-        let limit_2 = params_29.x().cast_elem_as_u32();
+        let limit_2 = params_33.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_12.x();
@@ -4844,55 +5579,55 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_12;
                     cost_12 = (_e20 + STEP);
                     let _e24 = cost_12.x();
-                    let first_3 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_4 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_11;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_39.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_41.level));
                     let _e31 = cost_12;
                     cost_12 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_11;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_3 = _e35.x().min(_e35.y()).min(rt::Scalar(path_39.exit));
-                    let _e41 = t_18;
-                    let span_7 = (end_3 - _e41).max(rt::Scalar(0f32));
+                    let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_41.exit));
+                    let _e41 = t_22;
+                    let span_7 = (end_4 - _e41).max(rt::Scalar(0f32));
                     let top_6 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
-                    let _e52 = t_18;
-                    let _e53 = self.v_path_height(path_39, _e52);
-                    let _e55 = t_18;
-                    let _e56 = self.v_path_slope(path_39, _e55);
-                    let above_5 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_39.h.z());
-                    let _e63 = t_18;
-                    let _e67 = t_18;
-                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_39.h.x().abs() + (_e63 * (path_39.h.y().abs() + (_e67 * path_39.h.z().abs())))));
-                    let _e77 = t_18;
-                    next_1 = _e77.max(end_3);
+                    let _e52 = t_22;
+                    let _e53 = self.v_path_height(path_41, _e52);
+                    let _e55 = t_22;
+                    let _e56 = self.v_path_slope(path_41, _e55);
+                    let above_6 = <rt::Vec3<f32>>::from_scalars((_e53 - top_6), _e56, path_41.h.z());
+                    let _e63 = t_22;
+                    let _e67 = t_22;
+                    let of_heights = (rt::Scalar(0.0000009536743f32) * (path_41.h.x().abs() + (_e63 * (path_41.h.y().abs() + (_e67 * path_41.h.z().abs())))));
+                    let _e77 = t_22;
+                    next_1 = _e77.max(end_4);
                     slope_2 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_5, span_7);
-                    let _e83 = self.v_quadratic(above_5, _e82);
+                    let _e82 = self.v_least_at(above_6, span_7);
+                    let _e83 = self.v_quadratic(above_6, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_20 = above_5.x().elementwise_gt(of_heights);
+                        local_28 = above_6.x().elementwise_gt(of_heights);
                     } else {
-                        local_20 = rt::Scalar(false);
+                        local_28 = rt::Scalar(false);
                     }
-                    let _e90 = local_20;
+                    let _e90 = local_28;
                     if rt::Scalar::into_branch_condition(_e90) {
-                        if rt::Scalar::into_branch_condition(end_3.elementwise_lt(rt::Scalar(path_39.exit))) {
+                        if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_41.exit))) {
                             let _e93 = cell_11;
-                            let _e95 = self.v_frustum_slope(path_39, _e93.cast_elem_as_i32(), forward_3);
+                            let _e95 = self.v_frustum_slope(path_41, _e93.cast_elem_as_i32(), forward_3);
                             slope_2 = _e95;
                             let _e96 = slope_2;
                             if rt::Scalar::into_branch_condition(_e96.elementwise_ge(rt::Scalar(0f32))) {
                                 let _e99 = cost_12;
-                                let _e101 = self.v_map_read(path_39, rt::Scalar(1u32));
+                                let _e101 = self.v_map_read(path_41, rt::Scalar(1u32));
                                 cost_12 = (_e99 + _e101);
                             }
                         }
                     } else {
                         let _e103 = cell_11;
-                        let _e104 = t_18;
-                        let _e105 = self.v_gap_to(path_39, _e2, _e103, _e30, _e104);
-                        let _e106 = t_18;
+                        let _e104 = t_22;
+                        let _e105 = self.v_gap_to(path_41, _e2, _e103, _e30, _e104);
+                        let _e106 = t_22;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_7, first_3, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_7, first_4, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
@@ -4900,28 +5635,28 @@ impl<'g> Resources<'g> {
                     let _e112 = slope_2;
                     if rt::Scalar::into_branch_condition(_e112.elementwise_ge(rt::Scalar(0f32))) {
                         let _e116 = cell_11;
-                        let _e119 = t_18;
-                        let at_67 = ((_e2.origin - _e116) + (_e2.step * _e119));
-                        let left_2 = at_67.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_67), forward_3);
-                        let _e131 = t_18;
+                        let _e119 = t_22;
+                        let at_78 = ((_e2.origin - _e116) + (_e2.step * _e119));
+                        let left_2 = at_78.select((<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)) - at_78), forward_3);
+                        let _e131 = t_22;
                         let far_4 = ((_e2.origin.abs() + (_e2.step.abs() * _e131)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)));
                         let _e139 = slope_2;
                         let lost_1 = (<rt::Vec2<f32>>::from_scalars(of_heights, of_heights) + ((rt::Scalar(0.0000009536743f32) * _e139) * far_4));
-                        let _e145 = t_18;
-                        let rest_4 = (rt::Scalar(path_39.exit) - _e145);
+                        let _e145 = t_22;
+                        let rest_4 = (rt::Scalar(path_41.exit) - _e145);
                         let _e147 = slope_2;
-                        let _e152 = self.v_stays_above(above_5, _e147, left_2.x(), _e2.step.x(), lost_1.x(), rest_4);
+                        let _e152 = self.v_stays_above(above_6, _e147, left_2.x(), _e2.step.x(), lost_1.x(), rest_4);
                         let _e153 = slope_2;
-                        let _e158 = self.v_stays_above(above_5, _e153, left_2.y(), _e2.step.y(), lost_1.y(), rest_4);
+                        let _e158 = self.v_stays_above(above_6, _e153, left_2.y(), _e2.step.y(), lost_1.y(), rest_4);
                         let _e159 = next_1;
-                        let _e160 = t_18;
+                        let _e160 = t_22;
                         next_1 = _e159.max((_e160 + _e152.min(_e158)));
                     }
                     let _e164 = next_1;
-                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_39.exit))) {
-                        let _e168 = t_18;
+                    if rt::Scalar::into_branch_condition(_e164.elementwise_ge(rt::Scalar(path_41.exit))) {
+                        let _e168 = t_22;
                         let _e170 = cost_12;
-                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
+                        return <Found>::new(FOUND_MISS, _e168, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e170);
                     }
                     let _e174 = slope_2;
                     if rt::Scalar::into_branch_condition(_e174.elementwise_ge(rt::Scalar(0f32))) {
@@ -4935,123 +5670,123 @@ impl<'g> Resources<'g> {
                         cell_11 = _e181;
                     }
                     let _e182 = next_1;
-                    t_18 = _e182;
+                    t_22 = _e182;
                 }
             }
         }
-        let _e184 = t_18;
+        let _e184 = t_22;
         let _e186 = cost_12;
-        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_39.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
+        return <Found>::new(FOUND_EXHAUSTED, _e184, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e186);
     }
-    pub(crate) fn nearest_corner(&self, at_28: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
-        rt::into(self.v_nearest_corner(rt::into(at_28)))
+    pub(crate) fn nearest_corner(&self, at_34: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec2<f32> {
+        rt::into(self.v_nearest_corner(rt::into(at_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_nearest_corner(&self, at_28: rt::Vec2<f32>) -> rt::Vec2<f32> {
-        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_28.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+    fn v_nearest_corner(&self, at_34: rt::Vec2<f32>) -> rt::Vec2<f32> {
+        return <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)).select(<rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32)), at_34.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
     }
     pub(crate) fn stays_inside(
         &self,
-        path_40: Path,
+        path_42: Path,
         grid_6: Grid,
         offset_1: impl rt::Into<rt::Vec2<f32>>,
         apex: impl rt::Into<rt::Scalar<f32>>,
         slope_3: impl rt::Into<rt::Scalar<f32>>,
-        t_19: impl rt::Into<rt::Scalar<f32>>,
+        t_23: impl rt::Into<rt::Scalar<f32>>,
     ) -> f32 {
-        rt::into(self.v_stays_inside(path_40, grid_6, rt::into(offset_1), rt::into(apex), rt::into(slope_3), rt::into(t_19)))
+        rt::into(self.v_stays_inside(path_42, grid_6, rt::into(offset_1), rt::into(apex), rt::into(slope_3), rt::into(t_23)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_stays_inside(
         &self,
-        path_40: Path,
+        path_42: Path,
         grid_6: Grid,
         offset_1: rt::Vec2<f32>,
         apex: rt::Scalar<f32>,
         slope_3: rt::Scalar<f32>,
-        t_19: rt::Scalar<f32>,
+        t_23: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_21: rt::Scalar<bool>;
-        let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
+        let mut local_29: rt::Scalar<bool>;
+        let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
-        let rest_5 = (rt::Scalar(path_40.exit) - t_19);
-        let _e8 = self.v_path_height(path_40, t_19);
-        let height_7 = (_e8 - apex);
-        let terms = (path_40.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_40.exit)) * path_40.h.z().abs()));
-        let _e21 = self.v_path_slope(path_40, t_19);
-        let rise_3 = ((_e21 + (path_40.h.z().min(rt::Scalar(0f32)) * rest_5)) - (rt::Scalar(0.0000009536743f32) * terms));
+        let rest_5 = (rt::Scalar(path_42.exit) - t_23);
+        let _e8 = self.v_path_height(path_42, t_23);
+        let height_10 = (_e8 - apex);
+        let terms = (path_42.h.y().abs() + ((rt::Scalar(2f32) * rt::Scalar(path_42.exit)) * path_42.h.z().abs()));
+        let _e21 = self.v_path_slope(path_42, t_23);
+        let rise_3 = ((_e21 + (path_42.h.z().min(rt::Scalar(0f32)) * rest_5)) - (rt::Scalar(0.0000009536743f32) * terms));
         most = rest_5;
         if rt::Scalar::into_branch_condition(rise_3.elementwise_lt(rt::Scalar(0f32))) {
             let _e34 = most;
-            most = _e34.min((height_7 / (rt::Scalar(0f32) - rise_3)));
+            most = _e34.min((height_10 / (rt::Scalar(0f32) - rise_3)));
         }
         let _e39 = most;
-        let end_4 = (t_19 + _e39);
-        let _e52 = self.v_height_size(rt::Scalar(path_40.level));
-        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_4)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
-        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_40.h.x().abs() + (end_4 * (path_40.h.y().abs() + (end_4 * path_40.h.z().abs())))));
+        let end_5 = (t_23 + _e39);
+        let _e52 = self.v_height_size(rt::Scalar(path_42.level));
+        let far_5 = (((grid_6.origin.abs() + (grid_6.step.abs() * end_5)) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e52);
+        let of_heights_1 = (rt::Scalar(0.0000009536743f32) * (path_42.h.x().abs() + (end_5 * (path_42.h.y().abs() + (end_5 * path_42.h.z().abs())))));
         let lost_2 = (of_heights_1 + ((rt::Scalar(0.0000009536743f32) * slope_3) * (far_5.x() + far_5.y())));
-        let gap_2 = (height_7 - (rt::Scalar(2f32) * lost_2));
-        let _e85 = self.v_height_size(rt::Scalar(path_40.level));
-        let aside_2 = (((grid_6.origin - offset_1) + (grid_6.step * t_19)) / _e85);
-        let c_7 = (((slope_3 * aside_2.length()) - gap_2) * ((slope_3 * aside_2.length()) + gap_2));
+        let gap_2 = (height_10 - (rt::Scalar(2f32) * lost_2));
+        let _e85 = self.v_height_size(rt::Scalar(path_42.level));
+        let aside_4 = (((grid_6.origin - offset_1) + (grid_6.step * t_23)) / _e85);
+        let c_8 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_21 = c_7.elementwise_ge(rt::Scalar(0f32));
+            local_29 = c_8.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_21 = rt::Scalar(true);
+            local_29 = rt::Scalar(true);
         }
-        let _e102 = local_21;
+        let _e102 = local_29;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
-        let b_8 = (((slope_3 * slope_3) * aside_2.dot(path_40.duv)) - (gap_2 * rise_3));
-        let a_10 = (((slope_3 * slope_3) * path_40.duv.dot(path_40.duv)) - (rise_3 * rise_3));
-        let discriminant_1 = ((b_8 * b_8) - (a_10 * c_7));
-        if rt::Scalar::into_branch_condition(discriminant_1.elementwise_ge(rt::Scalar(0f32))) {
-            let root_1 = discriminant_1.sqrt();
-            if rt::Scalar::into_branch_condition(b_8.elementwise_ge(rt::Scalar(0f32))) {
-                leave_4 = ((rt::Scalar(0f32) - c_7) / (b_8 + root_1));
+        let b_9 = (((slope_3 * slope_3) * aside_4.dot(path_42.duv)) - (gap_2 * rise_3));
+        let a_10 = (((slope_3 * slope_3) * path_42.duv.dot(path_42.duv)) - (rise_3 * rise_3));
+        let discriminant_2 = ((b_9 * b_9) - (a_10 * c_8));
+        if rt::Scalar::into_branch_condition(discriminant_2.elementwise_ge(rt::Scalar(0f32))) {
+            let root_3 = discriminant_2.sqrt();
+            if rt::Scalar::into_branch_condition(b_9.elementwise_ge(rt::Scalar(0f32))) {
+                leave_6 = ((rt::Scalar(0f32) - c_8) / (b_9 + root_3));
             } else {
                 if rt::Scalar::into_branch_condition(a_10.elementwise_gt(rt::Scalar(0f32))) {
-                    leave_4 = ((root_1 - b_8) / a_10);
+                    leave_6 = ((root_3 - b_9) / a_10);
                 }
             }
         }
-        let _e135 = leave_4;
+        let _e135 = leave_6;
         let _e136 = most;
-        leave_4 = _e135.min(_e136);
-        let _e139 = leave_4;
-        let _e145 = leave_4;
-        if rt::Scalar::into_branch_condition(((slope_3 * (aside_2 + (path_40.duv * _e139)).length()) + lost_2).elementwise_le((height_7 + (rise_3 * _e145)))) {
-            let _e149 = leave_4;
+        leave_6 = _e135.min(_e136);
+        let _e139 = leave_6;
+        let _e145 = leave_6;
+        if rt::Scalar::into_branch_condition(((slope_3 * (aside_4 + (path_42.duv * _e139)).length()) + lost_2).elementwise_le((height_10 + (rise_3 * _e145)))) {
+            let _e149 = leave_6;
             return _e149;
         }
         return rt::Scalar(0f32);
     }
     pub(crate) fn search_cone(
         &self,
-        path_41: Path,
-        params_30: impl rt::Into<rt::Vec4<f32>>,
+        path_43: Path,
+        params_34: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone(path_41, rt::into(params_30)))
+        rt::into(self.v_search_cone(path_43, rt::into(params_34)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone(
         &self,
-        path_41: Path,
-        params_30: rt::Vec4<f32>,
+        path_43: Path,
+        params_34: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_12: rt::Vec2<f32>;
-        let mut t_20: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_13: rt::Vec3<u32> = NO_COST;
         let mut next_2: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_41);
+        let _e2 = self.v_grid_of(path_43);
         let forward_4 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_12 = _e9;
-        let limit_3 = params_30.x().cast_elem_as_u32();
+        let limit_3 = params_34.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = cost_13.x();
@@ -5063,71 +5798,71 @@ impl<'g> Resources<'g> {
                     let _e20 = cost_13;
                     cost_13 = (_e20 + STEP);
                     let _e24 = cost_13.x();
-                    let first_4 = _e24.elementwise_eq(rt::Scalar(0u32));
+                    let first_5 = _e24.elementwise_eq(rt::Scalar(0u32));
                     let _e27 = cell_12;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_41.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_43.level));
                     let _e31 = cost_13;
                     cost_13 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_12;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_5 = _e35.x().min(_e35.y()).min(rt::Scalar(path_41.exit));
-                    let _e41 = t_20;
-                    let span_8 = (end_5 - _e41).max(rt::Scalar(0f32));
+                    let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_43.exit));
+                    let _e41 = t_24;
+                    let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
-                    let _e49 = t_20;
-                    let at_68 = ((_e2.origin - _e46) + (_e2.step * _e49));
-                    let _e52 = self.v_nearest_corner(at_68);
+                    let _e49 = t_24;
+                    let at_79 = ((_e2.origin - _e46) + (_e2.step * _e49));
+                    let _e52 = self.v_nearest_corner(at_79);
                     let _e53 = self.v_corner_height(_e30, _e52);
-                    let _e54 = t_20;
+                    let _e54 = t_24;
                     next_2 = _e54;
-                    let _e56 = t_20;
-                    let _e57 = self.v_path_height(path_41, _e56);
+                    let _e56 = t_24;
+                    let _e57 = self.v_path_height(path_43, _e56);
                     if rt::Scalar::into_branch_condition(_e57.elementwise_gt(_e53)) {
                         let _e59 = cell_12;
                         let texel_7 = (_e59 + _e52);
-                        let _e61 = self.v_cone_slope(path_41, texel_7);
+                        let _e61 = self.v_cone_slope(path_43, texel_7);
                         let _e62 = cost_13;
-                        let _e64 = self.v_map_read(path_41, rt::Scalar(1u32));
+                        let _e64 = self.v_map_read(path_43, rt::Scalar(1u32));
                         cost_13 = (_e62 + _e64);
                         if rt::Scalar::into_branch_condition(_e61.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e68 = t_20;
-                            let _e69 = t_20;
-                            let _e70 = self.v_stays_inside(path_41, _e2, texel_7, _e53, _e61, _e69);
+                            let _e68 = t_24;
+                            let _e69 = t_24;
+                            let _e70 = self.v_stays_inside(path_43, _e2, texel_7, _e53, _e61, _e69);
                             next_2 = (_e68 + _e70);
                         }
                     }
                     let _e72 = next_2;
-                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_5)) {
+                    if rt::Scalar::into_branch_condition(_e72.elementwise_lt(end_6)) {
                         let _e74 = cell_12;
-                        let _e75 = t_20;
-                        let _e76 = self.v_gap_to(path_41, _e2, _e74, _e30, _e75);
-                        let _e77 = t_20;
+                        let _e75 = t_24;
+                        let _e76 = self.v_gap_to(path_43, _e2, _e74, _e30, _e75);
+                        let _e77 = t_24;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_8, first_4, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_8, first_5, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
-                        let _e83 = t_20;
-                        next_2 = _e83.max(end_5);
+                        let _e83 = t_24;
+                        next_2 = _e83.max(end_6);
                     }
                     let _e85 = next_2;
-                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_41.exit))) {
-                        let _e89 = t_20;
+                    if rt::Scalar::into_branch_condition(_e85.elementwise_ge(rt::Scalar(path_43.exit))) {
+                        let _e89 = t_24;
                         let _e91 = cost_13;
-                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
+                        return <Found>::new(FOUND_MISS, _e89, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e91);
                     }
                     let _e95 = cell_12;
                     let _e96 = next_2;
                     let _e97 = self.v_cell_after(_e2, _e95, _e35, forward_4, _e96);
                     cell_12 = _e97;
                     let _e98 = next_2;
-                    t_20 = _e98;
+                    t_24 = _e98;
                 }
             }
         }
-        let _e100 = t_20;
+        let _e100 = t_24;
         let _e102 = cost_13;
-        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_41.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
+        return <Found>::new(FOUND_EXHAUSTED, _e100, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e102);
     }
     pub(crate) fn node_extent(
         &self,
@@ -5146,25 +5881,25 @@ impl<'g> Resources<'g> {
         n_4: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_22: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
-        let first_5 = ((image.x() >> level_16) << level_16);
+        let first_6 = ((image.x() >> level_16) << level_16);
         let side_3 = (rt::Scalar(1i32) << level_16);
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(0i32))) {
-            let low_1 = (cell_13 - (image.x() - first_5));
-            return <rt::Vec2<i32>>::from_scalars(low_1, (low_1 + side_3.min((n_4 - first_5))));
+            let low_1 = (cell_13 - (image.x() - first_6));
+            return <rt::Vec2<i32>>::from_scalars(low_1, (low_1 + side_3.min((n_4 - first_6))));
         }
         if rt::Scalar::into_branch_condition(image.y().elementwise_eq(rt::Scalar(1i32))) {
-            let high = ((cell_13 + (image.x() - first_5)) + rt::Scalar(1i32));
-            return <rt::Vec2<i32>>::from_scalars((high - side_3.min(((n_4 - rt::Scalar(1i32)) - first_5))), high);
+            let high = ((cell_13 + (image.x() - first_6)) + rt::Scalar(1i32));
+            return <rt::Vec2<i32>>::from_scalars((high - side_3.min(((n_4 - rt::Scalar(1i32)) - first_6))), high);
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_22 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_30 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_22 = rt::Scalar(false);
+            local_30 = rt::Scalar(false);
         }
-        let _e43 = local_22;
+        let _e43 = local_30;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_13.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_4)));
         }
@@ -5195,31 +5930,31 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn search_pyramid(
         &self,
-        path_42: Path,
-        params_31: impl rt::Into<rt::Vec4<f32>>,
+        path_44: Path,
+        params_35: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid(path_42, rt::into(params_31)))
+        rt::into(self.v_search_pyramid(path_44, rt::into(params_35)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid(
         &self,
-        path_42: Path,
-        params_31: rt::Vec4<f32>,
+        path_44: Path,
+        params_35: rt::Vec4<f32>,
     ) -> Found {
         let mut top: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut level_17: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut cell_14: rt::Vec2<i32>;
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
-        let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_23: rt::Scalar<bool>;
-        let mut local_24: rt::Scalar<bool>;
-        let mut local_25: rt::Scalar<bool>;
-        let mut local_26: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_42);
-        let _e4 = self.v_height_texels(rt::Scalar(path_42.level));
-        let long_2 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_42.exit));
+        let _e2 = self.v_grid_of(path_44);
+        let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
+        let long_3 = (_e2.step.x().abs().max(_e2.step.y().abs()) * rt::Scalar(path_44.exit));
         'naga_break: loop {
             'naga_continue: {
                 let _e18 = top;
@@ -5231,7 +5966,7 @@ impl<'g> Resources<'g> {
                     let _e25 = top;
                     top = (_e25 + rt::Scalar(1u32));
                     let _e28 = level_17;
-                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long_2)) {
+                    if rt::Scalar::into_branch_condition((rt::Scalar(1i32) << _e28).cast_elem_as_f32().elementwise_lt(long_3)) {
                         let _e33 = level_17;
                         level_17 = (_e33 + rt::Scalar(1u32));
                     }
@@ -5240,7 +5975,7 @@ impl<'g> Resources<'g> {
         }
         let _e37 = self.v_cell_of(_e2.origin);
         cell_14 = _e37.cast_elem_as_i32();
-        let limit_4 = params_31.x().cast_elem_as_u32();
+        let limit_4 = params_35.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e51 = cost_14.x();
@@ -5258,30 +5993,30 @@ impl<'g> Resources<'g> {
                     let place_9 = <rt::Vec2<i32>>::from_scalars(_e59.x(), _e63.x());
                     let _e67 = level_17;
                     let above_level = (_e67 + rt::Scalar(1u32));
-                    let over = <rt::Vec2<i32>>::from_scalars((place_9.x() >> above_level), (place_9.y() >> above_level));
+                    let over_1 = <rt::Vec2<i32>>::from_scalars((place_9.x() >> above_level), (place_9.y() >> above_level));
                     let _e76 = parent.x();
                     if rt::Scalar::into_branch_condition(_e76.elementwise_ge(rt::Scalar(0i32))) {
                         let _e82 = parent.x();
-                        if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over.x()))) {
+                        if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_24 = _e89.elementwise_ne(over.y());
+                            local_32 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_24 = rt::Scalar(true);
+                            local_32 = rt::Scalar(true);
                         }
-                        let _e93 = local_24;
-                        local_23 = _e93;
+                        let _e93 = local_32;
+                        local_31 = _e93;
                     } else {
-                        local_23 = rt::Scalar(false);
+                        local_31 = rt::Scalar(false);
                     }
-                    let left_3 = local_23;
+                    let left_3 = local_31;
                     if rt::Scalar::into_branch_condition(left_3) {
                         let _e98 = level_17;
                         let _e99 = top;
-                        local_25 = _e98.elementwise_lt(_e99);
+                        local_33 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_25 = rt::Scalar(false);
+                        local_33 = rt::Scalar(false);
                     }
-                    let _e102 = local_25;
+                    let _e102 = local_33;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
@@ -5293,22 +6028,22 @@ impl<'g> Resources<'g> {
                     let _e112 = self.v_node_extent(_e109, _e63, _e4.y(), _e111);
                     let _e117 = self.v_leaves_extent(_e2.origin.x(), _e2.step.x(), _e107);
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
-                    let end_6 = _e117.min(_e122).min(rt::Scalar(path_42.exit));
-                    let _e126 = t_21;
-                    let span_9 = (end_6 - _e126).max(rt::Scalar(0f32));
+                    let end_7 = _e117.min(_e122).min(rt::Scalar(path_44.exit));
+                    let _e126 = t_25;
+                    let span_9 = (end_7 - _e126).max(rt::Scalar(0f32));
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
-                    let last_2 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
+                    let last_3 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_17;
                     if rt::Scalar::into_branch_condition(_e140.elementwise_eq(rt::Scalar(0u32))) {
                         let _e143 = cost_14;
                         cost_14 = (_e143 + HEIGHTS_READ);
                         let _e146 = cell_14;
                         let _e148 = cell_14;
-                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_42.level));
-                        let _e151 = t_21;
-                        let _e152 = self.v_gap_to(path_42, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
-                        let _e153 = t_21;
-                        let _e154 = t_21;
+                        let _e150 = self.v_height_cell(_e148, rt::Scalar(path_44.level));
+                        let _e151 = t_25;
+                        let _e152 = self.v_gap_to(path_44, _e2, _e146.cast_elem_as_f32(), _e150, _e151);
+                        let _e153 = t_25;
+                        let _e154 = t_25;
                         let _e157 = cost_14;
                         let _e158 = self.v_found_in_cell(_e152, _e153, span_9, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
@@ -5316,69 +6051,69 @@ impl<'g> Resources<'g> {
                         }
                     } else {
                         let _e162 = cost_14;
-                        let _e164 = self.v_map_read(path_42, rt::Scalar(1u32));
+                        let _e164 = self.v_map_read(path_44, rt::Scalar(1u32));
                         cost_14 = (_e162 + _e164);
                         let _e167 = level_17;
                         let _e170 = level_17;
                         let node = <rt::Vec2<i32>>::from_scalars((place_9.x() >> _e167), (place_9.y() >> _e170));
                         let _e174 = level_17;
-                        let _e180 = self.v_search_texel(path_42, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_42.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e180 = self.v_search_texel(path_44, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_44.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
-                        let _e182 = t_21;
+                        let _e182 = t_25;
                         let furthest = (_e182 + span_9);
-                        let rounded = (path_42.h.x().abs() + (furthest * (path_42.h.y().abs() + (furthest * path_42.h.z().abs()))));
-                        let _e197 = t_21;
-                        let _e198 = self.v_path_height(path_42, _e197);
-                        let _e203 = t_21;
-                        let _e204 = self.v_path_slope(path_42, _e203);
-                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_42.h.z());
+                        let rounded = (path_44.h.x().abs() + (furthest * (path_44.h.y().abs() + (furthest * path_44.h.z().abs()))));
+                        let _e197 = t_25;
+                        let _e198 = self.v_path_height(path_44, _e197);
+                        let _e203 = t_25;
+                        let _e204 = self.v_path_slope(path_44, _e203);
+                        let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_44.h.z());
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_9);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_26 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_34 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_26 = rt::Scalar(true);
+                            local_34 = rt::Scalar(true);
                         }
-                        let _e219 = local_26;
+                        let _e219 = local_34;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
-                                let _e223 = t_21;
+                                let _e223 = t_25;
                                 let _e224 = self.v_first_root(gap_3, span_9);
-                                t_21 = (_e223 + _e224.min(span_9));
+                                t_25 = (_e223 + _e224.min(span_9));
                             }
-                            let _e229 = t_21;
+                            let _e229 = t_25;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
-                            cell_14 = _e232.cast_elem_as_i32().clamp(low_2, last_2);
+                            cell_14 = _e232.cast_elem_as_i32().clamp(low_2, last_3);
                             let _e235 = level_17;
                             level_17 = (_e235 - rt::Scalar(1u32));
                             parent = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
                             break 'naga_continue;
                         }
                     }
-                    if rt::Scalar::into_branch_condition(end_6.elementwise_ge(rt::Scalar(path_42.exit))) {
-                        let _e244 = t_21;
+                    if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_44.exit))) {
+                        let _e244 = t_25;
                         let _e246 = cost_14;
-                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
+                        return <Found>::new(FOUND_MISS, _e244, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e246);
                     }
-                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_6)));
-                    cell_14 = _e254.cast_elem_as_i32().clamp(low_2, last_2);
-                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_6)) {
+                    let _e254 = self.v_cell_of((_e2.origin + (_e2.step * end_7)));
+                    cell_14 = _e254.cast_elem_as_i32().clamp(low_2, last_3);
+                    if rt::Scalar::into_branch_condition(_e117.elementwise_le(end_7)) {
                         cell_14.set_x((low_2.x() - rt::Scalar(1i32)).select(_e107.y(), _e2.step.x().elementwise_gt(rt::Scalar(0f32))));
                     }
-                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_6)) {
+                    if rt::Scalar::into_branch_condition(_e122.elementwise_le(end_7)) {
                         cell_14.set_y((low_2.y() - rt::Scalar(1i32)).select(_e112.y(), _e2.step.y().elementwise_gt(rt::Scalar(0f32))));
                     }
                     let _e280 = level_17;
                     let _e285 = level_17;
                     parent = <rt::Vec2<i32>>::from_scalars((place_9.x() >> (_e280 + rt::Scalar(1u32))), (place_9.y() >> (_e285 + rt::Scalar(1u32))));
-                    let _e290 = t_21;
-                    t_21 = _e290.max(end_6);
+                    let _e290 = t_25;
+                    t_25 = _e290.max(end_7);
                 }
             }
         }
-        let _e293 = t_21;
+        let _e293 = t_25;
         let _e295 = cost_14;
-        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_42.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
+        return <Found>::new(FOUND_EXHAUSTED, _e293, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e295);
     }
     pub(crate) fn texel_extent(
         &self,
@@ -5395,58 +6130,58 @@ impl<'g> Resources<'g> {
         n_5: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
-        let first_6 = ((_e3 >> level_18) << level_18);
-        let last_3 = (first_6 + (rt::Scalar(1i32) << level_18)).min(n_5);
+        let first_7 = ((_e3 >> level_18) << level_18);
+        let last_4 = (first_7 + (rt::Scalar(1i32) << level_18)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_27 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_35 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_27 = rt::Scalar(true);
+            local_35 = rt::Scalar(true);
         }
-        let _e20 = local_27;
+        let _e20 = local_35;
         if rt::Scalar::into_branch_condition(_e20) {
-            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_6), ((texel_2 - _e3) + last_3));
+            return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_4));
         }
         let _e28 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e28.elementwise_eq(WRAP_MIRROR)) {
             let period_2 = (rt::Scalar(2i32) * n_5);
             let folded_2 = (((texel_2 % period_2) + period_2) % period_2);
             if rt::Scalar::into_branch_condition(folded_2.elementwise_lt(n_5)) {
-                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_6), ((texel_2 - _e3) + last_3));
+                return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_4));
             }
-            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_3) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_6) + rt::Scalar(1i32)));
+            return <rt::Vec2<i32>>::from_scalars((((texel_2 + _e3) - last_4) + rt::Scalar(1i32)), (((texel_2 + _e3) - first_7) + rt::Scalar(1i32)));
         }
         return <rt::Vec2<i32>>::from_scalars(texel_2, (texel_2 + rt::Scalar(1i32)));
     }
     pub(crate) fn search_pyramid_texels(
         &self,
-        path_43: Path,
-        params_32: impl rt::Into<rt::Vec4<f32>>,
+        path_45: Path,
+        params_36: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_pyramid_texels(path_43, rt::into(params_32)))
+        rt::into(self.v_search_pyramid_texels(path_45, rt::into(params_36)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_pyramid_texels(
         &self,
-        path_43: Path,
-        params_32: rt::Vec4<f32>,
+        path_45: Path,
+        params_36: rt::Vec4<f32>,
     ) -> Found {
         let mut level_19: rt::Scalar<u32> = rt::Scalar(0u32);
         let mut texel_3: rt::Vec2<i32>;
-        let mut t_22: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_15: rt::Vec3<u32> = NO_COST;
         let mut finest_1: rt::Scalar<u32>;
         let mut highest: rt::Scalar<f32>;
         let mut sinks: rt::Scalar<f32>;
 
-        let _e3 = self.v_height_texels(rt::Scalar(path_43.level));
-        let _e6 = self.v_height_size(rt::Scalar(path_43.level));
-        let origin_5 = (path_43.uv * _e6);
-        let _e10 = self.v_height_size(rt::Scalar(path_43.level));
-        let step_3 = (path_43.duv * _e10);
+        let _e3 = self.v_height_texels(rt::Scalar(path_45.level));
+        let _e6 = self.v_height_size(rt::Scalar(path_45.level));
+        let origin_5 = (path_45.uv * _e6);
+        let _e10 = self.v_height_size(rt::Scalar(path_45.level));
+        let step_3 = (path_45.duv * _e10);
         'naga_break: loop {
             'naga_continue: {
                 let _e14 = level_19;
@@ -5462,10 +6197,10 @@ impl<'g> Resources<'g> {
         }
         let _e24 = self.v_cell_of(origin_5);
         texel_3 = _e24.cast_elem_as_i32();
-        let limit_5 = params_32.x().cast_elem_as_u32();
+        let limit_5 = params_36.x().cast_elem_as_u32();
         let _e35 = level_19;
-        finest_1 = params_32.y().cast_elem_as_u32().min(_e35);
-        if rt::Scalar::into_branch_condition(rt::Scalar(path_43.ray).elementwise_eq(RAY_SHADOW)) {
+        finest_1 = params_36.y().cast_elem_as_u32().min(_e35);
+        if rt::Scalar::into_branch_condition(rt::Scalar(path_45.ray).elementwise_eq(RAY_SHADOW)) {
             finest_1 = rt::Scalar(0u32);
         }
         'naga_break: loop {
@@ -5495,10 +6230,10 @@ impl<'g> Resources<'g> {
                         let _e73 = level_19;
                         let node_1 = <rt::Vec2<i32>>::from_scalars((place_10.x() >> _e70), (place_10.y() >> _e73));
                         let _e76 = cost_15;
-                        let _e78 = self.v_map_read(path_43, rt::Scalar(1u32));
+                        let _e78 = self.v_map_read(path_45, rt::Scalar(1u32));
                         cost_15 = (_e76 + _e78);
                         let _e81 = level_19;
-                        let _e85 = self.v_search_texel(path_43, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
+                        let _e85 = self.v_search_texel(path_45, node_1, rt::Scalar(0i32), (_e81.cast_elem_as_i32() - rt::Scalar(1i32)));
                         highest = _e85.y();
                     }
                     let _e88 = texel_3.x();
@@ -5509,62 +6244,62 @@ impl<'g> Resources<'g> {
                     let _e96 = self.v_texel_extent(_e93, _e3.y(), _e95);
                     let _e99 = self.v_leaves_extent(origin_5.x(), step_3.x(), _e91);
                     let _e102 = self.v_leaves_extent(origin_5.y(), step_3.y(), _e96);
-                    let leave_5 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
-                    let _e109 = t_22;
-                    let end_7 = leave_5.x().min(leave_5.y()).min(rt::Scalar(path_43.exit)).max(_e109);
-                    let _e111 = t_22;
-                    let _e112 = self.v_path_height(path_43, _e111);
+                    let leave_7 = <rt::Vec2<f32>>::from_scalars(_e99, _e102);
+                    let _e109 = t_26;
+                    let end_8 = leave_7.x().min(leave_7.y()).min(rt::Scalar(path_45.exit)).max(_e109);
+                    let _e111 = t_26;
+                    let _e112 = self.v_path_height(path_45, _e111);
                     let _e113 = highest;
-                    let _e115 = t_22;
-                    let _e116 = self.v_path_slope(path_43, _e115);
-                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_43.h.z());
+                    let _e115 = t_26;
+                    let _e116 = self.v_path_slope(path_45, _e115);
+                    let gap_4 = <rt::Vec3<f32>>::from_scalars((_e112 - _e113), _e116, path_45.h.z());
                     sinks = rt::Scalar(0f32);
                     if rt::Scalar::into_branch_condition(gap_4.x().elementwise_gt(rt::Scalar(0f32))) {
-                        let _e125 = t_22;
-                        let _e127 = self.v_first_root(gap_4, (end_7 - _e125));
+                        let _e125 = t_26;
+                        let _e127 = self.v_first_root(gap_4, (end_8 - _e125));
                         sinks = _e127;
                     }
                     let low_3 = <rt::Vec2<i32>>::from_scalars(_e91.x(), _e96.x());
-                    let last_4 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
+                    let last_5 = <rt::Vec2<i32>>::from_scalars((_e91.y() - rt::Scalar(1i32)), (_e96.y() - rt::Scalar(1i32)));
                     let _e138 = sinks;
                     if rt::Scalar::into_branch_condition(_e138.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e141 = t_22;
+                        let _e141 = t_26;
                         let _e142 = sinks;
-                        t_22 = (_e141 + _e142);
+                        t_26 = (_e141 + _e142);
                         let _e144 = level_19;
                         let _e145 = finest_1;
                         if rt::Scalar::into_branch_condition(_e144.elementwise_eq(_e145)) {
-                            let _e148 = t_22;
+                            let _e148 = t_26;
                             let _e149 = cost_15;
                             return <Found>::new(FOUND_BELOW, rt::Scalar(0f32), _e148, rt::Scalar(0f32), rt::Scalar(0f32), _e149);
                         }
                         let _e154 = level_19;
                         level_19 = (_e154 - rt::Scalar(1u32));
-                        let _e157 = t_22;
+                        let _e157 = t_26;
                         let _e160 = self.v_cell_of((origin_5 + (step_3 * _e157)));
-                        texel_3 = _e160.cast_elem_as_i32().clamp(low_3, last_4);
+                        texel_3 = _e160.cast_elem_as_i32().clamp(low_3, last_5);
                     } else {
-                        if rt::Scalar::into_branch_condition(end_7.elementwise_ge(rt::Scalar(path_43.exit))) {
-                            let _e166 = t_22;
+                        if rt::Scalar::into_branch_condition(end_8.elementwise_ge(rt::Scalar(path_45.exit))) {
+                            let _e166 = t_26;
                             let _e168 = cost_15;
-                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
+                            return <Found>::new(FOUND_MISS, _e166, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e168);
                         }
-                        let _e174 = self.v_cell_of((origin_5 + (step_3 * end_7)));
-                        texel_3 = _e174.cast_elem_as_i32().clamp(low_3, last_4);
-                        if rt::Scalar::into_branch_condition(leave_5.x().elementwise_le(end_7)) {
+                        let _e174 = self.v_cell_of((origin_5 + (step_3 * end_8)));
+                        texel_3 = _e174.cast_elem_as_i32().clamp(low_3, last_5);
+                        if rt::Scalar::into_branch_condition(leave_7.x().elementwise_le(end_8)) {
                             texel_3.set_x((low_3.x() - rt::Scalar(1i32)).select(_e91.y(), step_3.x().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        if rt::Scalar::into_branch_condition(leave_5.y().elementwise_le(end_7)) {
+                        if rt::Scalar::into_branch_condition(leave_7.y().elementwise_le(end_8)) {
                             texel_3.set_y((low_3.y() - rt::Scalar(1i32)).select(_e96.y(), step_3.y().elementwise_gt(rt::Scalar(0f32))));
                         }
-                        t_22 = end_7;
+                        t_26 = end_8;
                     }
                 }
             }
         }
-        let _e200 = t_22;
+        let _e200 = t_26;
         let _e202 = cost_15;
-        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_43.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
+        return <Found>::new(FOUND_EXHAUSTED, _e200, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e202);
     }
     pub(crate) fn leaves_window(
         &self,
@@ -5584,39 +6319,39 @@ impl<'g> Resources<'g> {
         let wide_1 = <rt::Vec2<f32>>::from_scalars(radius, radius);
         let _e5 = self.v_cell_leave(grid_7, (cell_15 - wide_1));
         let _e7 = self.v_cell_leave(grid_7, (cell_15 + wide_1));
-        let leave_6 = _e5.select(_e7, grid_7.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
-        return leave_6.x().min(leave_6.y());
+        let leave_8 = _e5.select(_e7, grid_7.step.elementwise_gt(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32))));
+        return leave_8.x().min(leave_8.y());
     }
     pub(crate) fn search_dilation_erosion(
         &self,
-        path_44: Path,
-        params_33: impl rt::Into<rt::Vec4<f32>>,
+        path_46: Path,
+        params_37: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_dilation_erosion(path_44, rt::into(params_33)))
+        rt::into(self.v_search_dilation_erosion(path_46, rt::into(params_37)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_dilation_erosion(
         &self,
-        path_44: Path,
-        params_33: rt::Vec4<f32>,
+        path_46: Path,
+        params_37: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_16: rt::Vec2<f32>;
-        let mut t_23: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut safe_: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_28: rt::Scalar<bool>;
-        let mut local_29: rt::Scalar<bool>;
-        let mut local_30: rt::Scalar<bool>;
-        let mut local_31: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_44);
-        let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
+        let _e2 = self.v_grid_of(path_46);
+        let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
         let forward_5 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e11 = self.v_cell_of(_e2.origin);
         cell_16 = _e11;
-        let limit_6 = params_33.x().cast_elem_as_u32();
+        let limit_6 = params_37.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_16.x();
@@ -5629,50 +6364,50 @@ impl<'g> Resources<'g> {
                     cost_16 = (_e24 + STEP);
                     let _e27 = cell_16;
                     let _e28 = self.v_cell_leave(_e2, _e27);
-                    let end_8 = _e28.x().min(_e28.y()).min(rt::Scalar(path_44.exit));
-                    let _e34 = t_23;
-                    let span_10 = (end_8 - _e34).max(rt::Scalar(0f32));
-                    let _e38 = t_23;
+                    let end_9 = _e28.x().min(_e28.y()).min(rt::Scalar(path_46.exit));
+                    let _e34 = t_27;
+                    let span_10 = (end_9 - _e34).max(rt::Scalar(0f32));
+                    let _e38 = t_27;
                     next_3 = _e38;
-                    looks = params_33.y().elementwise_gt(rt::Scalar(0.5f32));
+                    looks = params_37.y().elementwise_gt(rt::Scalar(0.5f32));
                     let _e45 = cell_16.x();
                     let _e48 = self.v_image_of(_e45.cast_elem_as_i32(), _e4.x());
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_28 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_36 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_28 = rt::Scalar(true);
+                        local_36 = rt::Scalar(true);
                     }
-                    let _e64 = local_28;
+                    let _e64 = local_36;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
-                        let _e72 = self.v_search_texel(path_44, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_44.level).cast_elem_as_i32());
+                        let _e72 = self.v_search_texel(path_46, <rt::Vec2<i32>>::from_scalars(_e48.x(), _e53.x()), rt::Scalar(0i32), rt::Scalar(path_46.level).cast_elem_as_i32());
                         let _e73 = cost_16;
-                        let _e75 = self.v_map_read(path_44, rt::Scalar(1u32));
+                        let _e75 = self.v_map_read(path_46, rt::Scalar(1u32));
                         cost_16 = (_e73 + _e75);
                         let _e77 = cell_16;
-                        let _e79 = self.v_leaves_window(_e2, _e77, params_33.z());
-                        let _e82 = t_23;
-                        let reach = (_e79.min(rt::Scalar(path_44.exit)) - _e82).max(rt::Scalar(0f32));
-                        let _e86 = t_23;
+                        let _e79 = self.v_leaves_window(_e2, _e77, params_37.z());
+                        let _e82 = t_27;
+                        let reach = (_e79.min(rt::Scalar(path_46.exit)) - _e82).max(rt::Scalar(0f32));
+                        let _e86 = t_27;
                         let furthest_1 = (_e86 + reach);
-                        let rounded_1 = (path_44.h.x().abs() + (furthest_1 * (path_44.h.y().abs() + (furthest_1 * path_44.h.z().abs()))));
-                        let _e101 = t_23;
-                        let _e102 = self.v_path_height(path_44, _e101);
-                        let _e108 = t_23;
-                        let _e109 = self.v_path_slope(path_44, _e108);
-                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_44.h.z());
+                        let rounded_1 = (path_46.h.x().abs() + (furthest_1 * (path_46.h.y().abs() + (furthest_1 * path_46.h.z().abs()))));
+                        let _e101 = t_27;
+                        let _e102 = self.v_path_height(path_46, _e101);
+                        let _e108 = t_27;
+                        let _e109 = self.v_path_slope(path_46, _e108);
+                        let gap_5 = <rt::Vec3<f32>>::from_scalars(((_e102 - _e72.y()) - (rt::Scalar(0.0000009536743f32) * rounded_1)), _e109, path_46.h.z());
                         if rt::Scalar::into_branch_condition(gap_5.x().elementwise_gt(rt::Scalar(0f32))) {
-                            let _e116 = t_23;
+                            let _e116 = t_27;
                             safe_ = _e116;
-                            let _e117 = t_23;
+                            let _e117 = t_27;
                             next_3 = (_e117 + reach);
                             let _e119 = self.v_least_at(gap_5, reach);
                             let _e120 = self.v_quadratic(gap_5, _e119);
                             if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
-                                let _e123 = t_23;
+                                let _e123 = t_27;
                                 let _e124 = self.v_first_root(gap_5, reach);
                                 next_3 = (_e123 + _e124.min(reach));
                             }
@@ -5680,105 +6415,105 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_29 = _e131.elementwise_lt(end_8);
+                            local_37 = _e131.elementwise_lt(end_9);
                         } else {
-                            local_29 = rt::Scalar(false);
+                            local_37 = rt::Scalar(false);
                         }
-                        let _e134 = local_29;
+                        let _e134 = local_37;
                         if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_44, end_8);
-                            local_30 = _e137.elementwise_lt(_e72.x());
+                            let _e137 = self.v_path_height(path_46, end_9);
+                            local_38 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_30 = rt::Scalar(false);
+                            local_38 = rt::Scalar(false);
                         }
-                        let _e141 = local_30;
+                        let _e141 = local_38;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
-                            let _e144 = self.v_bracket_between(path_44, _e142, end_8, _e143);
+                            let _e144 = self.v_bracket_between(path_46, _e142, end_9, _e143);
                             return _e144;
                         }
                     }
                     let _e145 = next_3;
-                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_8))) {
-                        let _e150 = t_23;
-                        local_31 = (!end_8.elementwise_gt(_e150));
+                    if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_9))) {
+                        let _e150 = t_27;
+                        local_39 = (!end_9.elementwise_gt(_e150));
                     } else {
-                        local_31 = rt::Scalar(true);
+                        local_39 = rt::Scalar(true);
                     }
-                    let _e154 = local_31;
+                    let _e154 = local_39;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
                             let _e156 = cost_16;
                             cost_16 = (_e156 + HEIGHTS_READ);
                             let _e159 = cell_16;
-                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_44.level));
+                            let _e162 = self.v_height_cell(_e159.cast_elem_as_i32(), rt::Scalar(path_46.level));
                             let _e163 = cell_16;
-                            let _e164 = t_23;
-                            let _e165 = self.v_gap_to(path_44, _e2, _e163, _e162, _e164);
-                            let _e166 = t_23;
-                            let _e167 = t_23;
+                            let _e164 = t_27;
+                            let _e165 = self.v_gap_to(path_46, _e2, _e163, _e162, _e164);
+                            let _e166 = t_27;
+                            let _e167 = t_27;
                             let _e170 = cost_16;
                             let _e171 = self.v_found_in_cell(_e165, _e166, span_10, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
                         }
-                        let _e175 = t_23;
-                        next_3 = _e175.max(end_8);
+                        let _e175 = t_27;
+                        next_3 = _e175.max(end_9);
                     }
                     let _e177 = next_3;
-                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_44.exit))) {
-                        let _e181 = t_23;
+                    if rt::Scalar::into_branch_condition(_e177.elementwise_ge(rt::Scalar(path_46.exit))) {
+                        let _e181 = t_27;
                         let _e183 = cost_16;
-                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
+                        return <Found>::new(FOUND_MISS, _e181, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e183);
                     }
                     let _e187 = cell_16;
                     let _e188 = next_3;
                     let _e189 = self.v_cell_after(_e2, _e187, _e28, forward_5, _e188);
                     cell_16 = _e189;
                     let _e190 = next_3;
-                    t_23 = _e190;
+                    t_27 = _e190;
                 }
             }
         }
-        let _e192 = t_23;
+        let _e192 = t_27;
         let _e194 = cost_16;
-        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_44.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
+        return <Found>::new(FOUND_EXHAUSTED, _e192, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e194);
     }
     pub(crate) fn search_sphere(
         &self,
-        path_45: Path,
-        params_34: impl rt::Into<rt::Vec4<f32>>,
+        path_47: Path,
+        params_38: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_sphere(path_45, rt::into(params_34)))
+        rt::into(self.v_search_sphere(path_47, rt::into(params_38)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_sphere(
         &self,
-        path_45: Path,
-        params_34: rt::Vec4<f32>,
+        path_47: Path,
+        params_38: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_17: rt::Vec2<f32>;
-        let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_45);
+        let _e2 = self.v_grid_of(path_47);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let _e9 = self.v_path_slope(path_45, rt::Scalar(0f32));
-        let _e12 = self.v_path_slope(path_45, rt::Scalar(path_45.exit));
+        let _e9 = self.v_path_slope(path_47, rt::Scalar(0f32));
+        let _e12 = self.v_path_slope(path_47, rt::Scalar(path_47.exit));
         let climb_1 = _e9.abs().max(_e12.abs());
-        let fastest = <rt::Vec3<f32>>::new_21(path_45.duv, climb_1).length();
+        let fastest = <rt::Vec3<f32>>::new_21(path_47.duv, climb_1).length();
         let speed_2 = (fastest + (rt::Scalar(0.0000009536743f32) * fastest));
-        let far_6 = (path_45.uv.abs() + (path_45.duv.abs() * rt::Scalar(path_45.exit)));
-        let height_terms = (path_45.h.x().abs() + (rt::Scalar(path_45.exit) * (path_45.h.y().abs() + (rt::Scalar(path_45.exit) * path_45.h.z().abs()))));
+        let far_6 = (path_47.uv.abs() + (path_47.duv.abs() * rt::Scalar(path_47.exit)));
+        let height_terms = (path_47.h.x().abs() + (rt::Scalar(path_47.exit) * (path_47.h.y().abs() + (rt::Scalar(path_47.exit) * path_47.h.z().abs()))));
         let lost_3 = (rt::Scalar(0.0000009536743f32) * (((far_6.x() + far_6.y()) + height_terms) + rt::Scalar(1f32)));
         let _e52 = self.v_cell_of(_e2.origin);
         cell_17 = _e52;
-        let limit_7 = params_34.x().cast_elem_as_u32();
+        let limit_7 = params_38.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e61 = cost_17.x();
@@ -5791,214 +6526,214 @@ impl<'g> Resources<'g> {
                     cost_17 = (_e63 + STEP);
                     let _e66 = cell_17;
                     let _e67 = self.v_cell_leave(_e2, _e66);
-                    let end_9 = _e67.x().min(_e67.y()).min(rt::Scalar(path_45.exit));
-                    let _e73 = t_24;
-                    let span_11 = (end_9 - _e73).max(rt::Scalar(0f32));
-                    let _e77 = t_24;
-                    let _e78 = self.v_path_uv(path_45, _e77);
-                    let _e79 = t_24;
-                    let _e80 = self.v_path_height(path_45, _e79);
-                    let _e82 = self.v_distance_at(path_45, _e78, _e80, params_34.z());
+                    let end_10 = _e67.x().min(_e67.y()).min(rt::Scalar(path_47.exit));
+                    let _e73 = t_28;
+                    let span_11 = (end_10 - _e73).max(rt::Scalar(0f32));
+                    let _e77 = t_28;
+                    let _e78 = self.v_path_uv(path_47, _e77);
+                    let _e79 = t_28;
+                    let _e80 = self.v_path_height(path_47, _e79);
+                    let _e82 = self.v_distance_at(path_47, _e78, _e80, params_38.z());
                     let free_1 = (_e82 - lost_3);
                     let _e84 = cost_17;
-                    let _e86 = self.v_map_read(path_45, rt::Scalar(4u32));
-                    let _e89 = self.v_map_read(path_45, rt::Scalar(4u32));
+                    let _e86 = self.v_map_read(path_47, rt::Scalar(4u32));
+                    let _e89 = self.v_map_read(path_47, rt::Scalar(4u32));
                     cost_17 = ((_e84 + _e86) + _e89);
-                    let _e91 = t_24;
+                    let _e91 = t_28;
                     next_4 = _e91;
                     if rt::Scalar::into_branch_condition(free_1.elementwise_gt(rt::Scalar(0f32))) {
-                        let _e95 = t_24;
+                        let _e95 = t_28;
                         next_4 = (_e95 + (free_1 / speed_2));
                     }
-                    if rt::Scalar::into_branch_condition(params_34.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_38.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e101 = next_4;
-                        let _e102 = t_24;
-                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_45.exit))))) {
-                            let _e110 = t_24;
+                        let _e102 = t_28;
+                        if rt::Scalar::into_branch_condition((!(_e101 - _e102).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_47.exit))))) {
+                            let _e110 = t_28;
                             let _e112 = cost_17;
-                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
+                            return <Found>::new(FOUND_ABOVE, _e110, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e112);
                         }
                     } else {
                         let _e116 = next_4;
-                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_9))) {
-                            let _e121 = t_24;
-                            local_32 = (!end_9.elementwise_gt(_e121));
+                        if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_10))) {
+                            let _e121 = t_28;
+                            local_40 = (!end_10.elementwise_gt(_e121));
                         } else {
-                            local_32 = rt::Scalar(true);
+                            local_40 = rt::Scalar(true);
                         }
-                        let _e125 = local_32;
+                        let _e125 = local_40;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
                             let _e129 = cell_17;
                             let _e130 = cell_17;
-                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_45.level));
-                            let _e134 = t_24;
-                            let _e135 = self.v_gap_to(path_45, _e2, _e129, _e133, _e134);
-                            let _e136 = t_24;
-                            let _e137 = t_24;
+                            let _e133 = self.v_height_cell(_e130.cast_elem_as_i32(), rt::Scalar(path_47.level));
+                            let _e134 = t_28;
+                            let _e135 = self.v_gap_to(path_47, _e2, _e129, _e133, _e134);
+                            let _e136 = t_28;
+                            let _e137 = t_28;
                             let _e140 = cost_17;
                             let _e141 = self.v_found_in_cell(_e135, _e136, span_11, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
-                            let _e145 = t_24;
-                            next_4 = _e145.max(end_9);
+                            let _e145 = t_28;
+                            next_4 = _e145.max(end_10);
                         }
                     }
                     let _e147 = next_4;
-                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_45.exit))) {
-                        let _e151 = t_24;
+                    if rt::Scalar::into_branch_condition(_e147.elementwise_ge(rt::Scalar(path_47.exit))) {
+                        let _e151 = t_28;
                         let _e153 = cost_17;
-                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
+                        return <Found>::new(FOUND_MISS, _e151, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e153);
                     }
                     let _e157 = cell_17;
                     let _e158 = next_4;
                     let _e159 = self.v_cell_after(_e2, _e157, _e67, forward_6, _e158);
                     cell_17 = _e159;
                     let _e160 = next_4;
-                    t_24 = _e160;
+                    t_28 = _e160;
                 }
             }
         }
-        let _e162 = t_24;
+        let _e162 = t_28;
         let _e164 = cost_17;
-        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_45.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
+        return <Found>::new(FOUND_EXHAUSTED, _e162, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e164);
     }
     pub(crate) fn search_cone_moved(
         &self,
-        path_46: Path,
-        params_35: impl rt::Into<rt::Vec4<f32>>,
+        path_48: Path,
+        params_39: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_cone_moved(path_46, rt::into(params_35)))
+        rt::into(self.v_search_cone_moved(path_48, rt::into(params_39)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_cone_moved(
         &self,
-        path_46: Path,
-        params_35: rt::Vec4<f32>,
+        path_48: Path,
+        params_39: rt::Vec4<f32>,
     ) -> Found {
-        let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_29: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
-        let mut k_11: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_33: rt::Scalar<bool>;
+        let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_41: rt::Scalar<bool>;
 
-        let aside_3 = path_46.duv.length();
+        let aside_5 = path_48.duv.length();
         'naga_break: loop {
             'naga_continue: {
-                let _e14 = k_11;
-                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_35.x())) {
+                let _e14 = k_13;
+                if rt::Scalar::into_branch_condition(_e14.elementwise_lt(params_39.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e17 = cost_18;
                     cost_18 = (_e17 + STEP);
-                    let _e20 = t_25;
-                    let _e21 = self.v_path_gap(path_46, _e20);
+                    let _e20 = t_29;
+                    let _e21 = self.v_path_gap(path_48, _e20);
                     let _e22 = cost_18;
                     cost_18 = (_e22 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
-                        let _e27 = t_25;
+                        let _e27 = t_29;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_33 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_41 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_33 = rt::Scalar(false);
+                            local_41 = rt::Scalar(false);
                         }
-                        let _e35 = local_33;
+                        let _e35 = local_41;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
                         }
                         let _e42 = near_5;
-                        let _e43 = t_25;
+                        let _e43 = t_29;
                         let _e44 = near_gap_3;
                         let _e45 = cost_18;
                         return <Found>::new(FOUND_BRACKET, _e42, _e43, _e44, _e21, _e45);
                     }
-                    let _e47 = t_25;
+                    let _e47 = t_29;
                     near_5 = _e47;
                     near_gap_3 = _e21;
-                    let _e48 = t_25;
-                    let _e49 = self.v_path_uv(path_46, _e48);
-                    let _e51 = self.v_search_texel_between(path_46, _e49, rt::Scalar(0i32));
+                    let _e48 = t_29;
+                    let _e49 = self.v_path_uv(path_48, _e48);
+                    let _e51 = self.v_search_texel_between(path_48, _e49, rt::Scalar(0i32));
                     let _e53 = self.v_slope_of(_e51.x());
                     let _e54 = cost_18;
-                    let _e56 = self.v_map_read(path_46, rt::Scalar(4u32));
+                    let _e56 = self.v_map_read(path_48, rt::Scalar(4u32));
                     cost_18 = (_e54 + _e56);
                     if rt::Scalar::into_branch_condition(_e53.elementwise_lt(rt::Scalar(0f32))) {
                         break 'naga_break;
                     }
-                    let _e61 = t_25;
-                    let rest_6 = (rt::Scalar(path_46.exit) - _e61);
-                    let _e63 = t_25;
-                    let _e64 = self.v_path_slope(path_46, _e63);
-                    let rise_4 = (_e64 + (path_46.h.z().min(rt::Scalar(0f32)) * rest_6));
-                    let terms_1 = (path_46.h.x().abs() + (rt::Scalar(path_46.exit) * (path_46.h.y().abs() + (rt::Scalar(path_46.exit) * path_46.h.z().abs()))));
-                    let far_7 = (((path_46.uv.abs() + (path_46.duv.abs() * rt::Scalar(path_46.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
+                    let _e61 = t_29;
+                    let rest_6 = (rt::Scalar(path_48.exit) - _e61);
+                    let _e63 = t_29;
+                    let _e64 = self.v_path_slope(path_48, _e63);
+                    let rise_4 = (_e64 + (path_48.h.z().min(rt::Scalar(0f32)) * rest_6));
+                    let terms_1 = (path_48.h.x().abs() + (rt::Scalar(path_48.exit) * (path_48.h.y().abs() + (rt::Scalar(path_48.exit) * path_48.h.z().abs()))));
+                    let far_7 = (((path_48.uv.abs() + (path_48.duv.abs() * rt::Scalar(path_48.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) * _e53);
                     let lost_4 = (rt::Scalar(0.0000009536743f32) * ((terms_1 + far_7.x()) + far_7.y()));
-                    let nearing = ((_e53 * aside_3) - rise_4);
+                    let nearing = ((_e53 * aside_5) - rise_4);
                     let closing_3 = (nearing + (rt::Scalar(0.0000009536743f32) * nearing));
                     if rt::Scalar::into_branch_condition(closing_3.elementwise_le(rt::Scalar(0f32))) {
-                        let _e112 = t_25;
+                        let _e112 = t_29;
                         let _e114 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
+                        return <Found>::new(FOUND_MISS, _e112, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e114);
                     }
-                    let _e118 = t_25;
-                    t_25 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
-                    let _e124 = t_25;
-                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_46.exit))) {
+                    let _e118 = t_29;
+                    t_29 = (_e118 + ((_e21 - lost_4).max(rt::Scalar(0f32)) / closing_3));
+                    let _e124 = t_29;
+                    if rt::Scalar::into_branch_condition(_e124.elementwise_ge(rt::Scalar(path_48.exit))) {
                         let _e128 = near_5;
                         let _e130 = cost_18;
-                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_46.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
+                        return <Found>::new(FOUND_MISS, _e128, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e130);
                     }
-                    let _e134 = k_11;
-                    k_11 = (_e134 + rt::Scalar(1f32));
+                    let _e134 = k_13;
+                    k_13 = (_e134 + rt::Scalar(1f32));
                 }
             }
         }
-        let _e138 = t_25;
-        let _e140 = t_25;
-        let _e141 = self.v_path_height(path_46, _e140);
+        let _e138 = t_29;
+        let _e140 = t_29;
+        let _e141 = self.v_path_height(path_48, _e140);
         let _e142 = cost_18;
-        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_46.exit), _e141, rt::Scalar(0f32), _e142);
+        return <Found>::new(FOUND_ABOVE, _e138, rt::Scalar(path_48.exit), _e141, rt::Scalar(0f32), _e142);
     }
     pub(crate) fn search_relaxed_cone(
         &self,
-        path_47: Path,
-        params_36: impl rt::Into<rt::Vec4<f32>>,
+        path_49: Path,
+        params_40: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone(path_47, rt::into(params_36)))
+        rt::into(self.v_search_relaxed_cone(path_49, rt::into(params_40)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone(
         &self,
-        path_47: Path,
-        params_36: rt::Vec4<f32>,
+        path_49: Path,
+        params_40: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_18: rt::Vec2<f32>;
-        let mut t_26: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_30: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
-        let _e2 = self.v_grid_of(path_47);
+        let _e2 = self.v_grid_of(path_49);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
-        let aside_4 = path_47.duv.length();
-        let _e11 = self.v_path_slope(path_47, rt::Scalar(0f32));
-        let terms_2 = (path_47.h.x().abs() + (rt::Scalar(path_47.exit) * path_47.h.y().abs()));
-        let _e33 = self.v_height_size(rt::Scalar(path_47.level));
-        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_47.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
+        let aside_6 = path_49.duv.length();
+        let _e11 = self.v_path_slope(path_49, rt::Scalar(0f32));
+        let terms_2 = (path_49.h.x().abs() + (rt::Scalar(path_49.exit) * path_49.h.y().abs()));
+        let _e33 = self.v_height_size(rt::Scalar(path_49.level));
+        let far_8 = (((_e2.origin.abs() + (_e2.step.abs() * rt::Scalar(path_49.exit))) + <rt::Vec2<f32>>::from_scalars(rt::Scalar(1f32), rt::Scalar(1f32))) / _e33);
         let _e36 = self.v_cell_of(_e2.origin);
         cell_18 = _e36;
-        let limit_8 = params_36.x().cast_elem_as_u32();
+        let limit_8 = params_40.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e49 = cost_19.x();
@@ -6011,60 +6746,60 @@ impl<'g> Resources<'g> {
                     cost_19 = (_e51 + STEP);
                     let _e54 = cell_18;
                     let _e55 = self.v_cell_leave(_e2, _e54);
-                    let end_10 = _e55.x().min(_e55.y()).min(rt::Scalar(path_47.exit));
-                    let _e61 = t_26;
-                    let span_12 = (end_10 - _e61).max(rt::Scalar(0f32));
+                    let end_11 = _e55.x().min(_e55.y()).min(rt::Scalar(path_49.exit));
+                    let _e61 = t_30;
+                    let span_12 = (end_11 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_18;
                     let _e66 = cell_18;
-                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_47.level));
-                    let _e70 = t_26;
-                    let _e71 = self.v_gap_to(path_47, _e2, _e65, _e69, _e70);
+                    let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_49.level));
+                    let _e70 = t_30;
+                    let _e71 = self.v_gap_to(path_49, _e2, _e65, _e69, _e70);
                     let _e72 = cost_19;
                     cost_19 = (_e72 + HEIGHTS_READ);
                     if rt::Scalar::into_branch_condition(_e71.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e78 = near_6;
-                        let _e79 = t_26;
+                        let _e79 = t_30;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_34 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_42 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_34 = rt::Scalar(false);
+                            local_42 = rt::Scalar(false);
                         }
-                        let _e87 = local_34;
+                        let _e87 = local_42;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
-                            let _e89 = t_26;
+                            let _e89 = t_30;
                             let _e90 = near_gap_4;
                             let _e92 = cost_19;
-                            let _e93 = self.v_entered_once(path_47, _e2, _e88, _e89, _e90, _e71.x(), _e92);
+                            let _e93 = self.v_entered_once(path_49, _e2, _e88, _e89, _e90, _e71.x(), _e92);
                             return _e93;
                         }
-                        let _e94 = t_26;
-                        let _e95 = t_26;
+                        let _e94 = t_30;
+                        let _e95 = t_30;
                         let _e98 = cost_19;
                         let _e99 = self.v_found_in_cell(_e71, _e94, span_12, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
-                    let _e100 = t_26;
+                    let _e100 = t_30;
                     start_1 = _e100;
                     gap = _e71.x();
-                    if rt::Scalar::into_branch_condition(params_36.y().elementwise_gt(rt::Scalar(0.5f32))) {
-                        let _e107 = t_26;
-                        let _e108 = t_26;
+                    if rt::Scalar::into_branch_condition(params_40.y().elementwise_gt(rt::Scalar(0.5f32))) {
+                        let _e107 = t_30;
+                        let _e108 = t_30;
                         let _e111 = cost_19;
                         let _e112 = self.v_found_in_cell(_e71, _e107, span_12, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
-                        let _e116 = t_26;
-                        start_1 = _e116.max(end_10);
+                        let _e116 = t_30;
+                        start_1 = _e116.max(end_11);
                         gap = rt::Scalar(_e112.far_gap);
                     }
                     let _e119 = start_1;
-                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_47.exit))) {
-                        let _e123 = t_26;
+                    if rt::Scalar::into_branch_condition(_e119.elementwise_ge(rt::Scalar(path_49.exit))) {
+                        let _e123 = t_30;
                         let _e125 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
+                        return <Found>::new(FOUND_MISS, _e123, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e125);
                     }
                     let _e129 = start_1;
                     near_6 = _e129;
@@ -6074,92 +6809,92 @@ impl<'g> Resources<'g> {
                     let _e133 = cell_18;
                     let _e136 = start_1;
                     let _e139 = self.v_nearest_corner(((_e2.origin - _e133) + (_e2.step * _e136)));
-                    let _e141 = self.v_cone_slope(path_47, (_e131 + _e139));
+                    let _e141 = self.v_cone_slope(path_49, (_e131 + _e139));
                     let _e142 = cost_19;
-                    let _e144 = self.v_map_read(path_47, rt::Scalar(1u32));
+                    let _e144 = self.v_map_read(path_49, rt::Scalar(1u32));
                     cost_19 = (_e142 + _e144);
                     let _e146 = start_1;
                     next_5 = _e146;
                     if rt::Scalar::into_branch_condition(_e141.elementwise_ge(rt::Scalar(0f32))) {
-                        let nearing_1 = ((_e141 * aside_4) - _e11);
+                        let nearing_1 = ((_e141 * aside_6) - _e11);
                         let closing_4 = (nearing_1 + (rt::Scalar(0.0000009536743f32) * nearing_1));
                         let _e155 = gap;
-                        let room = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_8.x() + far_8.y())))));
+                        let room_1 = (_e155 - (rt::Scalar(0.0000009536743f32) * (terms_2 + (_e141 * (far_8.x() + far_8.y())))));
                         next_5 = rt::Scalar(300000000000000000000000000000000000000f32);
                         if rt::Scalar::into_branch_condition(closing_4.elementwise_gt(rt::Scalar(0f32))) {
                             let _e167 = start_1;
-                            next_5 = (_e167 + (room.max(rt::Scalar(0f32)) / closing_4));
+                            next_5 = (_e167 + (room_1.max(rt::Scalar(0f32)) / closing_4));
                         }
                     }
-                    if rt::Scalar::into_branch_condition(params_36.y().elementwise_lt(rt::Scalar(0.5f32))) {
+                    if rt::Scalar::into_branch_condition(params_40.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
-                        let _e178 = t_26;
-                        local_35 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_47.exit))));
+                        let _e178 = t_30;
+                        local_43 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_49.exit))));
                     } else {
-                        local_35 = rt::Scalar(false);
+                        local_43 = rt::Scalar(false);
                     }
-                    let _e186 = local_35;
+                    let _e186 = local_43;
                     if rt::Scalar::into_branch_condition(_e186) {
-                        let _e188 = t_26;
+                        let _e188 = t_30;
                         let _e190 = gap;
                         let _e191 = cost_19;
-                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_47.exit), _e190, rt::Scalar(0f32), _e191);
+                        return <Found>::new(FOUND_ABOVE, _e188, rt::Scalar(path_49.exit), _e190, rt::Scalar(0f32), _e191);
                     }
                     let _e194 = next_5;
-                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_47.exit))) {
-                        let _e198 = self.v_path_gap(path_47, rt::Scalar(path_47.exit));
+                    if rt::Scalar::into_branch_condition(_e194.elementwise_ge(rt::Scalar(path_49.exit))) {
+                        let _e198 = self.v_path_gap(path_49, rt::Scalar(path_49.exit));
                         let _e199 = cost_19;
                         cost_19 = (_e199 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e198.elementwise_le(rt::Scalar(0f32))) {
                             let _e204 = start_1;
                             let _e206 = gap;
                             let _e207 = cost_19;
-                            let _e208 = self.v_entered_once(path_47, _e2, _e204, rt::Scalar(path_47.exit), _e206, _e198, _e207);
+                            let _e208 = self.v_entered_once(path_49, _e2, _e204, rt::Scalar(path_49.exit), _e206, _e198, _e207);
                             return _e208;
                         }
                         let _e210 = start_1;
                         let _e212 = cost_19;
-                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
+                        return <Found>::new(FOUND_MISS, _e210, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e212);
                     }
                     let _e216 = cell_18;
                     let _e217 = next_5;
                     let _e218 = self.v_cell_after(_e2, _e216, _e55, forward_7, _e217);
                     cell_18 = _e218;
                     let _e219 = next_5;
-                    t_26 = _e219;
+                    t_30 = _e219;
                 }
             }
         }
-        let _e221 = t_26;
+        let _e221 = t_30;
         let _e223 = cost_19;
-        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_47.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
+        return <Found>::new(FOUND_EXHAUSTED, _e221, rt::Scalar(path_49.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e223);
     }
     pub(crate) fn search_relaxed_cone_resting(
         &self,
-        path_48: Path,
-        params_37: impl rt::Into<rt::Vec4<f32>>,
+        path_50: Path,
+        params_41: impl rt::Into<rt::Vec4<f32>>,
     ) -> Found {
-        rt::into(self.v_search_relaxed_cone_resting(path_48, rt::into(params_37)))
+        rt::into(self.v_search_relaxed_cone_resting(path_50, rt::into(params_41)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_search_relaxed_cone_resting(
         &self,
-        path_48: Path,
-        params_37: rt::Vec4<f32>,
+        path_50: Path,
+        params_41: rt::Vec4<f32>,
     ) -> Found {
         let mut cell_19: rt::Vec2<f32>;
-        let mut t_27: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut t_31: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
-        let _e2 = self.v_grid_of(path_48);
+        let _e2 = self.v_grid_of(path_50);
         let forward_8 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
         let _e9 = self.v_cell_of(_e2.origin);
         cell_19 = _e9;
-        let limit_9 = params_37.x().cast_elem_as_u32();
+        let limit_9 = params_41.x().cast_elem_as_u32();
         'naga_break: loop {
             'naga_continue: {
                 let _e22 = cost_20.x();
@@ -6171,54 +6906,54 @@ impl<'g> Resources<'g> {
                     let _e24 = cost_20;
                     cost_20 = (_e24 + STEP);
                     let _e27 = cell_19;
-                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_48.level));
+                    let _e30 = self.v_height_cell(_e27.cast_elem_as_i32(), rt::Scalar(path_50.level));
                     let _e31 = cost_20;
                     cost_20 = (_e31 + HEIGHTS_READ);
                     let _e34 = cell_19;
                     let _e35 = self.v_cell_leave(_e2, _e34);
-                    let end_11 = _e35.x().min(_e35.y()).min(rt::Scalar(path_48.exit));
-                    let _e41 = t_27;
-                    let span_13 = (end_11 - _e41).max(rt::Scalar(0f32));
+                    let end_12 = _e35.x().min(_e35.y()).min(rt::Scalar(path_50.exit));
+                    let _e41 = t_31;
+                    let span_13 = (end_12 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_19;
-                    let _e46 = t_27;
-                    let _e47 = self.v_gap_to(path_48, _e2, _e45, _e30, _e46);
+                    let _e46 = t_31;
+                    let _e47 = self.v_gap_to(path_50, _e2, _e45, _e30, _e46);
                     if rt::Scalar::into_branch_condition(_e47.x().elementwise_le(rt::Scalar(0f32))) {
                         let _e51 = near_7;
-                        let _e52 = t_27;
+                        let _e52 = t_31;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_36 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_44 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_36 = rt::Scalar(false);
+                            local_44 = rt::Scalar(false);
                         }
-                        let _e60 = local_36;
+                        let _e60 = local_44;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
-                            let _e62 = t_27;
+                            let _e62 = t_31;
                             let _e63 = near_gap_5;
                             let _e65 = cost_20;
-                            let _e66 = self.v_entered_once(path_48, _e2, _e61, _e62, _e63, _e47.x(), _e65);
+                            let _e66 = self.v_entered_once(path_50, _e2, _e61, _e62, _e63, _e47.x(), _e65);
                             return _e66;
                         }
-                        let _e67 = t_27;
-                        let _e68 = t_27;
+                        let _e67 = t_31;
+                        let _e68 = t_31;
                         let _e71 = cost_20;
                         let _e72 = self.v_found_in_cell(_e47, _e67, span_13, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
-                    let _e73 = t_27;
-                    let _e74 = t_27;
+                    let _e73 = t_31;
+                    let _e74 = t_31;
                     let _e77 = cost_20;
                     let _e78 = self.v_found_in_cell(_e47, _e73, span_13, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
-                    let _e82 = t_27;
-                    let start_2 = _e82.max(end_11);
-                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_48.exit))) {
-                        let _e87 = t_27;
+                    let _e82 = t_31;
+                    let start_2 = _e82.max(end_12);
+                    if rt::Scalar::into_branch_condition(start_2.elementwise_ge(rt::Scalar(path_50.exit))) {
+                        let _e87 = t_31;
                         let _e89 = cost_20;
-                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
+                        return <Found>::new(FOUND_MISS, _e87, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e89);
                     }
                     near_7 = start_2;
                     near_gap_5 = rt::Scalar(_e78.far_gap);
@@ -6226,184 +6961,184 @@ impl<'g> Resources<'g> {
                     let _e100 = self.v_nearest_corner(((_e2.origin - _e95) + (_e2.step * start_2)));
                     let _e101 = self.v_corner_height(_e30, _e100);
                     next_6 = start_2;
-                    let _e103 = self.v_path_height(path_48, start_2);
+                    let _e103 = self.v_path_height(path_50, start_2);
                     if rt::Scalar::into_branch_condition(_e103.elementwise_gt(_e101)) {
                         let _e105 = cell_19;
                         let texel_8 = (_e105 + _e100);
-                        let _e107 = self.v_cone_slope(path_48, texel_8);
+                        let _e107 = self.v_cone_slope(path_50, texel_8);
                         let _e108 = cost_20;
-                        let _e110 = self.v_map_read(path_48, rt::Scalar(1u32));
+                        let _e110 = self.v_map_read(path_50, rt::Scalar(1u32));
                         cost_20 = (_e108 + _e110);
                         if rt::Scalar::into_branch_condition(_e107.elementwise_ge(rt::Scalar(0f32))) {
-                            let _e114 = self.v_stays_inside(path_48, _e2, texel_8, _e101, _e107, start_2);
+                            let _e114 = self.v_stays_inside(path_50, _e2, texel_8, _e101, _e107, start_2);
                             next_6 = (start_2 + _e114);
                         }
                     }
                     let _e116 = next_6;
-                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_48.exit))) {
-                        let _e120 = self.v_path_gap(path_48, rt::Scalar(path_48.exit));
+                    if rt::Scalar::into_branch_condition(_e116.elementwise_ge(rt::Scalar(path_50.exit))) {
+                        let _e120 = self.v_path_gap(path_50, rt::Scalar(path_50.exit));
                         let _e121 = cost_20;
                         cost_20 = (_e121 + HEIGHTS_READ);
                         if rt::Scalar::into_branch_condition(_e120.elementwise_le(rt::Scalar(0f32))) {
                             let _e127 = near_gap_5;
                             let _e128 = cost_20;
-                            let _e129 = self.v_entered_once(path_48, _e2, start_2, rt::Scalar(path_48.exit), _e127, _e120, _e128);
+                            let _e129 = self.v_entered_once(path_50, _e2, start_2, rt::Scalar(path_50.exit), _e127, _e120, _e128);
                             return _e129;
                         }
                         let _e132 = cost_20;
-                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
+                        return <Found>::new(FOUND_MISS, start_2, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e132);
                     }
                     let _e136 = cell_19;
                     let _e137 = next_6;
                     let _e138 = self.v_cell_after(_e2, _e136, _e35, forward_8, _e137);
                     cell_19 = _e138;
                     let _e139 = next_6;
-                    t_27 = _e139;
+                    t_31 = _e139;
                 }
             }
         }
-        let _e141 = t_27;
+        let _e141 = t_31;
         let _e143 = cost_20;
-        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_48.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
+        return <Found>::new(FOUND_EXHAUSTED, _e141, rt::Scalar(path_50.exit), rt::Scalar(0f32), rt::Scalar(0f32), _e143);
     }
-    pub(crate) fn search_stage(&self, path_49: Path) -> Found {
-        rt::into(self.v_search_stage(path_49))
+    pub(crate) fn search_stage(&self, path_51: Path) -> Found {
+        rt::into(self.v_search_stage(path_51))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_search_stage(&self, path_49: Path) -> Found {
+    fn v_search_stage(&self, path_51: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[2usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[2usize].params;
-                let _e11 = self.v_search_none(path_49, _e10);
+                let _e11 = self.v_search_none(path_51, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[2usize].params;
-                let _e17 = self.v_search_linear(path_49, _e16);
+                let _e17 = self.v_search_linear(path_51, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[2usize].params;
-                let _e23 = self.v_search_cells(path_49, _e22);
+                let _e23 = self.v_search_cells(path_51, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[2usize].params;
-                let _e29 = self.v_search_frustum(path_49, _e28);
+                let _e29 = self.v_search_frustum(path_51, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[2usize].params;
-                let _e35 = self.v_search_cone(path_49, _e34);
+                let _e35 = self.v_search_cone(path_51, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[2usize].params;
-                let _e41 = self.v_search_pyramid(path_49, _e40);
+                let _e41 = self.v_search_pyramid(path_51, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[2usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_49, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_51, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[2usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_49, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_51, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[2usize].params;
-                let _e59 = self.v_search_sphere(path_49, _e58);
+                let _e59 = self.v_search_sphere(path_51, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[2usize].params;
-                let _e65 = self.v_search_cone_moved(path_49, _e64);
+                let _e65 = self.v_search_cone_moved(path_51, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[2usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_49, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_51, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[2usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_49, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_51, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn trace(&self, path_50: Path) -> Hit {
-        rt::into(self.v_trace(path_50))
+    pub(crate) fn trace(&self, path_52: Path) -> Hit {
+        rt::into(self.v_trace(path_52))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_trace(&self, path_50: Path) -> Hit {
-        let _e1 = self.v_search_stage(path_50);
-        let _e2 = self.v_refine_stage(path_50, _e1);
+    fn v_trace(&self, path_52: Path) -> Hit {
+        let _e1 = self.v_search_stage(path_52);
+        let _e2 = self.v_refine_stage(path_52, _e1);
         return _e2;
     }
     pub(crate) fn surface_plane_polish(
         &self,
-        pixel_31: PixelIn,
-        at_29: Entered,
-        path_51: Path,
+        pixel_37: PixelIn,
+        at_35: Entered,
+        path_53: Path,
         hit_7: Hit,
-        params_38: impl rt::Into<rt::Vec4<f32>>,
+        params_42: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_plane_polish(pixel_31, at_29, path_51, hit_7, rt::into(params_38)))
+        rt::into(self.v_surface_plane_polish(pixel_37, at_35, path_53, hit_7, rt::into(params_42)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_polish(
         &self,
-        pixel_31: PixelIn,
-        at_29: Entered,
-        path_51: Path,
+        pixel_37: PixelIn,
+        at_35: Entered,
+        path_53: Path,
         hit_7: Hit,
-        params_38: rt::Vec4<f32>,
+        params_42: rt::Vec4<f32>,
     ) -> Hit {
         return hit_7;
     }
     pub(crate) fn surface_prism_polish(
         &self,
-        pixel_32: PixelIn,
-        at_30: Entered,
-        path_52: Path,
+        pixel_38: PixelIn,
+        at_36: Entered,
+        path_54: Path,
         hit_8: Hit,
-        params_39: impl rt::Into<rt::Vec4<f32>>,
+        params_43: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_prism_polish(pixel_32, at_30, path_52, hit_8, rt::into(params_39)))
+        rt::into(self.v_surface_prism_polish(pixel_38, at_36, path_54, hit_8, rt::into(params_43)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_polish(
         &self,
-        pixel_32: PixelIn,
-        at_30: Entered,
-        path_52: Path,
+        pixel_38: PixelIn,
+        at_36: Entered,
+        path_54: Path,
         hit_8: Hit,
-        params_39: rt::Vec4<f32>,
+        params_43: rt::Vec4<f32>,
     ) -> Hit {
-        let mut t_28: rt::Scalar<f32>;
-        let mut point_2: ShellPoint;
+        let mut t_32: rt::Scalar<f32>;
+        let mut point_4: ShellPoint;
         let mut step_2: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_32.shell.order).elementwise_ge(SHELL_FOLDED)) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_38.shell.order).elementwise_ge(SHELL_FOLDED)) {
             return hit_8;
         }
-        let along_16 = pixel_32.direction.normalize();
-        let _e11 = self.v_middle_of(pixel_32, along_16);
-        let _e12 = self.v_prism_of(pixel_32, along_16, _e11, params_39);
-        let _e14 = self.v_path_gap(path_52, rt::Scalar(hit_8.t));
-        let _e15 = self.v_grid_of(path_52);
+        let along_19 = pixel_38.direction.normalize();
+        let _e11 = self.v_middle_of(pixel_38, along_19);
+        let _e12 = self.v_prism_of(pixel_38, along_19, _e11, params_43);
+        let _e14 = self.v_path_gap(path_54, rt::Scalar(hit_8.t));
+        let _e15 = self.v_grid_of(path_54);
         let texels_4 = _e15.step.abs();
-        let most_5 = ((rt::Scalar(2f32) * params_39.x()) / texels_4.x().max(texels_4.y()).max((path_52.h.y().abs() / rt::Scalar(0.0625f32))));
-        t_28 = rt::Scalar(hit_8.t);
-        let _e34 = t_28;
-        let _e38 = t_28;
-        let _e39 = self.v_path_height(path_52, _e38);
-        let _e40 = self.v_shell_point(_e12, (along_16 * ((rt::Scalar(path_52.start) + _e34) - _e11)), _e39);
-        point_2 = _e40;
+        let most_5 = ((rt::Scalar(2f32) * params_43.x()) / texels_4.x().max(texels_4.y()).max((path_54.h.y().abs() / rt::Scalar(0.0625f32))));
+        t_32 = rt::Scalar(hit_8.t);
+        let _e34 = t_32;
+        let _e38 = t_32;
+        let _e39 = self.v_path_height(path_54, _e38);
+        let _e40 = self.v_shell_point(_e12, (along_19 * ((rt::Scalar(path_54.start) + _e34) - _e11)), _e39);
+        point_4 = _e40;
         'naga_break: loop {
             'naga_continue: {
                 let _e44 = step_2;
@@ -6414,138 +7149,190 @@ impl<'g> Resources<'g> {
                 {
                     let _e47 = step_2;
                     step_2 = (_e47 + rt::Scalar(1u32));
-                    let _e51 = rt::Scalar(point_2.height);
-                    let _e53 = point_2.weights;
-                    let _e54 = self.v_uv_of(pixel_32, _e53);
-                    let _e56 = self.v_height_at(_e54, rt::Scalar(path_52.level));
+                    let _e51 = rt::Scalar(point_4.height);
+                    let _e53 = point_4.weights;
+                    let _e54 = self.v_uv_of(pixel_38, _e53);
+                    let _e56 = self.v_height_at(_e54, rt::Scalar(path_54.level));
                     let gap_6 = ((_e51 - _e56) - _e14);
-                    let _e61 = t_28;
+                    let _e61 = t_32;
                     let _e64 = self.v_cell_of((_e15.origin + (_e15.step * _e61)));
-                    let _e65 = t_28;
-                    let _e66 = self.v_cell_gap(path_52, _e15, _e64, _e65);
+                    let _e65 = t_32;
+                    let _e66 = self.v_cell_gap(path_54, _e15, _e64, _e65);
                     let change_5 = _e66.y();
                     if rt::Scalar::into_branch_condition(change_5.elementwise_lt(rt::Scalar(0f32))) {
-                        let _e70 = t_28;
-                        t_28 = (_e70 - (gap_6 / change_5)).clamp((rt::Scalar(hit_8.t) - most_5), (rt::Scalar(hit_8.t) + most_5));
+                        let _e70 = t_32;
+                        t_32 = (_e70 - (gap_6 / change_5)).clamp((rt::Scalar(hit_8.t) - most_5), (rt::Scalar(hit_8.t) + most_5));
                     }
-                    let _e79 = t_28;
-                    let _e83 = t_28;
-                    let _e84 = self.v_path_height(path_52, _e83);
-                    let _e85 = self.v_shell_point(_e12, (along_16 * ((rt::Scalar(path_52.start) + _e79) - _e11)), _e84);
-                    point_2 = _e85;
+                    let _e79 = t_32;
+                    let _e83 = t_32;
+                    let _e84 = self.v_path_height(path_54, _e83);
+                    let _e85 = self.v_shell_point(_e12, (along_19 * ((rt::Scalar(path_54.start) + _e79) - _e11)), _e84);
+                    point_4 = _e85;
                 }
             }
         }
-        let _e89 = point_2.weights;
-        let _e90 = self.v_uv_of(pixel_32, _e89);
-        let _e92 = rt::Scalar(point_2.height);
-        let _e93 = t_28;
+        let _e89 = point_4.weights;
+        let _e90 = self.v_uv_of(pixel_38, _e89);
+        let _e92 = rt::Scalar(point_4.height);
+        let _e93 = t_32;
         return <Hit>::new(rt::Scalar(1u32), rt::Scalar(hit_8.exhausted), _e90, _e92, _e93, hit_8.cost);
+    }
+    pub(crate) fn surface_quadric_perpendicular_polish(
+        &self,
+        pixel_39: PixelIn,
+        at_37: Entered,
+        path_55: Path,
+        hit_9: Hit,
+        params_44: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_quadric_perpendicular_polish(pixel_39, at_37, path_55, hit_9, rt::into(params_44)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_quadric_perpendicular_polish(
+        &self,
+        pixel_39: PixelIn,
+        at_37: Entered,
+        path_55: Path,
+        hit_9: Hit,
+        params_44: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_9;
+    }
+    pub(crate) fn surface_quadric_vertical_polish(
+        &self,
+        pixel_40: PixelIn,
+        at_38: Entered,
+        path_56: Path,
+        hit_10: Hit,
+        params_45: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Hit {
+        rt::into(self.v_surface_quadric_vertical_polish(pixel_40, at_38, path_56, hit_10, rt::into(params_45)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_quadric_vertical_polish(
+        &self,
+        pixel_40: PixelIn,
+        at_38: Entered,
+        path_56: Path,
+        hit_10: Hit,
+        params_45: rt::Vec4<f32>,
+    ) -> Hit {
+        return hit_10;
     }
     pub(crate) fn surface_tetrahedra_polish(
         &self,
-        pixel_33: PixelIn,
-        at_31: Entered,
-        path_53: Path,
-        hit_9: Hit,
-        params_40: impl rt::Into<rt::Vec4<f32>>,
+        pixel_41: PixelIn,
+        at_39: Entered,
+        path_57: Path,
+        hit_11: Hit,
+        params_46: impl rt::Into<rt::Vec4<f32>>,
     ) -> Hit {
-        rt::into(self.v_surface_tetrahedra_polish(pixel_33, at_31, path_53, hit_9, rt::into(params_40)))
+        rt::into(self.v_surface_tetrahedra_polish(pixel_41, at_39, path_57, hit_11, rt::into(params_46)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_polish(
         &self,
-        pixel_33: PixelIn,
-        at_31: Entered,
-        path_53: Path,
-        hit_9: Hit,
-        params_40: rt::Vec4<f32>,
+        pixel_41: PixelIn,
+        at_39: Entered,
+        path_57: Path,
+        hit_11: Hit,
+        params_46: rt::Vec4<f32>,
     ) -> Hit {
-        return hit_9;
+        return hit_11;
     }
-    pub(crate) fn surface_polish_stage(&self, pixel_34: PixelIn, at_32: Entered, path_54: Path, hit_10: Hit) -> Hit {
-        rt::into(self.v_surface_polish_stage(pixel_34, at_32, path_54, hit_10))
+    pub(crate) fn surface_polish_stage(&self, pixel_42: PixelIn, at_40: Entered, path_58: Path, hit_12: Hit) -> Hit {
+        rt::into(self.v_surface_polish_stage(pixel_42, at_40, path_58, hit_12))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_polish_stage(&self, pixel_34: PixelIn, at_32: Entered, path_54: Path, hit_10: Hit) -> Hit {
+    fn v_surface_polish_stage(&self, pixel_42: PixelIn, at_40: Entered, path_58: Path, hit_12: Hit) -> Hit {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_polish(pixel_34, at_32, path_54, hit_10, _e13);
+                let _e14 = self.v_surface_plane_polish(pixel_42, at_40, path_58, hit_12, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_polish(pixel_34, at_32, path_54, hit_10, _e19);
+                let _e20 = self.v_surface_prism_polish(pixel_42, at_40, path_58, hit_12, _e19);
                 return _e20;
             }
-            _ => {
+            2u32 => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_tetrahedra_polish(pixel_34, at_32, path_54, hit_10, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_polish(pixel_42, at_40, path_58, hit_12, _e25);
                 return _e26;
+            }
+            3u32 => {
+                let _e31 = self.surface_settings.choices[0usize].params;
+                let _e32 = self.v_surface_quadric_vertical_polish(pixel_42, at_40, path_58, hit_12, _e31);
+                return _e32;
+            }
+            _ => {
+                let _e37 = self.surface_settings.choices[0usize].params;
+                let _e38 = self.v_surface_tetrahedra_polish(pixel_42, at_40, path_58, hit_12, _e37);
+                return _e38;
             }
         }
     }
-    pub(crate) fn polish_hit(&self, pixel_35: PixelIn, at_33: Entered, path_55: Path, hit_11: Hit) -> Hit {
-        rt::into(self.v_polish_hit(pixel_35, at_33, path_55, hit_11))
+    pub(crate) fn polish_hit(&self, pixel_43: PixelIn, at_41: Entered, path_59: Path, hit_13: Hit) -> Hit {
+        rt::into(self.v_polish_hit(pixel_43, at_41, path_59, hit_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_polish_hit(&self, pixel_35: PixelIn, at_33: Entered, path_55: Path, hit_11: Hit) -> Hit {
-        let _e4 = self.v_surface_polish_stage(pixel_35, at_33, path_55, hit_11);
+    fn v_polish_hit(&self, pixel_43: PixelIn, at_41: Entered, path_59: Path, hit_13: Hit) -> Hit {
+        let _e4 = self.v_surface_polish_stage(pixel_43, at_41, path_59, hit_13);
         return _e4;
     }
-    pub(crate) fn key_of(&self, pixel_36: PixelIn, path_56: Path, hit_12: Hit) -> f32 {
-        rt::into(self.v_key_of(pixel_36, path_56, hit_12))
+    pub(crate) fn key_of(&self, pixel_44: PixelIn, path_60: Path, hit_14: Hit) -> f32 {
+        rt::into(self.v_key_of(pixel_44, path_60, hit_14))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_key_of(&self, pixel_36: PixelIn, path_56: Path, hit_12: Hit) -> rt::Scalar<f32> {
-        let depth = ((rt::Scalar(path_56.start) + rt::Scalar(hit_12.t)) / pixel_36.direction.length());
+    fn v_key_of(&self, pixel_44: PixelIn, path_60: Path, hit_14: Hit) -> rt::Scalar<f32> {
+        let depth_5 = ((rt::Scalar(path_60.start) + rt::Scalar(hit_14.t)) / pixel_44.direction.length());
         let _e11 = rt::Scalar(self.frame.near);
         let _e14 = rt::Scalar(self.frame.near);
-        return (_e11 / (_e14 + depth.max(rt::Scalar(0f32))));
+        return (_e11 / (_e14 + depth_5.max(rt::Scalar(0f32))));
     }
-    pub(crate) fn first_hit(&self, pixel_37: PixelIn, at_34: Entered) -> FirstHit {
-        rt::into(self.v_first_hit(pixel_37, at_34))
+    pub(crate) fn first_hit(&self, pixel_45: PixelIn, at_42: Entered) -> FirstHit {
+        rt::into(self.v_first_hit(pixel_45, at_42))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_first_hit(&self, pixel_37: PixelIn, at_34: Entered) -> FirstHit {
+    fn v_first_hit(&self, pixel_45: PixelIn, at_42: Entered) -> FirstHit {
         let mut cost_21: rt::Vec3<u32> = NO_COST;
-        let mut k_12: rt::Scalar<u32> = rt::Scalar(0u32);
-        let mut hit_13: Hit;
+        let mut k_14: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut hit_15: Hit;
 
         'naga_break: loop {
             'naga_continue: {
-                let _e6 = k_12;
-                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_34.segments))) {
+                let _e6 = k_14;
+                if rt::Scalar::into_branch_condition(_e6.elementwise_lt(rt::Scalar(at_42.segments))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e9 = k_12;
-                    let _e10 = self.v_segment_of(pixel_37, at_34, _e9);
+                    let _e9 = k_14;
+                    let _e10 = self.v_segment_of(pixel_45, at_42, _e9);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e10.exit).elementwise_gt(rt::Scalar(0f32))) {
                         let _e14 = self.v_trace(_e10);
-                        hit_13 = _e14;
+                        hit_15 = _e14;
                         let _e16 = cost_21;
-                        let _e18 = hit_13.cost;
+                        let _e18 = hit_15.cost;
                         cost_21 = (_e16 + _e18);
-                        let _e21 = rt::Scalar(hit_13.found);
+                        let _e21 = rt::Scalar(hit_15.found);
                         if rt::Scalar::into_branch_condition(_e21.elementwise_eq(rt::Scalar(1u32))) {
                             let _e25 = cost_21;
-                            hit_13.cost = _e25;
-                            let _e26 = hit_13;
-                            let _e27 = self.v_polish_hit(pixel_37, at_34, _e10, _e26);
-                            hit_13 = _e27;
-                            let _e28 = hit_13;
-                            let _e29 = k_12;
-                            let _e30 = hit_13;
-                            let _e31 = self.v_key_of(pixel_37, _e10, _e30);
+                            hit_15.cost = _e25;
+                            let _e26 = hit_15;
+                            let _e27 = self.v_polish_hit(pixel_45, at_42, _e10, _e26);
+                            hit_15 = _e27;
+                            let _e28 = hit_15;
+                            let _e29 = k_14;
+                            let _e30 = hit_15;
+                            let _e31 = self.v_key_of(pixel_45, _e10, _e30);
                             return <FirstHit>::new(_e28, _e29, _e31);
                         }
                     }
-                    let _e33 = k_12;
-                    k_12 = (_e33 + rt::Scalar(1u32));
+                    let _e33 = k_14;
+                    k_14 = (_e33 + rt::Scalar(1u32));
                 }
             }
         }
@@ -6568,48 +7355,48 @@ impl<'g> Resources<'g> {
         }
         return uv_13;
     }
-    pub(crate) fn from_hit(&self, at_35: Entered, hit_14: Hit, light_1: Toward) -> Path {
-        rt::into(self.v_from_hit(at_35, hit_14, light_1))
+    pub(crate) fn from_hit(&self, at_43: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        rt::into(self.v_from_hit(at_43, hit_16, light_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_from_hit(&self, at_35: Entered, hit_14: Hit, light_1: Toward) -> Path {
-        let _e4 = self.v_climb(at_35, light_1.direction);
-        let _e6 = self.v_near_uv(hit_14.uv);
-        let _e8 = self.v_height_at(_e6, rt::Scalar(at_35.level));
-        let h_3 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
-        return <Path>::new(_e6, _e4.xy(), h_3, rt::Scalar(0f32), rt::Scalar(0f32), at_35.metric, RAY_SHADOW, rt::Scalar(at_35.level), rt::Scalar(0f32), rt::Scalar(1f32));
+    fn v_from_hit(&self, at_43: Entered, hit_16: Hit, light_1: Toward) -> Path {
+        let _e4 = self.v_climb(at_43, light_1.direction);
+        let _e6 = self.v_near_uv(hit_16.uv);
+        let _e8 = self.v_height_at(_e6, rt::Scalar(at_43.level));
+        let h_4 = <rt::Vec3<f32>>::from_scalars(_e8, _e4.z(), rt::Scalar(0f32));
+        return <Path>::new(_e6, _e4.xy(), h_4, rt::Scalar(0f32), rt::Scalar(0f32), at_43.metric, RAY_SHADOW, rt::Scalar(at_43.level), rt::Scalar(0f32), rt::Scalar(1f32));
     }
-    pub(crate) fn way_out(&self, path_57: Path, light_2: Toward) -> f32 {
-        rt::into(self.v_way_out(path_57, light_2))
+    pub(crate) fn way_out(&self, path_61: Path, light_2: Toward) -> f32 {
+        rt::into(self.v_way_out(path_61, light_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_way_out(&self, path_57: Path, light_2: Toward) -> rt::Scalar<f32> {
+    fn v_way_out(&self, path_61: Path, light_2: Toward) -> rt::Scalar<f32> {
         let mut way: rt::Scalar<f32>;
-        let mut interval_4: rt::Vec2<f32>;
+        let mut interval_5: rt::Vec2<f32>;
 
-        way = ((rt::Scalar(1f32) - path_57.h.x()) / path_57.h.y()).min(rt::Scalar(light_2.distance));
+        way = ((rt::Scalar(1f32) - path_61.h.x()) / path_61.h.y()).min(rt::Scalar(light_2.distance));
         let _e14 = rt::Scalar(self.surface_settings.wrap);
         if rt::Scalar::into_branch_condition(_e14.elementwise_eq(WRAP_CLAMP)) {
             let _e21 = way;
-            let _e24 = self.v_inside_unit(path_57.uv.x(), path_57.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
-            interval_4 = _e24;
-            let _e30 = interval_4;
-            let _e31 = self.v_inside_unit(path_57.uv.y(), path_57.duv.y(), _e30);
-            interval_4 = _e31;
-            let _e33 = interval_4.y();
+            let _e24 = self.v_inside_unit(path_61.uv.x(), path_61.duv.x(), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), _e21));
+            interval_5 = _e24;
+            let _e30 = interval_5;
+            let _e31 = self.v_inside_unit(path_61.uv.y(), path_61.duv.y(), _e30);
+            interval_5 = _e31;
+            let _e33 = interval_5.y();
             way = _e33;
         }
         let _e34 = way;
         return _e34;
     }
-    pub(crate) fn light_ray(&self, at_36: Entered, hit_15: Hit, light_3: Toward) -> LightRay {
-        rt::into(self.v_light_ray(at_36, hit_15, light_3))
+    pub(crate) fn light_ray(&self, at_44: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+        rt::into(self.v_light_ray(at_44, hit_17, light_3))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_light_ray(&self, at_36: Entered, hit_15: Hit, light_3: Toward) -> LightRay {
-        let mut local_37: rt::Scalar<bool>;
+    fn v_light_ray(&self, at_44: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
+        let mut local_45: rt::Scalar<bool>;
 
-        let _e3 = self.v_from_hit(at_36, hit_15, light_3);
+        let _e3 = self.v_from_hit(at_44, hit_17, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -6620,103 +7407,103 @@ impl<'g> Resources<'g> {
         let _e17 = self.v_grid_of(_e3);
         let _e19 = self.v_cell_of(_e17.origin);
         let _e20 = self.v_cell_leave(_e17, _e19);
-        let end_12 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
+        let end_13 = _e20.x().min(_e20.y()).min(_e11).max(rt::Scalar(0f32));
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_37 = (_e31.y() + (_e31.z() * end_12)).elementwise_lt(rt::Scalar(0f32));
+            local_45 = (_e31.y() + (_e31.z() * end_13)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_37 = rt::Scalar(true);
+            local_45 = rt::Scalar(true);
         }
-        let _e45 = local_37;
+        let _e45 = local_45;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
-        if rt::Scalar::into_branch_condition(end_12.elementwise_ge(_e11)) {
+        if rt::Scalar::into_branch_condition(end_13.elementwise_ge(_e11)) {
             return <LightRay>::new(LIGHT_RAY_LIT, _e3);
         }
-        let _e51 = self.v_path_uv(_e3, end_12);
-        let gap_7 = (end_12 * (_e31.y() + (_e31.z() * end_12)));
+        let _e51 = self.v_path_uv(_e3, end_13);
+        let gap_7 = (end_13 * (_e31.y() + (_e31.z() * end_13)));
         let _e58 = self.v_height_at(_e51, rt::Scalar(_e3.level));
-        let h_4 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
-        let path_63 = <Path>::new(_e51, _e3.duv, h_4, (_e11 - end_12), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_12, rt::Scalar(1f32));
-        return <LightRay>::new(LIGHT_RAY_OPEN, path_63);
+        let h_5 = <rt::Vec3<f32>>::from_scalars(((_e58 + gap_7) + rt::Scalar(0.0000009536743f32)), _e3.h.y(), rt::Scalar(0f32));
+        let path_69 = <Path>::new(_e51, _e3.duv, h_5, (_e11 - end_13), rt::Scalar(0f32), _e3.metric, rt::Scalar(_e3.ray), rt::Scalar(_e3.level), end_13, rt::Scalar(1f32));
+        return <LightRay>::new(LIGHT_RAY_OPEN, path_69);
     }
-    pub(crate) fn shadow_search_stage(&self, path_58: Path) -> Found {
-        rt::into(self.v_shadow_search_stage(path_58))
+    pub(crate) fn shadow_search_stage(&self, path_62: Path) -> Found {
+        rt::into(self.v_shadow_search_stage(path_62))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_search_stage(&self, path_58: Path) -> Found {
+    fn v_shadow_search_stage(&self, path_62: Path) -> Found {
         let _e5 = rt::Scalar(self.surface_settings.choices[6usize].number);
         match rt::Scalar::into_inner(_e5) {
             0u32 => {
                 let _e10 = self.surface_settings.choices[6usize].params;
-                let _e11 = self.v_search_none(path_58, _e10);
+                let _e11 = self.v_search_none(path_62, _e10);
                 return _e11;
             }
             1u32 => {
                 let _e16 = self.surface_settings.choices[6usize].params;
-                let _e17 = self.v_search_linear(path_58, _e16);
+                let _e17 = self.v_search_linear(path_62, _e16);
                 return _e17;
             }
             2u32 => {
                 let _e22 = self.surface_settings.choices[6usize].params;
-                let _e23 = self.v_search_cells(path_58, _e22);
+                let _e23 = self.v_search_cells(path_62, _e22);
                 return _e23;
             }
             3u32 => {
                 let _e28 = self.surface_settings.choices[6usize].params;
-                let _e29 = self.v_search_frustum(path_58, _e28);
+                let _e29 = self.v_search_frustum(path_62, _e28);
                 return _e29;
             }
             4u32 => {
                 let _e34 = self.surface_settings.choices[6usize].params;
-                let _e35 = self.v_search_cone(path_58, _e34);
+                let _e35 = self.v_search_cone(path_62, _e34);
                 return _e35;
             }
             5u32 => {
                 let _e40 = self.surface_settings.choices[6usize].params;
-                let _e41 = self.v_search_pyramid(path_58, _e40);
+                let _e41 = self.v_search_pyramid(path_62, _e40);
                 return _e41;
             }
             6u32 => {
                 let _e46 = self.surface_settings.choices[6usize].params;
-                let _e47 = self.v_search_pyramid_texels(path_58, _e46);
+                let _e47 = self.v_search_pyramid_texels(path_62, _e46);
                 return _e47;
             }
             7u32 => {
                 let _e52 = self.surface_settings.choices[6usize].params;
-                let _e53 = self.v_search_dilation_erosion(path_58, _e52);
+                let _e53 = self.v_search_dilation_erosion(path_62, _e52);
                 return _e53;
             }
             8u32 => {
                 let _e58 = self.surface_settings.choices[6usize].params;
-                let _e59 = self.v_search_sphere(path_58, _e58);
+                let _e59 = self.v_search_sphere(path_62, _e58);
                 return _e59;
             }
             9u32 => {
                 let _e64 = self.surface_settings.choices[6usize].params;
-                let _e65 = self.v_search_cone_moved(path_58, _e64);
+                let _e65 = self.v_search_cone_moved(path_62, _e64);
                 return _e65;
             }
             10u32 => {
                 let _e70 = self.surface_settings.choices[6usize].params;
-                let _e71 = self.v_search_relaxed_cone(path_58, _e70);
+                let _e71 = self.v_search_relaxed_cone(path_62, _e70);
                 return _e71;
             }
             _ => {
                 let _e76 = self.surface_settings.choices[6usize].params;
-                let _e77 = self.v_search_relaxed_cone_resting(path_58, _e76);
+                let _e77 = self.v_search_relaxed_cone_resting(path_62, _e76);
                 return _e77;
             }
         }
     }
-    pub(crate) fn free_way(&self, at_37: Entered, hit_16: Hit, light_4: Toward) -> f32 {
-        rt::into(self.v_free_way(at_37, hit_16, light_4))
+    pub(crate) fn free_way(&self, at_45: Entered, hit_18: Hit, light_4: Toward) -> f32 {
+        rt::into(self.v_free_way(at_45, hit_18, light_4))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_free_way(&self, at_37: Entered, hit_16: Hit, light_4: Toward) -> rt::Scalar<f32> {
-        let _e3 = self.v_light_ray(at_37, hit_16, light_4);
+    fn v_free_way(&self, at_45: Entered, hit_18: Hit, light_4: Toward) -> rt::Scalar<f32> {
+        let _e3 = self.v_light_ray(at_45, hit_18, light_4);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e3.state).elementwise_eq(LIGHT_RAY_LIT)) {
             return rt::Scalar(1f32);
         }
@@ -6754,9 +7541,9 @@ impl<'g> Resources<'g> {
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_means_of_one(&self, n_6: rt::Vec3<f32>) -> Normals {
         let upright = n_6.z().max(rt::Scalar(0.05f32));
-        let slope_7 = (<rt::Vec2<f32>>::from_scalars((-n_6.x()), (-n_6.y())) / rt::Vec2::splat_from_scalar(upright));
-        let square_1 = ((slope_7 * slope_7) * upright);
-        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_6, slope_7.x()), <rt::Vec4<f32>>::from_scalars(square_1.x(), ((slope_7.x() * slope_7.y()) * upright), square_1.y(), slope_7.y()));
+        let slope_9 = (<rt::Vec2<f32>>::from_scalars((-n_6.x()), (-n_6.y())) / rt::Vec2::splat_from_scalar(upright));
+        let square_1 = ((slope_9 * slope_9) * upright);
+        return <Normals>::new(<rt::Vec4<f32>>::new_31(n_6, slope_9.x()), <rt::Vec4<f32>>::from_scalars(square_1.x(), ((slope_9.x() * slope_9.y()) * upright), square_1.y(), slope_9.y()));
     }
     pub(crate) fn no_table(&self) -> SeenTable {
         rt::into(self.v_no_table())
@@ -6766,52 +7553,52 @@ impl<'g> Resources<'g> {
         let none = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         return <SeenTable>::new(none, none, none);
     }
-    pub(crate) fn one_seen(&self, normal_10: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
-        rt::into(self.v_one_seen(rt::into(normal_10)))
+    pub(crate) fn one_seen(&self, normal_11: impl rt::Into<rt::Vec3<f32>>) -> SeenNormals {
+        rt::into(self.v_one_seen(rt::into(normal_11)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_one_seen(&self, normal_10: rt::Vec3<f32>) -> SeenNormals {
+    fn v_one_seen(&self, normal_11: rt::Vec3<f32>) -> SeenNormals {
         let nothing = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32));
         let none_1 = <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let parts = <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
         let _e13 = self.v_no_table();
-        return <SeenNormals>::new(normal_10, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts, rt::Scalar(0f32), _e13);
+        return <SeenNormals>::new(normal_11, rt::Scalar(1f32), rt::Scalar(0u32), none_1, none_1, none_1, nothing, nothing, nothing, rt::Scalar(1f32), rt::Scalar(0f32), parts, rt::Scalar(0f32), _e13);
     }
     pub(crate) fn to_tangent_space(
         &self,
-        at_38: Entered,
+        at_46: Entered,
         v: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_to_tangent_space(at_38, rt::into(v)))
+        rt::into(self.v_to_tangent_space(at_46, rt::into(v)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_to_tangent_space(
         &self,
-        at_38: Entered,
+        at_46: Entered,
         v: rt::Vec3<f32>,
     ) -> rt::Vec3<f32> {
-        let along_u_2 = at_38.tangent.normalize();
-        let along_v_2 = at_38.bitangent.normalize();
-        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_38.normal.dot(v));
+        let along_u_2 = at_46.tangent.normalize();
+        let along_v_2 = at_46.bitangent.normalize();
+        return <rt::Vec3<f32>>::from_scalars(along_u_2.dot(v), (-along_v_2.dot(v)), at_46.normal.dot(v));
     }
     pub(crate) fn normals_of_level(
         &self,
-        at_39: Entered,
+        at_47: Entered,
         uv_14: impl rt::Into<rt::Vec2<f32>>,
         level_20: impl rt::Into<rt::Scalar<u32>>,
     ) -> Normals {
-        rt::into(self.v_normals_of_level(at_39, rt::into(uv_14), rt::into(level_20)))
+        rt::into(self.v_normals_of_level(at_47, rt::into(uv_14), rt::into(level_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_normals_of_level(
         &self,
-        at_39: Entered,
+        at_47: Entered,
         uv_14: rt::Vec2<f32>,
         level_20: rt::Scalar<u32>,
     ) -> Normals {
         if rt::Scalar::into_branch_condition(level_20.elementwise_eq(rt::Scalar(0u32))) {
-            let _e5 = self.v_finest_normal(at_39, uv_14);
-            let _e6 = self.v_to_tangent_space(at_39, _e5);
+            let _e5 = self.v_finest_normal(at_47, uv_14);
+            let _e6 = self.v_to_tangent_space(at_47, _e5);
             let _e7 = self.v_means_of_one(_e6);
             return _e7;
         }
@@ -6822,8 +7609,8 @@ impl<'g> Resources<'g> {
             return <Normals>::new(_e14, _e16);
         }
         let tile = self.surface_settings.normal_tile_m;
-        let x_2 = ((tile.x() * at_39.tangent.normalize().dot(at_39.tangent)) / at_39.tangent.dot(at_39.tangent));
-        let y_1 = ((tile.y() * at_39.bitangent.normalize().dot(at_39.bitangent)) / at_39.bitangent.dot(at_39.bitangent));
+        let x_2 = ((tile.x() * at_47.tangent.normalize().dot(at_47.tangent)) / at_47.tangent.dot(at_47.tangent));
+        let y_1 = ((tile.y() * at_47.bitangent.normalize().dot(at_47.bitangent)) / at_47.bitangent.dot(at_47.bitangent));
         let _e44 = self.v_normal_at(uv_14, rt::Scalar(0i32), (level_20 - rt::Scalar(1u32)));
         let _e48 = self.v_normal_at(uv_14, rt::Scalar(1i32), (level_20 - rt::Scalar(1u32)));
         let flatter = <rt::Vec3<f32>>::from_scalars((_e44.x() * x_2), (_e44.y() * y_1), _e44.z());
@@ -6840,71 +7627,71 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_normals(
         &self,
-        at_40: Entered,
+        at_48: Entered,
         normals: Normals,
         view_6: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_seen_normals(at_40, normals, rt::into(view_6)))
+        rt::into(self.v_seen_normals(at_48, normals, rt::into(view_6)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_normals(
         &self,
-        at_40: Entered,
+        at_48: Entered,
         normals: Normals,
         view_6: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let first_7 = normals.first;
+        let first_8 = normals.first;
         let second_2 = normals.second;
-        let slope_8 = <rt::Vec2<f32>>::from_scalars(first_7.w(), second_2.w());
-        let upright_1 = first_7.z().max(rt::Scalar(0.05f32));
-        let x_3 = (first_7.x() / upright_1);
-        let y_2 = (first_7.y() / upright_1);
+        let slope_10 = <rt::Vec2<f32>>::from_scalars(first_8.w(), second_2.w());
+        let upright_1 = first_8.z().max(rt::Scalar(0.05f32));
+        let x_3 = (first_8.x() / upright_1);
+        let y_2 = (first_8.y() / upright_1);
         let a_11 = ((second_2.x() / upright_1) - (x_3 * x_3)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let b_9 = (((second_2.y() / upright_1) - (x_3 * y_2)) / a_11);
+        let b_10 = (((second_2.y() / upright_1) - (x_3 * y_2)) / a_11);
         let spread = ((second_2.z() / upright_1) - (y_2 * y_2)).max(rt::Scalar(0f32));
-        let d_1 = (spread - (b_9 * b_9)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
-        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_2.x(), second_2.y(), first_7.x())) - (first_7.xyz() * slope_8.x()));
-        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_2.y(), second_2.z(), first_7.y())) - (first_7.xyz() * slope_8.y()));
+        let d_1 = (spread - (b_10 * b_10)).max(rt::Scalar(0f32)).sqrt().max(rt::Scalar(0.0001f32));
+        let with_x = ((-<rt::Vec3<f32>>::from_scalars(second_2.x(), second_2.y(), first_8.x())) - (first_8.xyz() * slope_10.x()));
+        let with_y = ((-<rt::Vec3<f32>>::from_scalars(second_2.y(), second_2.z(), first_8.y())) - (first_8.xyz() * slope_10.y()));
         let most_6 = ((a_11 * a_11) + spread).sqrt().min(rt::Scalar(1f32));
-        let along_17 = (with_x / rt::Vec3::splat_from_scalar(a_11.max((with_x.length() / most_6))));
-        let rest_7 = (with_y - (along_17 * b_9));
+        let along_20 = (with_x / rt::Vec3::splat_from_scalar(a_11.max((with_x.length() / most_6))));
+        let rest_7 = (with_y - (along_20 * b_10));
         let across_4 = (rest_7 / rt::Vec3::splat_from_scalar(d_1.max((rest_7.length() / most_6))));
-        let _e77 = self.v_to_tangent_space(at_40, view_6);
-        let middle_10 = (_e77.z() - _e77.xy().dot(slope_8));
-        let _e91 = self.v_facing_four(middle_10, (-((_e77.x() * a_11) + (_e77.y() * b_9))), (-(_e77.y() * d_1)));
-        let one = middle_10.max(rt::Scalar(0f32));
+        let _e77 = self.v_to_tangent_space(at_48, view_6);
+        let middle_11 = (_e77.z() - _e77.xy().dot(slope_10));
+        let _e91 = self.v_facing_four(middle_11, (-((_e77.x() * a_11) + (_e77.y() * b_10))), (-(_e77.y() * d_1)));
+        let one = middle_11.max(rt::Scalar(0f32));
         let _e94 = self.v_sum_of_four(_e91);
         let _e95 = self.v_mean_of_five(one, _e94);
         let all = _e95.max(rt::Scalar(0.001f32));
-        let aside_5 = ((along_17 * ((_e91.x() - _e91.y()) / all)) + (across_4 * ((_e91.z() - _e91.w()) / all)));
-        let _e113 = self.v_from_tangent_space(at_40, (first_7.xyz() + (aside_5 * rt::Scalar(0.28867513f32))));
+        let aside_7 = ((along_20 * ((_e91.x() - _e91.y()) / all)) + (across_4 * ((_e91.z() - _e91.w()) / all)));
+        let _e113 = self.v_from_tangent_space(at_48, (first_8.xyz() + (aside_7 * rt::Scalar(0.28867513f32))));
         let _e133 = self.v_no_table();
-        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_7.xyz(), along_17, across_4, slope_8, <rt::Vec2<f32>>::from_scalars(a_11, b_9), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
+        return <SeenNormals>::new(_e113.normalize(), _e113.length().min(rt::Scalar(1f32)), rt::Scalar(1u32), first_8.xyz(), along_20, across_4, slope_10, <rt::Vec2<f32>>::from_scalars(a_11, b_10), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), d_1), (_e77.z().max(rt::Scalar(0f32)) * _e77.z().max(rt::Scalar(0f32))), (one / all), (_e91 / rt::Vec4::splat_from_scalar(all)), rt::Scalar(0f32), _e133);
     }
-    pub(crate) fn table_part(&self, at_41: Entered) -> f32 {
-        rt::into(self.v_table_part(at_41))
+    pub(crate) fn table_part(&self, at_49: Entered) -> f32 {
+        rt::into(self.v_table_part(at_49))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_table_part(&self, at_41: Entered) -> rt::Scalar<f32> {
+    fn v_table_part(&self, at_49: Entered) -> rt::Scalar<f32> {
         let _e3 = rt::Scalar(self.surface_settings.has_normal);
         if rt::Scalar::into_branch_condition(_e3.elementwise_eq(rt::Scalar(1u32))) {
             return rt::Scalar(0f32);
         }
-        return (rt::Scalar(at_41.fade) * ((rt::Scalar(at_41.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
+        return (rt::Scalar(at_49.fade) * ((rt::Scalar(at_49.footprint) * rt::Scalar(0.25f32)) - rt::Scalar(1f32)).clamp(rt::Scalar(0f32), rt::Scalar(1f32)));
     }
     pub(crate) fn with_table(
         &self,
-        at_42: Entered,
+        at_50: Entered,
         seen: SeenNormals,
         table: SeenTable,
         part_4: impl rt::Into<rt::Scalar<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_with_table(at_42, seen, table, rt::into(part_4)))
+        rt::into(self.v_with_table(at_50, seen, table, rt::into(part_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_with_table(
         &self,
-        at_42: Entered,
+        at_50: Entered,
         seen: SeenNormals,
         table: SeenTable,
         part_4: rt::Scalar<f32>,
@@ -6913,7 +7700,7 @@ impl<'g> Resources<'g> {
 
         told = seen;
         let before_2 = (seen.normal * rt::Scalar(seen.length));
-        let _e9 = self.v_from_tangent_space(at_42, table.mean);
+        let _e9 = self.v_from_tangent_space(at_50, table.mean);
         let mean_4 = (before_2 + ((_e9 - before_2) * part_4));
         told.normal = mean_4.normalize();
         rt::Scalar(told.length) = mean_4.length().min(rt::Scalar(1f32));
@@ -7018,22 +7805,22 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn table_of(
         &self,
-        at_43: Entered,
+        at_51: Entered,
         uv_17: impl rt::Into<rt::Vec2<f32>>,
         view_7: impl rt::Into<rt::Vec3<f32>>,
         levels_2: Levels,
     ) -> SeenTable {
-        rt::into(self.v_table_of(at_43, rt::into(uv_17), rt::into(view_7), levels_2))
+        rt::into(self.v_table_of(at_51, rt::into(uv_17), rt::into(view_7), levels_2))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_table_of(
         &self,
-        at_43: Entered,
+        at_51: Entered,
         uv_17: rt::Vec2<f32>,
         view_7: rt::Vec3<f32>,
         levels_2: Levels,
     ) -> SeenTable {
-        let _e4 = self.v_climb(at_43, view_7);
+        let _e4 = self.v_climb(at_51, view_7);
         let tile_1 = self.surface_settings.maps[0usize].tile_m;
         let _e15 = rt::Scalar(self.surface_settings.scale_m);
         let toward_5 = <rt::Vec3<f32>>::new_21((_e4.xy() * tile_1), (_e4.z() * _e15));
@@ -7053,8 +7840,8 @@ impl<'g> Resources<'g> {
         let _e52 = self.v_seen_in_levels(uv_17, a1_, e1_1, levels_2);
         let _e53 = self.v_seen_between(_e51, _e52, across_5);
         let _e56 = self.v_seen_between(_e50, _e53, (elevation_3 - elevation_3.floor()));
-        let x_5 = ((tile_1.x() * at_43.tangent.normalize().dot(at_43.tangent)) / at_43.tangent.dot(at_43.tangent));
-        let y_4 = ((tile_1.y() * at_43.bitangent.normalize().dot(at_43.bitangent)) / at_43.bitangent.dot(at_43.bitangent));
+        let x_5 = ((tile_1.x() * at_51.tangent.normalize().dot(at_51.tangent)) / at_51.tangent.dot(at_51.tangent));
+        let y_4 = ((tile_1.y() * at_51.bitangent.normalize().dot(at_51.bitangent)) / at_51.bitangent.dot(at_51.bitangent));
         let mean_5 = _e56.first.xyz();
         let flatter_1 = <rt::Vec3<f32>>::from_scalars((mean_5.x() * x_5), (mean_5.y() * y_4), mean_5.z());
         let squared_3 = (mean_5.dot(mean_5) / flatter_1.dot(flatter_1));
@@ -7063,46 +7850,46 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn mesostructure_normals(
         &self,
-        at_44: Entered,
+        at_52: Entered,
         uv_18: impl rt::Into<rt::Vec2<f32>>,
         view_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> SeenNormals {
-        rt::into(self.v_mesostructure_normals(at_44, rt::into(uv_18), rt::into(view_8)))
+        rt::into(self.v_mesostructure_normals(at_52, rt::into(uv_18), rt::into(view_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_mesostructure_normals(
         &self,
-        at_44: Entered,
+        at_52: Entered,
         uv_18: rt::Vec2<f32>,
         view_8: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
-        let upright_3 = at_44.normal.dot(view_8);
+        let upright_3 = at_52.normal.dot(view_8);
         let shown = upright_3.max(rt::Scalar(0.5f32));
-        let width_4 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_44.fade)));
+        let width_4 = (shown + ((rt::Scalar(1f32) - shown) * rt::Scalar(at_52.fade)));
         let _e15 = rt::Scalar(self.surface_settings.normal_texels);
-        let texels_5 = ((rt::Scalar(at_44.footprint) * _e15) * width_4);
+        let texels_5 = ((rt::Scalar(at_52.footprint) * _e15) * width_4);
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_38 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_46 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_38 = rt::Scalar(false);
+            local_46 = rt::Scalar(false);
         }
-        let _e32 = local_38;
+        let _e32 = local_46;
         if rt::Scalar::into_branch_condition(_e32) {
-            let _e33 = self.v_finest_normal(at_44, uv_18);
+            let _e33 = self.v_finest_normal(at_52, uv_18);
             let _e34 = self.v_one_seen(_e33);
             return _e34;
         }
-        let _e36 = self.v_normals_of_level(at_44, uv_18, rt::Scalar(_e21.fine));
+        let _e36 = self.v_normals_of_level(at_52, uv_18, rt::Scalar(_e21.fine));
         first_1 = _e36.first;
         second = _e36.second;
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32))) {
-            let _e47 = self.v_normals_of_level(at_44, uv_18, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
+            let _e47 = self.v_normals_of_level(at_52, uv_18, (rt::Scalar(_e21.fine) + rt::Scalar(1u32)));
             let _e48 = first_1;
             let _e50 = first_1;
             first_1 = (_e48 + ((_e47.first - _e50) * rt::Scalar(_e21.part)));
@@ -7112,15 +7899,15 @@ impl<'g> Resources<'g> {
         }
         let _e62 = first_1;
         let _e63 = second;
-        let _e65 = self.v_seen_normals(at_44, <Normals>::new(_e62, _e63), view_8);
-        let _e66 = self.v_table_part(at_44);
+        let _e65 = self.v_seen_normals(at_52, <Normals>::new(_e62, _e63), view_8);
+        let _e66 = self.v_table_part(at_52);
         if rt::Scalar::into_branch_condition(_e66.elementwise_gt(rt::Scalar(0f32))) {
             let _e72 = rt::Scalar(self.surface_settings.height_levels);
-            let _e73 = self.v_levels_of(rt::Scalar(at_44.footprint), _e72);
+            let _e73 = self.v_levels_of(rt::Scalar(at_52.footprint), _e72);
             let _e74 = self.v_has_table(_e73);
             if rt::Scalar::into_branch_condition(_e74) {
-                let _e75 = self.v_table_of(at_44, uv_18, view_8, _e73);
-                let _e76 = self.v_with_table(at_44, _e65, _e75, _e66);
+                let _e75 = self.v_table_of(at_52, uv_18, view_8, _e73);
+                let _e76 = self.v_with_table(at_52, _e65, _e75, _e66);
                 return _e76;
             }
         }
@@ -7128,61 +7915,61 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_ray(
         &self,
-        at_45: Entered,
-        hit_17: Hit,
+        at_53: Entered,
+        hit_19: Hit,
         light_5: Toward,
-        params_41: impl rt::Into<rt::Vec4<f32>>,
+        params_47: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_ray(at_45, hit_17, light_5, rt::into(params_41)))
+        rt::into(self.v_shadow_ray(at_53, hit_19, light_5, rt::into(params_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_ray(
         &self,
-        at_45: Entered,
-        hit_17: Hit,
+        at_53: Entered,
+        hit_19: Hit,
         light_5: Toward,
-        params_41: rt::Vec4<f32>,
+        params_47: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_free_way(at_45, hit_17, light_5);
+        let _e4 = self.v_free_way(at_53, hit_19, light_5);
         return _e4;
     }
     pub(crate) fn shadow_none(
         &self,
-        at_46: Entered,
-        hit_18: Hit,
+        at_54: Entered,
+        hit_20: Hit,
         light_6: Toward,
-        params_42: impl rt::Into<rt::Vec4<f32>>,
+        params_48: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_none(at_46, hit_18, light_6, rt::into(params_42)))
+        rt::into(self.v_shadow_none(at_54, hit_20, light_6, rt::into(params_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_none(
         &self,
-        at_46: Entered,
-        hit_18: Hit,
+        at_54: Entered,
+        hit_20: Hit,
         light_6: Toward,
-        params_42: rt::Vec4<f32>,
+        params_48: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         return rt::Scalar(1f32);
     }
     pub(crate) fn shadow_entry(
         &self,
-        at_47: Entered,
-        hit_19: Hit,
+        at_55: Entered,
+        hit_21: Hit,
         light_7: Toward,
-        params_43: impl rt::Into<rt::Vec4<f32>>,
+        params_49: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_entry(at_47, hit_19, light_7, rt::into(params_43)))
+        rt::into(self.v_shadow_entry(at_55, hit_21, light_7, rt::into(params_49)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_entry(
         &self,
-        at_47: Entered,
-        hit_19: Hit,
+        at_55: Entered,
+        hit_21: Hit,
         light_7: Toward,
-        params_43: rt::Vec4<f32>,
+        params_49: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e4 = self.v_from_hit(at_47, hit_19, light_7);
+        let _e4 = self.v_from_hit(at_55, hit_21, light_7);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
@@ -7201,7 +7988,7 @@ impl<'g> Resources<'g> {
         }
         let _e51 = self.v_height_size(rt::Scalar(_e4.level));
         let apart_2 = ((_e41.uv - _e4.uv).abs() * _e51);
-        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_2.x().max(apart_2.y()).elementwise_le(params_43.x()));
+        return rt::Scalar(0f32).select(rt::Scalar(1f32), apart_2.x().max(apart_2.y()).elementwise_le(params_49.x()));
     }
     pub(crate) fn mixed(&self, seed: impl rt::Into<rt::Scalar<u32>>) -> u32 {
         rt::into(self.v_mixed(rt::into(seed)))
@@ -7222,12 +8009,12 @@ impl<'g> Resources<'g> {
         let _e17 = x;
         return (_e16 ^ (_e17 >> rt::Scalar(16u32)));
     }
-    pub(crate) fn seed_of(&self, hit_20: Hit) -> u32 {
-        rt::into(self.v_seed_of(hit_20))
+    pub(crate) fn seed_of(&self, hit_22: Hit) -> u32 {
+        rt::into(self.v_seed_of(hit_22))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_seed_of(&self, hit_20: Hit) -> rt::Scalar<u32> {
-        let place_11 = ((hit_20.uv - hit_20.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
+    fn v_seed_of(&self, hit_22: Hit) -> rt::Scalar<u32> {
+        let place_11 = ((hit_22.uv - hit_22.uv.floor()) * rt::Scalar(16777216f32)).cast_elem_as_u32();
         let _e10 = self.v_mixed(place_11.y());
         let _e12 = self.v_mixed((place_11.x() ^ _e10));
         return _e12;
@@ -7246,8 +8033,8 @@ impl<'g> Resources<'g> {
     fn v_quarter_sine(&self, turn_1: rt::Scalar<f32>) -> rt::Scalar<f32> {
         let x_6 = (turn_1 * rt::Scalar(6.2831855f32));
         let s_2 = (x_6 * x_6);
-        let last_5 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
-        return (x_6 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_5)))))));
+        let last_6 = (rt::Scalar(-0.0001984127f32) + (s_2 * rt::Scalar(0.0000027557319f32)));
+        return (x_6 * (rt::Scalar(1f32) + (s_2 * (rt::Scalar(-0.16666667f32) + (s_2 * (rt::Scalar(0.008333334f32) + (s_2 * last_6)))))));
     }
     pub(crate) fn sine_of(&self, turn_2: impl rt::Into<rt::Scalar<f32>>) -> f32 {
         rt::into(self.v_sine_of(rt::into(turn_2)))
@@ -7271,69 +8058,69 @@ impl<'g> Resources<'g> {
         &self,
         light_8: Toward,
         seed_1: impl rt::Into<rt::Scalar<u32>>,
-        k_13: impl rt::Into<rt::Scalar<u32>>,
+        k_15: impl rt::Into<rt::Scalar<u32>>,
         count_1: impl rt::Into<rt::Scalar<u32>>,
     ) -> Toward {
-        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_13), rt::into(count_1)))
+        rt::into(self.v_point_of_disc(light_8, rt::into(seed_1), rt::into(k_15), rt::into(count_1)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_point_of_disc(
         &self,
         light_8: Toward,
         seed_1: rt::Scalar<u32>,
-        k_13: rt::Scalar<u32>,
+        k_15: rt::Scalar<u32>,
         count_1: rt::Scalar<u32>,
     ) -> Toward {
-        let _e8 = self.v_mixed(((seed_1 + k_13) + rt::Scalar(1u32)));
+        let _e8 = self.v_mixed(((seed_1 + k_15) + rt::Scalar(1u32)));
         let _e9 = self.v_unit_of(_e8);
-        let ring = ((k_13.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
+        let ring = ((k_15.cast_elem_as_f32() + _e9) / count_1.cast_elem_as_f32());
         let _e16 = self.v_unit_of(seed_1);
-        let _e18 = self.v_turned(((k_13.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
+        let _e18 = self.v_turned(((k_15.cast_elem_as_f32() * rt::Scalar(0.618034f32)) + _e16));
         let place_12 = (_e18 * (ring.sqrt() * rt::Scalar(light_8.radius)));
         let other = rt::Scalar(0f32).select(rt::Scalar(1f32), light_8.direction.x().abs().elementwise_gt(rt::Scalar(0.6f32)));
         let right_2 = <rt::Vec3<f32>>::from_scalars((rt::Scalar(1f32) - other), other, rt::Scalar(0f32)).cross(light_8.direction).normalize();
         let up_1 = light_8.direction.cross(right_2);
         let toward_6 = ((light_8.direction + (right_2 * place_12.x())) + (up_1 * place_12.y()));
-        let along_18 = toward_6.length();
-        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_18)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_18), rt::Scalar(0f32));
+        let along_21 = toward_6.length();
+        return <Toward>::new((toward_6 / rt::Vec3::splat_from_scalar(along_21)), rt::Scalar(light_8.falloff), (rt::Scalar(light_8.distance) * along_21), rt::Scalar(0f32));
     }
     pub(crate) fn shadow_soft(
         &self,
-        at_48: Entered,
-        hit_21: Hit,
+        at_56: Entered,
+        hit_23: Hit,
         light_9: Toward,
-        params_44: impl rt::Into<rt::Vec4<f32>>,
+        params_50: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_soft(at_48, hit_21, light_9, rt::into(params_44)))
+        rt::into(self.v_shadow_soft(at_56, hit_23, light_9, rt::into(params_50)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_soft(
         &self,
-        at_48: Entered,
-        hit_21: Hit,
+        at_56: Entered,
+        hit_23: Hit,
         light_9: Toward,
-        params_44: rt::Vec4<f32>,
+        params_50: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut free: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_14: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_16: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        let count_3 = params_44.x().cast_elem_as_u32();
-        let _e6 = self.v_seed_of(hit_21);
+        let count_3 = params_50.x().cast_elem_as_u32();
+        let _e6 = self.v_seed_of(hit_23);
         'naga_break: loop {
             'naga_continue: {
-                let _e11 = k_14;
+                let _e11 = k_16;
                 if rt::Scalar::into_branch_condition(_e11.elementwise_lt(count_3)) {
                 } else {
                     break 'naga_break;
                 }
                 {
                     let _e13 = free;
-                    let _e14 = k_14;
+                    let _e14 = k_16;
                     let _e15 = self.v_point_of_disc(light_9, _e6, _e14, count_3);
-                    let _e16 = self.v_free_way(at_48, hit_21, _e15);
+                    let _e16 = self.v_free_way(at_56, hit_23, _e15);
                     free = (_e13 + _e16);
-                    let _e18 = k_14;
-                    k_14 = (_e18 + rt::Scalar(1u32));
+                    let _e18 = k_16;
+                    k_16 = (_e18 + rt::Scalar(1u32));
                 }
             }
         }
@@ -7342,49 +8129,49 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shadow_heuristic(
         &self,
-        at_49: Entered,
-        hit_22: Hit,
+        at_57: Entered,
+        hit_24: Hit,
         light_10: Toward,
-        params_45: impl rt::Into<rt::Vec4<f32>>,
+        params_51: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_heuristic(at_49, hit_22, light_10, rt::into(params_45)))
+        rt::into(self.v_shadow_heuristic(at_57, hit_24, light_10, rt::into(params_51)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_heuristic(
         &self,
-        at_49: Entered,
-        hit_22: Hit,
+        at_57: Entered,
+        hit_24: Hit,
         light_10: Toward,
-        params_45: rt::Vec4<f32>,
+        params_51: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
         let mut most_1: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut k_15: rt::Scalar<f32> = rt::Scalar(1f32);
+        let mut k_17: rt::Scalar<f32> = rt::Scalar(1f32);
 
-        let _e4 = self.v_from_hit(at_49, hit_22, light_10);
+        let _e4 = self.v_from_hit(at_57, hit_24, light_10);
         if rt::Scalar::into_branch_condition((!_e4.h.y().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let _e11 = self.v_way_out(_e4, light_10);
         'naga_break: loop {
             'naga_continue: {
-                let _e16 = k_15;
-                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_45.x())) {
+                let _e16 = k_17;
+                if rt::Scalar::into_branch_condition(_e16.elementwise_lt(params_51.x())) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e19 = k_15;
-                    let part_8 = (_e19 / params_45.x());
+                    let _e19 = k_17;
+                    let part_8 = (_e19 / params_51.x());
                     let _e22 = most_1;
                     let _e24 = self.v_path_gap(_e4, (part_8 * _e11));
                     most_1 = _e22.max(((rt::Scalar(0f32) - _e24) * (rt::Scalar(1f32) - part_8)));
-                    let _e31 = k_15;
-                    k_15 = (_e31 + rt::Scalar(1f32));
+                    let _e31 = k_17;
+                    k_17 = (_e31 + rt::Scalar(1f32));
                 }
             }
         }
         let _e35 = most_1;
-        return (rt::Scalar(1f32) - (params_45.y() * _e35).min(rt::Scalar(1f32)));
+        return (rt::Scalar(1f32) - (params_51.y() * _e35).min(rt::Scalar(1f32)));
     }
     pub(crate) fn shadow_texel(
         &self,
@@ -7423,11 +8210,11 @@ impl<'g> Resources<'g> {
     ) -> rt::Vec4<f32> {
         let _e3 = self.v_height_texels(level_23);
         let _e4 = self.v_texels_around(uv_19, _e3);
-        let k_25 = level_23.cast_elem_as_i32();
-        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_25);
-        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_25);
-        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_25);
-        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_25);
+        let k_27 = level_23.cast_elem_as_i32();
+        let _e11 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.x()), layer_7, k_27);
+        let _e17 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.x()), layer_7, k_27);
+        let _e23 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.x(), _e4.rows.y()), layer_7, k_27);
+        let _e29 = self.v_shadow_texel(<rt::Vec2<i32>>::from_scalars(_e4.columns.y(), _e4.rows.y()), layer_7, k_27);
         let _e31 = self.v_bilinear(_e11, _e17, _e23, _e29, _e4.part);
         return _e31;
     }
@@ -7441,129 +8228,129 @@ impl<'g> Resources<'g> {
         let _e1 = self.v_grid_of(way_1);
         let _e3 = self.v_cell_of(_e1.origin);
         let _e4 = self.v_cell_leave(_e1, _e3);
-        let end_13 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
+        let end_14 = _e4.x().min(_e4.y()).max(rt::Scalar(0f32));
         level_24 = way_1;
         level_24.h = <rt::Vec3<f32>>::from_scalars(way_1.h.x(), rt::Scalar(0f32), rt::Scalar(0f32));
-        rt::Scalar(level_24.exit) = end_13;
+        rt::Scalar(level_24.exit) = end_14;
         let _e18 = level_24;
         let _e21 = self.v_height_cell(_e3.cast_elem_as_i32(), rt::Scalar(way_1.level));
         let _e23 = self.v_gap_to(_e18, _e1, _e3, _e21, rt::Scalar(0f32));
-        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_13))));
+        return (rt::Scalar(0f32) - _e23.y().min((_e23.y() + (_e23.z() * end_14))));
     }
-    pub(crate) fn part_above(&self, height_3: impl rt::Into<rt::Scalar<f32>>) -> f32 {
-        rt::into(self.v_part_above(rt::into(height_3)))
+    pub(crate) fn part_above(&self, height_4: impl rt::Into<rt::Scalar<f32>>) -> f32 {
+        rt::into(self.v_part_above(rt::into(height_4)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_part_above(&self, height_3: rt::Scalar<f32>) -> rt::Scalar<f32> {
-        let x_7 = height_3.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
+    fn v_part_above(&self, height_4: rt::Scalar<f32>) -> rt::Scalar<f32> {
+        let x_7 = height_4.clamp(rt::Scalar(-1f32), rt::Scalar(1f32));
         let s_3 = (x_7 * x_7);
         return (rt::Scalar(0.5f32) + (x_7 * (rt::Scalar(0.6401074f32) + (s_3 * (rt::Scalar(-0.13985065f32) + (s_3 * (rt::Scalar(0.06702511f32) + (s_3 * rt::Scalar(-0.06728186f32)))))))));
     }
     pub(crate) fn shadow_horizon(
         &self,
-        at_50: Entered,
-        hit_23: Hit,
+        at_58: Entered,
+        hit_25: Hit,
         light_11: Toward,
-        params_46: impl rt::Into<rt::Vec4<f32>>,
+        params_52: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_horizon(at_50, hit_23, light_11, rt::into(params_46)))
+        rt::into(self.v_shadow_horizon(at_58, hit_25, light_11, rt::into(params_52)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_horizon(
         &self,
-        at_50: Entered,
-        hit_23: Hit,
+        at_58: Entered,
+        hit_25: Hit,
         light_11: Toward,
-        params_46: rt::Vec4<f32>,
+        params_52: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_50, light_11.direction);
+        let _e5 = self.v_climb(at_58, light_11.direction);
         let map_1 = self.surface_settings.maps[3usize];
-        let along_19 = (_e5.xy() * map_1.tile_m);
-        let _e13 = self.v_turn_of(along_19);
-        let azimuth_4 = (_e13 * params_46.x());
-        let first_8 = azimuth_4.floor();
-        let count_4 = params_46.x().cast_elem_as_i32();
-        let before_3 = (first_8.cast_elem_as_i32() % count_4);
-        let part_9 = (azimuth_4 - first_8);
-        let _e24 = self.v_shadow_texel_between(hit_23.uv, before_3, rt::Scalar(at_50.level));
+        let along_22 = (_e5.xy() * map_1.tile_m);
+        let _e13 = self.v_turn_of(along_22);
+        let azimuth_4 = (_e13 * params_52.x());
+        let first_9 = azimuth_4.floor();
+        let count_4 = params_52.x().cast_elem_as_i32();
+        let before_3 = (first_9.cast_elem_as_i32() % count_4);
+        let part_9 = (azimuth_4 - first_9);
+        let _e24 = self.v_shadow_texel_between(hit_25.uv, before_3, rt::Scalar(at_58.level));
         let low_4 = _e24.x();
-        let _e31 = self.v_shadow_texel_between(hit_23.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_50.level));
-        let sine = (low_4 + ((_e31.x() - low_4) * part_9));
-        let squared_4 = ((sine * sine) / ((rt::Scalar(1f32) - sine) * (rt::Scalar(1f32) + sine)).max(rt::Scalar(0.0000001f32)));
-        let far_9 = (squared_4 * along_19.dot(along_19)).sqrt();
-        let _e48 = self.v_from_hit(at_50, hit_23, light_11);
+        let _e31 = self.v_shadow_texel_between(hit_25.uv, ((before_3 + rt::Scalar(1i32)) % count_4), rt::Scalar(at_58.level));
+        let sine_1 = (low_4 + ((_e31.x() - low_4) * part_9));
+        let squared_4 = ((sine_1 * sine_1) / ((rt::Scalar(1f32) - sine_1) * (rt::Scalar(1f32) + sine_1)).max(rt::Scalar(0.0000001f32)));
+        let far_9 = (squared_4 * along_22.dot(along_22)).sqrt();
+        let _e48 = self.v_from_hit(at_58, hit_25, light_11);
         let _e49 = self.v_own_slope(_e48);
         let _e52 = rt::Scalar(self.surface_settings.scale_m);
         let near_8 = (_e49 * _e52);
         let horizon = far_9.max(near_8);
-        let up_2 = at_50.normal.dot(light_11.direction);
+        let up_2 = at_58.normal.dot(light_11.direction);
         if rt::Scalar::into_branch_condition((!rt::Scalar(light_11.radius).elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
         let flat = (rt::Scalar(1f32) - (up_2 * up_2)).max(rt::Scalar(0f32));
-        let beside_1 = (flat + (up_2 * horizon));
-        if rt::Scalar::into_branch_condition((!beside_1.elementwise_gt(rt::Scalar(0f32)))) {
+        let beside_2 = (flat + (up_2 * horizon));
+        if rt::Scalar::into_branch_condition((!beside_2.elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32).select(rt::Scalar(1f32), up_2.elementwise_gt(horizon));
         }
-        let _e86 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside_1 * rt::Scalar(light_11.radius))));
+        let _e86 = self.v_part_above(((flat.sqrt() * (up_2 - horizon)) / (beside_2 * rt::Scalar(light_11.radius))));
         return _e86;
     }
     pub(crate) fn open_part(
         &self,
-        at_51: Entered,
-        hit_24: Hit,
+        at_59: Entered,
+        hit_26: Hit,
         azimuth_2: impl rt::Into<rt::Scalar<i32>>,
         elevation_2: impl rt::Into<rt::Scalar<i32>>,
         elevations: impl rt::Into<rt::Scalar<i32>>,
     ) -> f32 {
-        rt::into(self.v_open_part(at_51, hit_24, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
+        rt::into(self.v_open_part(at_59, hit_26, rt::into(azimuth_2), rt::into(elevation_2), rt::into(elevations)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_open_part(
         &self,
-        at_51: Entered,
-        hit_24: Hit,
+        at_59: Entered,
+        hit_26: Hit,
         azimuth_2: rt::Scalar<i32>,
         elevation_2: rt::Scalar<i32>,
         elevations: rt::Scalar<i32>,
     ) -> rt::Scalar<f32> {
-        let _e9 = self.v_shadow_texel_between(hit_24.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_51.level));
+        let _e9 = self.v_shadow_texel_between(hit_26.uv, ((azimuth_2 * elevations) + elevation_2), rt::Scalar(at_59.level));
         return (rt::Scalar(1f32) - _e9.z());
     }
     pub(crate) fn shadow_visibility(
         &self,
-        at_52: Entered,
-        hit_25: Hit,
+        at_60: Entered,
+        hit_27: Hit,
         light_12: Toward,
-        params_47: impl rt::Into<rt::Vec4<f32>>,
+        params_53: impl rt::Into<rt::Vec4<f32>>,
     ) -> f32 {
-        rt::into(self.v_shadow_visibility(at_52, hit_25, light_12, rt::into(params_47)))
+        rt::into(self.v_shadow_visibility(at_60, hit_27, light_12, rt::into(params_53)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shadow_visibility(
         &self,
-        at_52: Entered,
-        hit_25: Hit,
+        at_60: Entered,
+        hit_27: Hit,
         light_12: Toward,
-        params_47: rt::Vec4<f32>,
+        params_53: rt::Vec4<f32>,
     ) -> rt::Scalar<f32> {
-        let _e5 = self.v_climb(at_52, light_12.direction);
+        let _e5 = self.v_climb(at_60, light_12.direction);
         if rt::Scalar::into_branch_condition((!_e5.z().elementwise_gt(rt::Scalar(0f32)))) {
             return rt::Scalar(0f32);
         }
         let map_2 = self.surface_settings.maps[3usize];
-        let along_20 = (_e5.xy() * map_2.tile_m);
+        let along_23 = (_e5.xy() * map_2.tile_m);
         let _e21 = rt::Scalar(self.surface_settings.scale_m);
-        let height_8 = (_e5.z() * _e21);
-        let squared_5 = ((height_8 * height_8) / (along_20.dot(along_20) + (height_8 * height_8)));
-        let azimuths = params_47.x().cast_elem_as_i32();
-        let elevations_1 = params_47.y().cast_elem_as_i32();
-        let _e32 = self.v_turn_of(along_20);
-        let azimuth_5 = (_e32 * params_47.x());
-        let elevation_4 = ((squared_5 * params_47.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_47.y() - rt::Scalar(1f32)));
-        if rt::Scalar::into_branch_condition(params_47.z().elementwise_lt(rt::Scalar(2f32))) {
+        let height_11 = (_e5.z() * _e21);
+        let squared_5 = ((height_11 * height_11) / (along_23.dot(along_23) + (height_11 * height_11)));
+        let azimuths = params_53.x().cast_elem_as_i32();
+        let elevations_1 = params_53.y().cast_elem_as_i32();
+        let _e32 = self.v_turn_of(along_23);
+        let azimuth_5 = (_e32 * params_53.x());
+        let elevation_4 = ((squared_5 * params_53.y()) - rt::Scalar(0.5f32)).clamp(rt::Scalar(0f32), (params_53.y() - rt::Scalar(1f32)));
+        if rt::Scalar::into_branch_condition(params_53.z().elementwise_lt(rt::Scalar(2f32))) {
             let a_12 = ((azimuth_5 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32() % azimuths);
-            let _e56 = self.v_open_part(at_52, hit_25, a_12, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
+            let _e56 = self.v_open_part(at_60, hit_27, a_12, (elevation_4 + rt::Scalar(0.5f32)).floor().cast_elem_as_i32(), elevations_1);
             return _e56;
         }
         let a0_1 = (azimuth_5.floor().cast_elem_as_i32() % azimuths);
@@ -7572,102 +8359,102 @@ impl<'g> Resources<'g> {
         let e1_2 = (e0_1 + rt::Scalar(1i32)).min((elevations_1 - rt::Scalar(1i32)));
         let along_azimuth = (azimuth_5 - azimuth_5.floor());
         let along_elevation = (elevation_4 - elevation_4.floor());
-        let _e74 = self.v_open_part(at_52, hit_25, a1_1, e0_1, elevations_1);
-        let _e75 = self.v_open_part(at_52, hit_25, a0_1, e1_2, elevations_1);
+        let _e74 = self.v_open_part(at_60, hit_27, a1_1, e0_1, elevations_1);
+        let _e75 = self.v_open_part(at_60, hit_27, a0_1, e1_2, elevations_1);
         if rt::Scalar::into_branch_condition((along_azimuth + along_elevation).elementwise_le(rt::Scalar(1f32))) {
-            let _e79 = self.v_open_part(at_52, hit_25, a0_1, e0_1, elevations_1);
+            let _e79 = self.v_open_part(at_60, hit_27, a0_1, e0_1, elevations_1);
             return ((_e79 + ((_e74 - _e79) * along_azimuth)) + ((_e75 - _e79) * along_elevation));
         }
-        let _e86 = self.v_open_part(at_52, hit_25, a1_1, e1_2, elevations_1);
+        let _e86 = self.v_open_part(at_60, hit_27, a1_1, e1_2, elevations_1);
         return ((_e86 + ((_e75 - _e86) * (rt::Scalar(1f32) - along_azimuth))) + ((_e74 - _e86) * (rt::Scalar(1f32) - along_elevation)));
     }
-    pub(crate) fn shadow_stage(&self, at_53: Entered, hit_26: Hit, light_13: Toward) -> f32 {
-        rt::into(self.v_shadow_stage(at_53, hit_26, light_13))
+    pub(crate) fn shadow_stage(&self, at_61: Entered, hit_28: Hit, light_13: Toward) -> f32 {
+        rt::into(self.v_shadow_stage(at_61, hit_28, light_13))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shadow_stage(&self, at_53: Entered, hit_26: Hit, light_13: Toward) -> rt::Scalar<f32> {
+    fn v_shadow_stage(&self, at_61: Entered, hit_28: Hit, light_13: Toward) -> rt::Scalar<f32> {
         let _e7 = rt::Scalar(self.surface_settings.choices[5usize].number);
         match rt::Scalar::into_inner(_e7) {
             0u32 => {
                 let _e12 = self.surface_settings.choices[5usize].params;
-                let _e13 = self.v_shadow_ray(at_53, hit_26, light_13, _e12);
+                let _e13 = self.v_shadow_ray(at_61, hit_28, light_13, _e12);
                 return _e13;
             }
             1u32 => {
                 let _e18 = self.surface_settings.choices[5usize].params;
-                let _e19 = self.v_shadow_none(at_53, hit_26, light_13, _e18);
+                let _e19 = self.v_shadow_none(at_61, hit_28, light_13, _e18);
                 return _e19;
             }
             2u32 => {
                 let _e24 = self.surface_settings.choices[5usize].params;
-                let _e25 = self.v_shadow_entry(at_53, hit_26, light_13, _e24);
+                let _e25 = self.v_shadow_entry(at_61, hit_28, light_13, _e24);
                 return _e25;
             }
             3u32 => {
                 let _e30 = self.surface_settings.choices[5usize].params;
-                let _e31 = self.v_shadow_soft(at_53, hit_26, light_13, _e30);
+                let _e31 = self.v_shadow_soft(at_61, hit_28, light_13, _e30);
                 return _e31;
             }
             4u32 => {
                 let _e36 = self.surface_settings.choices[5usize].params;
-                let _e37 = self.v_shadow_heuristic(at_53, hit_26, light_13, _e36);
+                let _e37 = self.v_shadow_heuristic(at_61, hit_28, light_13, _e36);
                 return _e37;
             }
             5u32 => {
                 let _e42 = self.surface_settings.choices[5usize].params;
-                let _e43 = self.v_shadow_horizon(at_53, hit_26, light_13, _e42);
+                let _e43 = self.v_shadow_horizon(at_61, hit_28, light_13, _e42);
                 return _e43;
             }
             _ => {
                 let _e48 = self.surface_settings.choices[5usize].params;
-                let _e49 = self.v_shadow_visibility(at_53, hit_26, light_13, _e48);
+                let _e49 = self.v_shadow_visibility(at_61, hit_28, light_13, _e48);
                 return _e49;
             }
         }
     }
-    pub(crate) fn mirrored_light(&self, pixel_38: PixelIn, at_54: Entered, hit_27: Hit) -> f32 {
-        rt::into(self.v_mirrored_light(pixel_38, at_54, hit_27))
+    pub(crate) fn mirrored_light(&self, pixel_46: PixelIn, at_62: Entered, hit_29: Hit) -> f32 {
+        rt::into(self.v_mirrored_light(pixel_46, at_62, hit_29))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_mirrored_light(&self, pixel_38: PixelIn, at_54: Entered, hit_27: Hit) -> rt::Scalar<f32> {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_27.found).elementwise_eq(rt::Scalar(0u32))) {
+    fn v_mirrored_light(&self, pixel_46: PixelIn, at_62: Entered, hit_29: Hit) -> rt::Scalar<f32> {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_29.found).elementwise_eq(rt::Scalar(0u32))) {
             return rt::Scalar(0f32);
         }
-        let down_2 = pixel_38.direction.normalize();
-        let up_3 = (down_2 - (at_54.normal * (rt::Scalar(2f32) * down_2.dot(at_54.normal))));
-        let _e23 = self.v_shadow_stage(at_54, hit_27, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
+        let down_2 = pixel_46.direction.normalize();
+        let up_3 = (down_2 - (at_62.normal * (rt::Scalar(2f32) * down_2.dot(at_62.normal))));
+        let _e23 = self.v_shadow_stage(at_62, hit_29, <Toward>::new(up_3, rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), (rt::Scalar(0.125f32) * down_2.x().abs())));
         return _e23;
     }
-    pub(crate) fn pixel_direction(&self, pixel_39: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_direction(rt::into(pixel_39)))
+    pub(crate) fn pixel_direction(&self, pixel_47: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_direction(rt::into(pixel_47)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_direction(&self, pixel_39: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_direction(&self, pixel_47: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.corner;
         let _e7 = self.frame.right;
         let _e14 = self.frame.down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_39.x())) + (_e14.xyz() * pixel_39.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_47.x())) + (_e14.xyz() * pixel_47.y()));
     }
-    pub(crate) fn pixel_eye(&self, pixel_40: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
-        rt::into(self.v_pixel_eye(rt::into(pixel_40)))
+    pub(crate) fn pixel_eye(&self, pixel_48: impl rt::Into<rt::Vec2<f32>>) -> rt::Vec3<f32> {
+        rt::into(self.v_pixel_eye(rt::into(pixel_48)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_pixel_eye(&self, pixel_40: rt::Vec2<f32>) -> rt::Vec3<f32> {
+    fn v_pixel_eye(&self, pixel_48: rt::Vec2<f32>) -> rt::Vec3<f32> {
         let _e3 = self.frame.eye;
         let _e7 = self.frame.eye_right;
         let _e14 = self.frame.eye_down;
-        return ((_e3.xyz() + (_e7.xyz() * pixel_40.x())) + (_e14.xyz() * pixel_40.y()));
+        return ((_e3.xyz() + (_e7.xyz() * pixel_48.x())) + (_e14.xyz() * pixel_48.y()));
     }
     pub(crate) fn pixel_of(
         &self,
         a_4: Corner,
         b_4: Corner,
         c_4: Corner,
-        shell_2: Shell,
+        shell_3: Shell,
         side_2: impl rt::Into<rt::Scalar<f32>>,
-        point_3: impl rt::Into<rt::Vec2<f32>>,
+        point_5: impl rt::Into<rt::Vec2<f32>>,
     ) -> PixelIn {
-        rt::into(self.v_pixel_of(a_4, b_4, c_4, shell_2, rt::into(side_2), rt::into(point_3)))
+        rt::into(self.v_pixel_of(a_4, b_4, c_4, shell_3, rt::into(side_2), rt::into(point_5)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_pixel_of(
@@ -7675,106 +8462,106 @@ impl<'g> Resources<'g> {
         a_4: Corner,
         b_4: Corner,
         c_4: Corner,
-        shell_2: Shell,
+        shell_3: Shell,
         side_2: rt::Scalar<f32>,
-        point_3: rt::Vec2<f32>,
+        point_5: rt::Vec2<f32>,
     ) -> PixelIn {
-        let _e6 = self.v_pixel_eye(point_3);
-        let _e7 = self.v_pixel_direction(point_3);
-        return <PixelIn>::new(_e6, _e7, side_2, a_4, b_4, c_4, shell_2);
+        let _e6 = self.v_pixel_eye(point_5);
+        let _e7 = self.v_pixel_direction(point_5);
+        return <PixelIn>::new(_e6, _e7, side_2, a_4, b_4, c_4, shell_3);
     }
     pub(crate) fn surface_plane_place(
         &self,
-        pixel_41: PixelIn,
-        at_55: Entered,
-        path_59: Path,
-        hit_28: Hit,
-        params_48: impl rt::Into<rt::Vec4<f32>>,
+        pixel_49: PixelIn,
+        at_63: Entered,
+        path_63: Path,
+        hit_30: Hit,
+        params_54: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_plane_place(pixel_41, at_55, path_59, hit_28, rt::into(params_48)))
+        rt::into(self.v_surface_plane_place(pixel_49, at_63, path_63, hit_30, rt::into(params_54)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_plane_place(
         &self,
-        pixel_41: PixelIn,
-        at_55: Entered,
-        path_59: Path,
-        hit_28: Hit,
-        params_48: rt::Vec4<f32>,
+        pixel_49: PixelIn,
+        at_63: Entered,
+        path_63: Path,
+        hit_30: Hit,
+        params_54: rt::Vec4<f32>,
     ) -> Entered {
         let mut placed: Entered;
 
-        let aside_6 = (hit_28.uv - at_55.uv);
+        let aside_8 = (hit_30.uv - at_63.uv);
         let _e10 = rt::Scalar(self.surface_settings.bias_m);
         let _e13 = rt::Scalar(self.surface_settings.scale_m);
-        let _e16 = self.v_height_at(hit_28.uv, rt::Scalar(at_55.level));
-        let height_9 = (_e10 + (_e13 * _e16));
-        placed = at_55;
-        placed.point = (((at_55.point + (at_55.tangent * aside_6.x())) + (at_55.bitangent * aside_6.y())) + (at_55.normal * height_9));
-        placed.uv = hit_28.uv;
+        let _e16 = self.v_height_at(hit_30.uv, rt::Scalar(at_63.level));
+        let height_12 = (_e10 + (_e13 * _e16));
+        placed = at_63;
+        placed.point = (((at_63.point + (at_63.tangent * aside_8.x())) + (at_63.bitangent * aside_8.y())) + (at_63.normal * height_12));
+        placed.uv = hit_30.uv;
         let _e35 = placed;
         return _e35;
     }
     pub(crate) fn placed_at(
         &self,
-        pixel_42: PixelIn,
-        at_56: Entered,
-        weights_2: impl rt::Into<rt::Vec3<f32>>,
-        point_4: impl rt::Into<rt::Vec3<f32>>,
+        pixel_50: PixelIn,
+        at_64: Entered,
+        weights_4: impl rt::Into<rt::Vec3<f32>>,
+        point_6: impl rt::Into<rt::Vec3<f32>>,
         uv_20: impl rt::Into<rt::Vec2<f32>>,
     ) -> Entered {
-        rt::into(self.v_placed_at(pixel_42, at_56, rt::into(weights_2), rt::into(point_4), rt::into(uv_20)))
+        rt::into(self.v_placed_at(pixel_50, at_64, rt::into(weights_4), rt::into(point_6), rt::into(uv_20)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_placed_at(
         &self,
-        pixel_42: PixelIn,
-        at_56: Entered,
-        weights_2: rt::Vec3<f32>,
-        point_4: rt::Vec3<f32>,
+        pixel_50: PixelIn,
+        at_64: Entered,
+        weights_4: rt::Vec3<f32>,
+        point_6: rt::Vec3<f32>,
         uv_20: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_1: Entered;
 
-        let _e6 = self.v_frame_at(pixel_42, weights_2, point_4, uv_20, at_56.facing);
+        let _e6 = self.v_frame_at(pixel_50, weights_4, point_6, uv_20, at_64.facing);
         placed_1 = _e6;
-        rt::Scalar(placed_1.level) = rt::Scalar(at_56.level);
-        rt::Scalar(placed_1.footprint) = rt::Scalar(at_56.footprint);
-        rt::Scalar(placed_1.fade) = rt::Scalar(at_56.fade);
+        rt::Scalar(placed_1.level) = rt::Scalar(at_64.level);
+        rt::Scalar(placed_1.footprint) = rt::Scalar(at_64.footprint);
+        rt::Scalar(placed_1.fade) = rt::Scalar(at_64.fade);
         let _e14 = placed_1;
         return _e14;
     }
     pub(crate) fn surface_tetrahedra_place(
         &self,
-        pixel_43: PixelIn,
-        at_57: Entered,
-        path_60: Path,
-        hit_29: Hit,
-        params_49: impl rt::Into<rt::Vec4<f32>>,
+        pixel_51: PixelIn,
+        at_65: Entered,
+        path_64: Path,
+        hit_31: Hit,
+        params_55: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_tetrahedra_place(pixel_43, at_57, path_60, hit_29, rt::into(params_49)))
+        rt::into(self.v_surface_tetrahedra_place(pixel_51, at_65, path_64, hit_31, rt::into(params_55)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_tetrahedra_place(
         &self,
-        pixel_43: PixelIn,
-        at_57: Entered,
-        path_60: Path,
-        hit_29: Hit,
-        params_49: rt::Vec4<f32>,
+        pixel_51: PixelIn,
+        at_65: Entered,
+        path_64: Path,
+        hit_31: Hit,
+        params_55: rt::Vec4<f32>,
     ) -> Entered {
         let mut nearest: Tetrahedron;
         let mut beside: rt::Scalar<f32>;
         let mut number_3: rt::Scalar<u32> = rt::Scalar(1u32);
 
-        let along_21 = pixel_43.direction.normalize();
-        let _e7 = self.v_middle_of(pixel_43, along_21);
-        let t_32 = ((rt::Scalar(path_60.start) + rt::Scalar(hit_29.t)) - _e7);
-        let _e13 = self.v_tetrahedron(pixel_43, along_21, _e7, rt::Scalar(0u32));
+        let along_24 = pixel_51.direction.normalize();
+        let _e7 = self.v_middle_of(pixel_51, along_24);
+        let t_36 = ((rt::Scalar(path_64.start) + rt::Scalar(hit_31.t)) - _e7);
+        let _e13 = self.v_tetrahedron(pixel_51, along_24, _e7, rt::Scalar(0u32));
         nearest = _e13;
         let _e17 = nearest.inside.x();
         let _e21 = nearest.inside.y();
-        beside = (_e17 - t_32).max((t_32 - _e21));
+        beside = (_e17 - t_36).max((t_36 - _e21));
         'naga_break: loop {
             'naga_continue: {
                 let _e27 = number_3;
@@ -7784,12 +8571,12 @@ impl<'g> Resources<'g> {
                 }
                 {
                     let _e30 = number_3;
-                    let _e31 = self.v_tetrahedron(pixel_43, along_21, _e7, _e30);
-                    let aside_7 = (_e31.inside.x() - t_32).max((t_32 - _e31.inside.y()));
+                    let _e31 = self.v_tetrahedron(pixel_51, along_24, _e7, _e30);
+                    let aside_9 = (_e31.inside.x() - t_36).max((t_36 - _e31.inside.y()));
                     let _e39 = beside;
-                    if rt::Scalar::into_branch_condition(aside_7.elementwise_lt(_e39)) {
+                    if rt::Scalar::into_branch_condition(aside_9.elementwise_lt(_e39)) {
                         nearest = _e31;
-                        beside = aside_7;
+                        beside = aside_9;
                     }
                     let _e41 = number_3;
                     number_3 = (_e41 + rt::Scalar(1u32));
@@ -7798,86 +8585,209 @@ impl<'g> Resources<'g> {
         }
         let _e45 = nearest.weights;
         let _e47 = nearest.change;
-        let weights_3 = (_e45 + (_e47 * t_32));
-        let point_11 = (pixel_43.origin + (along_21 * (rt::Scalar(path_60.start) + rt::Scalar(hit_29.t))));
-        let _e58 = self.v_placed_at(pixel_43, at_57, weights_3.xyz(), point_11, hit_29.uv);
+        let weights_5 = (_e45 + (_e47 * t_36));
+        let point_13 = (pixel_51.origin + (along_24 * (rt::Scalar(path_64.start) + rt::Scalar(hit_31.t))));
+        let _e58 = self.v_placed_at(pixel_51, at_65, weights_5.xyz(), point_13, hit_31.uv);
         return _e58;
     }
     pub(crate) fn surface_prism_place(
         &self,
-        pixel_44: PixelIn,
-        at_58: Entered,
-        path_61: Path,
-        hit_30: Hit,
-        params_50: impl rt::Into<rt::Vec4<f32>>,
+        pixel_52: PixelIn,
+        at_66: Entered,
+        path_65: Path,
+        hit_32: Hit,
+        params_56: impl rt::Into<rt::Vec4<f32>>,
     ) -> Entered {
-        rt::into(self.v_surface_prism_place(pixel_44, at_58, path_61, hit_30, rt::into(params_50)))
+        rt::into(self.v_surface_prism_place(pixel_52, at_66, path_65, hit_32, rt::into(params_56)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_surface_prism_place(
         &self,
-        pixel_44: PixelIn,
-        at_58: Entered,
-        path_61: Path,
-        hit_30: Hit,
-        params_50: rt::Vec4<f32>,
+        pixel_52: PixelIn,
+        at_66: Entered,
+        path_65: Path,
+        hit_32: Hit,
+        params_56: rt::Vec4<f32>,
     ) -> Entered {
-        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_44.shell.order).elementwise_ge(SHELL_FOLDED)) {
-            let _e9 = self.v_surface_tetrahedra_place(pixel_44, at_58, path_61, hit_30, params_50);
+        if rt::Scalar::into_branch_condition(rt::Scalar(pixel_52.shell.order).elementwise_ge(SHELL_FOLDED)) {
+            let _e9 = self.v_surface_tetrahedra_place(pixel_52, at_66, path_65, hit_32, params_56);
             return _e9;
         }
-        let along_22 = pixel_44.direction.normalize();
-        let _e12 = self.v_middle_of(pixel_44, along_22);
-        let _e13 = self.v_prism_of(pixel_44, along_22, _e12, params_50);
-        let s_4 = ((rt::Scalar(path_61.start) + rt::Scalar(hit_30.t)) - _e12);
-        let _e20 = self.v_shell_point(_e13, (along_22 * s_4), rt::Scalar(hit_30.height));
-        let weights_4 = _e20.weights;
-        let _e29 = self.v_placed_at(pixel_44, at_58, weights_4, (pixel_44.origin + (along_22 * (rt::Scalar(path_61.start) + rt::Scalar(hit_30.t)))), hit_30.uv);
+        let along_25 = pixel_52.direction.normalize();
+        let _e12 = self.v_middle_of(pixel_52, along_25);
+        let _e13 = self.v_prism_of(pixel_52, along_25, _e12, params_56);
+        let s_4 = ((rt::Scalar(path_65.start) + rt::Scalar(hit_32.t)) - _e12);
+        let _e20 = self.v_shell_point(_e13, (along_25 * s_4), rt::Scalar(hit_32.height));
+        let weights_6 = _e20.weights;
+        let _e29 = self.v_placed_at(pixel_52, at_66, weights_6, (pixel_52.origin + (along_25 * (rt::Scalar(path_65.start) + rt::Scalar(hit_32.t)))), hit_32.uv);
         return _e29;
     }
-    pub(crate) fn surface_place_stage(&self, pixel_45: PixelIn, at_59: Entered, path_62: Path, hit_31: Hit) -> Entered {
-        rt::into(self.v_surface_place_stage(pixel_45, at_59, path_62, hit_31))
+    pub(crate) fn quadric_frame(
+        &self,
+        at_67: Entered,
+        aside: impl rt::Into<rt::Vec2<f32>>,
+    ) -> Entered {
+        rt::into(self.v_quadric_frame(at_67, rt::into(aside)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_surface_place_stage(&self, pixel_45: PixelIn, at_59: Entered, path_62: Path, hit_31: Hit) -> Entered {
+    fn v_quadric_frame(
+        &self,
+        at_67: Entered,
+        aside: rt::Vec2<f32>,
+    ) -> Entered {
+        let mut placed_2: Entered;
+        let mut local_47: rt::Scalar<bool>;
+
+        placed_2 = at_67;
+        let _e5 = self.v_quadric_slope(at_67.quadric.xyz(), aside);
+        if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
+            local_47 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+        } else {
+            local_47 = rt::Scalar(false);
+        }
+        let _e15 = local_47;
+        if rt::Scalar::into_branch_condition(_e15) {
+            let _e16 = placed_2;
+            return _e16;
+        }
+        let m_2 = at_67.metric;
+        let area_5 = ((m_2.x() * m_2.z()) - (m_2.y() * m_2.y()));
+        let along_t = (((_e5.x() * m_2.z()) - (_e5.y() * m_2.y())) / area_5);
+        let along_b = (((_e5.y() * m_2.x()) - (_e5.x() * m_2.y())) / area_5);
+        placed_2.tangent = (at_67.tangent + (at_67.normal * _e5.x()));
+        placed_2.bitangent = (at_67.bitangent + (at_67.normal * _e5.y()));
+        placed_2.normal = ((at_67.normal - (at_67.tangent * along_t)) - (at_67.bitangent * along_b)).normalize();
+        let _e63 = placed_2.tangent;
+        let _e65 = placed_2.tangent;
+        let tt_1 = _e63.dot(_e65);
+        let _e68 = placed_2.tangent;
+        let _e70 = placed_2.bitangent;
+        let tb_1 = _e68.dot(_e70);
+        let _e73 = placed_2.bitangent;
+        let _e75 = placed_2.bitangent;
+        let bb_1 = _e73.dot(_e75);
+        placed_2.metric = <rt::Vec4<f32>>::from_scalars(tt_1, tb_1, bb_1, m_2.w());
+        let _e80 = placed_2;
+        return _e80;
+    }
+    pub(crate) fn surface_quadric_perpendicular_place(
+        &self,
+        pixel_53: PixelIn,
+        at_68: Entered,
+        path_66: Path,
+        hit_33: Hit,
+        params_57: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_quadric_perpendicular_place(pixel_53, at_68, path_66, hit_33, rt::into(params_57)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_quadric_perpendicular_place(
+        &self,
+        pixel_53: PixelIn,
+        at_68: Entered,
+        path_66: Path,
+        hit_33: Hit,
+        params_57: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut placed_3: Entered;
+
+        let _e8 = self.v_quadric_frame(at_68, (hit_33.uv - at_68.uv));
+        placed_3 = _e8;
+        placed_3.point = (pixel_53.origin + (pixel_53.direction.normalize() * (rt::Scalar(path_66.start) + rt::Scalar(hit_33.t))));
+        placed_3.uv = hit_33.uv;
+        let _e21 = placed_3;
+        return _e21;
+    }
+    pub(crate) fn surface_quadric_vertical_place(
+        &self,
+        pixel_54: PixelIn,
+        at_69: Entered,
+        path_67: Path,
+        hit_34: Hit,
+        params_58: impl rt::Into<rt::Vec4<f32>>,
+    ) -> Entered {
+        rt::into(self.v_surface_quadric_vertical_place(pixel_54, at_69, path_67, hit_34, rt::into(params_58)))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_quadric_vertical_place(
+        &self,
+        pixel_54: PixelIn,
+        at_69: Entered,
+        path_67: Path,
+        hit_34: Hit,
+        params_58: rt::Vec4<f32>,
+    ) -> Entered {
+        let mut placed_4: Entered;
+
+        let aside_10 = (hit_34.uv - at_69.uv);
+        let _e10 = rt::Scalar(self.surface_settings.bias_m);
+        let _e13 = rt::Scalar(self.surface_settings.scale_m);
+        let _e16 = self.v_height_at(hit_34.uv, rt::Scalar(at_69.level));
+        let height_13 = (_e10 + (_e13 * _e16));
+        let _e19 = self.v_base_height();
+        let _e23 = self.v_traced_scale_m();
+        let _e27 = self.v_quadric_at(at_69.quadric.xyz(), aside_10);
+        let lifted_2 = (((_e19 - at_69.quadric.w()) * _e23) + _e27);
+        let _e29 = self.v_quadric_frame(at_69, aside_10);
+        placed_4 = _e29;
+        placed_4.point = (((at_69.point + (at_69.tangent * aside_10.x())) + (at_69.bitangent * aside_10.y())) + (at_69.normal * (height_13 + lifted_2)));
+        placed_4.uv = hit_34.uv;
+        let _e47 = placed_4;
+        return _e47;
+    }
+    pub(crate) fn surface_place_stage(&self, pixel_55: PixelIn, at_70: Entered, path_68: Path, hit_35: Hit) -> Entered {
+        rt::into(self.v_surface_place_stage(pixel_55, at_70, path_68, hit_35))
+    }
+    #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+    fn v_surface_place_stage(&self, pixel_55: PixelIn, at_70: Entered, path_68: Path, hit_35: Hit) -> Entered {
         let _e8 = rt::Scalar(self.surface_settings.choices[0usize].number);
         match rt::Scalar::into_inner(_e8) {
             0u32 => {
                 let _e13 = self.surface_settings.choices[0usize].params;
-                let _e14 = self.v_surface_plane_place(pixel_45, at_59, path_62, hit_31, _e13);
+                let _e14 = self.v_surface_plane_place(pixel_55, at_70, path_68, hit_35, _e13);
                 return _e14;
             }
             1u32 => {
                 let _e19 = self.surface_settings.choices[0usize].params;
-                let _e20 = self.v_surface_prism_place(pixel_45, at_59, path_62, hit_31, _e19);
+                let _e20 = self.v_surface_prism_place(pixel_55, at_70, path_68, hit_35, _e19);
                 return _e20;
             }
-            _ => {
+            2u32 => {
                 let _e25 = self.surface_settings.choices[0usize].params;
-                let _e26 = self.v_surface_tetrahedra_place(pixel_45, at_59, path_62, hit_31, _e25);
+                let _e26 = self.v_surface_quadric_perpendicular_place(pixel_55, at_70, path_68, hit_35, _e25);
                 return _e26;
+            }
+            3u32 => {
+                let _e31 = self.surface_settings.choices[0usize].params;
+                let _e32 = self.v_surface_quadric_vertical_place(pixel_55, at_70, path_68, hit_35, _e31);
+                return _e32;
+            }
+            _ => {
+                let _e37 = self.surface_settings.choices[0usize].params;
+                let _e38 = self.v_surface_tetrahedra_place(pixel_55, at_70, path_68, hit_35, _e37);
+                return _e38;
             }
         }
     }
     pub(crate) fn place_hit(
         &self,
-        pixel_46: PixelIn,
-        at_60: Entered,
+        pixel_56: PixelIn,
+        at_71: Entered,
         segment: impl rt::Into<rt::Scalar<u32>>,
-        hit_32: Hit,
+        hit_36: Hit,
     ) -> Entered {
-        rt::into(self.v_place_hit(pixel_46, at_60, rt::into(segment), hit_32))
+        rt::into(self.v_place_hit(pixel_56, at_71, rt::into(segment), hit_36))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_place_hit(
         &self,
-        pixel_46: PixelIn,
-        at_60: Entered,
+        pixel_56: PixelIn,
+        at_71: Entered,
         segment: rt::Scalar<u32>,
-        hit_32: Hit,
+        hit_36: Hit,
     ) -> Entered {
-        let _e4 = self.v_segment_of(pixel_46, at_60, segment);
-        let _e5 = self.v_surface_place_stage(pixel_46, at_60, _e4, hit_32);
+        let _e4 = self.v_segment_of(pixel_56, at_71, segment);
+        let _e5 = self.v_surface_place_stage(pixel_56, at_71, _e4, hit_36);
         return _e5;
     }
     pub(crate) fn toward_light(
@@ -7896,44 +8806,44 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(light_14.place.w().elementwise_gt(rt::Scalar(0.5f32))) {
             let toward_7 = (light_14.place.xyz() - position);
             let squared_6 = toward_7.dot(toward_7);
-            let distance_1 = squared_6.sqrt();
+            let distance_3 = squared_6.sqrt();
             let falloff = (rt::Scalar(1f32) / squared_6.max(rt::Scalar(0.000001f32)));
-            return <Toward>::new(toward_7.normalize(), falloff, distance_1, (light_14.color.w() / distance_1));
+            return <Toward>::new(toward_7.normalize(), falloff, distance_3, (light_14.color.w() / distance_3));
         }
         return <Toward>::new(light_14.place.xyz().normalize(), rt::Scalar(1f32), rt::Scalar(300000000000000000000000000000000000000f32), light_14.color.w());
     }
     pub(crate) fn ray_to_light(
         &self,
-        at_61: Entered,
-        hit_33: Hit,
+        at_72: Entered,
+        hit_37: Hit,
         number_4: impl rt::Into<rt::Scalar<u32>>,
-        k_16: impl rt::Into<rt::Scalar<u32>>,
+        k_18: impl rt::Into<rt::Scalar<u32>>,
         count_2: impl rt::Into<rt::Scalar<u32>>,
     ) -> LightRay {
-        rt::into(self.v_ray_to_light(at_61, hit_33, rt::into(number_4), rt::into(k_16), rt::into(count_2)))
+        rt::into(self.v_ray_to_light(at_72, hit_37, rt::into(number_4), rt::into(k_18), rt::into(count_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_ray_to_light(
         &self,
-        at_61: Entered,
-        hit_33: Hit,
+        at_72: Entered,
+        hit_37: Hit,
         number_4: rt::Scalar<u32>,
-        k_16: rt::Scalar<u32>,
+        k_18: rt::Scalar<u32>,
         count_2: rt::Scalar<u32>,
     ) -> LightRay {
         let mut toward: Toward;
 
         let _e8 = self.frame.lights[rt::Scalar::into_array_index(number_4)];
-        let _e10 = self.v_toward_light(_e8, at_61.point);
+        let _e10 = self.v_toward_light(_e8, at_72.point);
         toward = _e10;
         if rt::Scalar::into_branch_condition(count_2.elementwise_gt(rt::Scalar(0u32))) {
             let _e14 = toward;
-            let _e15 = self.v_seed_of(hit_33);
-            let _e16 = self.v_point_of_disc(_e14, _e15, k_16, count_2);
+            let _e15 = self.v_seed_of(hit_37);
+            let _e16 = self.v_point_of_disc(_e14, _e15, k_18, count_2);
             toward = _e16;
         }
         let _e17 = toward;
-        let _e18 = self.v_light_ray(at_61, hit_33, _e17);
+        let _e18 = self.v_light_ray(at_72, hit_37, _e17);
         return _e18;
     }
     pub(crate) fn table_cosine(
@@ -7961,16 +8871,16 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn seen_cosine(
         &self,
-        at_62: Entered,
+        at_73: Entered,
         seen_1: SeenNormals,
         toward_2: impl rt::Into<rt::Vec3<f32>>,
     ) -> f32 {
-        rt::into(self.v_seen_cosine(at_62, seen_1, rt::into(toward_2)))
+        rt::into(self.v_seen_cosine(at_73, seen_1, rt::into(toward_2)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_seen_cosine(
         &self,
-        at_62: Entered,
+        at_73: Entered,
         seen_1: SeenNormals,
         toward_2: rt::Vec3<f32>,
     ) -> rt::Scalar<f32> {
@@ -7979,10 +8889,10 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(rt::Scalar(seen_1.differ).elementwise_eq(rt::Scalar(0u32))) {
             return seen_1.normal.dot(toward_2).max(rt::Scalar(0f32));
         }
-        let _e10 = self.v_to_tangent_space(at_62, toward_2);
-        let middle_11 = seen_1.middle.dot(_e10);
-        let _e17 = self.v_facing_four(middle_11, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
-        let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_11.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
+        let _e10 = self.v_to_tangent_space(at_73, toward_2);
+        let middle_12 = seen_1.middle.dot(_e10);
+        let _e17 = self.v_facing_four(middle_12, seen_1.along.dot(_e10), seen_1.across.dot(_e10));
+        let one_1 = (rt::Scalar(seen_1.middle_seen) * middle_12.max(rt::Scalar(0f32))).min(rt::Scalar(1000000f32));
         let others = seen_1.others_seen.dot(_e17).min(rt::Scalar(1000000f32));
         let _e28 = self.v_mean_of_five(one_1, others);
         cosine = _e28;
@@ -8051,26 +8961,26 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_blinn_phong(
         &self,
-        normal_11: impl rt::Into<rt::Vec3<f32>>,
+        normal_12: impl rt::Into<rt::Vec3<f32>>,
         mean: impl rt::Into<rt::Scalar<f32>>,
         cosine_1: impl rt::Into<rt::Scalar<f32>>,
         view_9: impl rt::Into<rt::Vec3<f32>>,
         toward_3: impl rt::Into<rt::Vec3<f32>>,
         color_7: impl rt::Into<rt::Vec3<f32>>,
-        params_51: impl rt::Into<rt::Vec4<f32>>,
+        params_59: impl rt::Into<rt::Vec4<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_blinn_phong(rt::into(normal_11), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_3), rt::into(color_7), rt::into(params_51)))
+        rt::into(self.v_shade_blinn_phong(rt::into(normal_12), rt::into(mean), rt::into(cosine_1), rt::into(view_9), rt::into(toward_3), rt::into(color_7), rt::into(params_59)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_blinn_phong(
         &self,
-        normal_11: rt::Vec3<f32>,
+        normal_12: rt::Vec3<f32>,
         mean: rt::Scalar<f32>,
         cosine_1: rt::Scalar<f32>,
         view_9: rt::Vec3<f32>,
         toward_3: rt::Vec3<f32>,
         color_7: rt::Vec3<f32>,
-        params_51: rt::Vec4<f32>,
+        params_59: rt::Vec4<f32>,
     ) -> rt::Vec3<f32> {
         let mut exponent_1: rt::Scalar<u32>;
         let mut dimmed: rt::Scalar<f32> = rt::Scalar(1f32);
@@ -8085,7 +8995,7 @@ impl<'g> Resources<'g> {
                 exponent_1 = wide_2.cast_elem_as_u32();
                 dimmed = ((wide_2 + rt::Scalar(8f32)) / (sharp + rt::Scalar(8f32)));
             }
-            let lobe = normal_11.dot((toward_3 + view_9).normalize()).max(rt::Scalar(0f32));
+            let lobe = normal_12.dot((toward_3 + view_9).normalize()).max(rt::Scalar(0f32));
             let _e43 = self.surface_settings.specular;
             let _e45 = exponent_1;
             let _e46 = self.v_whole_power(lobe, _e45);
@@ -8097,19 +9007,19 @@ impl<'g> Resources<'g> {
     }
     pub(crate) fn shade_stage(
         &self,
-        normal_12: impl rt::Into<rt::Vec3<f32>>,
+        normal_13: impl rt::Into<rt::Vec3<f32>>,
         mean_1: impl rt::Into<rt::Scalar<f32>>,
         cosine_2: impl rt::Into<rt::Scalar<f32>>,
         view_10: impl rt::Into<rt::Vec3<f32>>,
         toward_4: impl rt::Into<rt::Vec3<f32>>,
         color_8: impl rt::Into<rt::Vec3<f32>>,
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_shade_stage(rt::into(normal_12), rt::into(mean_1), rt::into(cosine_2), rt::into(view_10), rt::into(toward_4), rt::into(color_8)))
+        rt::into(self.v_shade_stage(rt::into(normal_13), rt::into(mean_1), rt::into(cosine_2), rt::into(view_10), rt::into(toward_4), rt::into(color_8)))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_shade_stage(
         &self,
-        normal_12: rt::Vec3<f32>,
+        normal_13: rt::Vec3<f32>,
         mean_1: rt::Scalar<f32>,
         cosine_2: rt::Scalar<f32>,
         view_10: rt::Vec3<f32>,
@@ -8120,131 +9030,131 @@ impl<'g> Resources<'g> {
         match rt::Scalar::into_inner(_e10) {
             _ => {
                 let _e15 = self.surface_settings.choices[4usize].params;
-                let _e16 = self.v_shade_blinn_phong(normal_12, mean_1, cosine_2, view_10, toward_4, color_8, _e15);
+                let _e16 = self.v_shade_blinn_phong(normal_13, mean_1, cosine_2, view_10, toward_4, color_8, _e15);
                 return _e16;
             }
         }
     }
     pub(crate) fn reflected_light(
         &self,
-        at_63: Entered,
-        hit_34: Hit,
+        at_74: Entered,
+        hit_38: Hit,
         seen_2: SeenNormals,
         view_11: impl rt::Into<rt::Vec3<f32>>,
         color_9: impl rt::Into<rt::Vec3<f32>>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
-        rt::into(self.v_reflected_light(at_63, hit_34, seen_2, rt::into(view_11), rt::into(color_9), visible))
+        rt::into(self.v_reflected_light(at_74, hit_38, seen_2, rt::into(view_11), rt::into(color_9), visible))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_reflected_light(
         &self,
-        at_63: Entered,
-        hit_34: Hit,
+        at_74: Entered,
+        hit_38: Hit,
         seen_2: SeenNormals,
         view_11: rt::Vec3<f32>,
         color_9: rt::Vec3<f32>,
         visible: [rt::Vec4<f32>; 8],
     ) -> rt::Vec3<f32> {
         let mut light_15: rt::Vec3<f32>;
-        let mut k_17: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_19: rt::Scalar<u32> = rt::Scalar(0u32);
 
         let _e8 = self.surface_settings.diffuse;
         let _e13 = rt::Scalar(self.surface_settings.transmission);
         let diffuse = ((_e8.xyz() * color_9) * (rt::Scalar(1f32) - _e13));
-        let _e20 = self.v_ambient_stage(at_63, hit_34, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
+        let _e20 = self.v_ambient_stage(at_74, hit_38, (seen_2.normal * rt::Scalar(seen_2.length)), view_11, diffuse);
         light_15 = _e20;
         'naga_break: loop {
             'naga_continue: {
-                let _e24 = k_17;
+                let _e24 = k_19;
                 let _e27 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e24.elementwise_lt(_e27)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e31 = k_17;
+                    let _e31 = k_19;
                     let _e33 = self.frame.lights[rt::Scalar::into_array_index(_e31)];
-                    let _e35 = self.v_toward_light(_e33, at_63.point);
-                    let _e37 = self.v_seen_cosine(at_63, seen_2, _e35.direction);
+                    let _e35 = self.v_toward_light(_e33, at_74.point);
+                    let _e37 = self.v_seen_cosine(at_74, seen_2, _e35.direction);
                     let _e41 = self.v_shade_stage(seen_2.normal, rt::Scalar(seen_2.length), _e37, view_11, _e35.direction, diffuse);
                     let _e42 = light_15;
-                    let _e45 = k_17;
+                    let _e45 = k_19;
                     let _e48 = self.frame.lights[rt::Scalar::into_array_index(_e45)].color;
-                    let _e52 = k_17;
+                    let _e52 = k_19;
                     light_15 = (_e42 + ((_e41 * _e48.xyz()) * (rt::Scalar(_e35.falloff) * visible[rt::Scalar::into_array_index(_e52)].x())));
-                    let _e58 = k_17;
-                    k_17 = (_e58 + rt::Scalar(1u32));
+                    let _e58 = k_19;
+                    k_19 = (_e58 + rt::Scalar(1u32));
                 }
             }
         }
         let _e61 = light_15;
         return _e61;
     }
-    pub(crate) fn shade_hit(&self, pixel_47: PixelIn, at_64: Entered, hit_35: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        rt::into(self.v_shade_hit(pixel_47, at_64, hit_35, visible_1))
+    pub(crate) fn shade_hit(&self, pixel_57: PixelIn, at_75: Entered, hit_39: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        rt::into(self.v_shade_hit(pixel_57, at_75, hit_39, visible_1))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_hit(&self, pixel_47: PixelIn, at_64: Entered, hit_35: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_35.found).elementwise_eq(rt::Scalar(0u32))) {
-            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_35.cost.x(), hit_35.cost.y(), hit_35.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
+    fn v_shade_hit(&self, pixel_57: PixelIn, at_75: Entered, hit_39: Hit, visible_1: [rt::Vec4<f32>; 8]) -> PixelOut {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_39.found).elementwise_eq(rt::Scalar(0u32))) {
+            return <PixelOut>::new(<rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0u32), rt::Scalar(0u32), <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec3<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32), <rt::Vec2<i32>>::from_scalars(rt::Scalar(0i32), rt::Scalar(0i32)), hit_39.cost.x(), hit_39.cost.y(), hit_39.cost.z(), rt::Scalar(0f32), rt::Scalar(0u32));
         }
-        let _e42 = self.v_height_at(hit_35.uv, rt::Scalar(at_64.level));
-        let view_12 = (pixel_47.origin - at_64.point).normalize();
-        let _e48 = self.v_mesostructure_normals(at_64, hit_35.uv, view_12);
-        let _e51 = self.v_color_or_white(hit_35.uv, rt::Scalar(at_64.footprint));
-        let _e52 = self.v_reflected_light(at_64, hit_35, _e48, view_12, _e51, visible_1);
+        let _e42 = self.v_height_at(hit_39.uv, rt::Scalar(at_75.level));
+        let view_12 = (pixel_57.origin - at_75.point).normalize();
+        let _e48 = self.v_mesostructure_normals(at_75, hit_39.uv, view_12);
+        let _e51 = self.v_color_or_white(hit_39.uv, rt::Scalar(at_75.footprint));
+        let _e52 = self.v_reflected_light(at_75, hit_39, _e48, view_12, _e51, visible_1);
         let _e58 = self.frame.forward;
-        let depth_1 = (at_64.point - pixel_47.origin).dot(_e58.xyz());
+        let depth_6 = (at_75.point - pixel_57.origin).dot(_e58.xyz());
         let _e63 = self.v_height_size(rt::Scalar(0u32));
-        let _e69 = self.v_cell_of(((hit_35.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
-        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_35.exhausted), hit_35.uv, _e42, at_64.point, _e48.normal, depth_1, rt::Scalar(hit_35.t), _e69.cast_elem_as_i32(), hit_35.cost.x(), hit_35.cost.y(), hit_35.cost.z(), visible_1[0usize].x(), rt::Scalar(at_64.level));
+        let _e69 = self.v_cell_of(((hit_39.uv * _e63) - <rt::Vec2<f32>>::from_scalars(rt::Scalar(0.5f32), rt::Scalar(0.5f32))));
+        return <PixelOut>::new(<rt::Vec4<f32>>::new_31(_e52, rt::Scalar(1f32)), rt::Scalar(1u32), rt::Scalar(hit_39.exhausted), hit_39.uv, _e42, at_75.point, _e48.normal, depth_6, rt::Scalar(hit_39.t), _e69.cast_elem_as_i32(), hit_39.cost.x(), hit_39.cost.y(), hit_39.cost.z(), visible_1[0usize].x(), rt::Scalar(at_75.level));
     }
-    pub(crate) fn visible_lights(&self, at_65: Entered, hit_36: Hit) -> [rt::Vec4<f32>; 8] {
-        rt::into(self.v_visible_lights(at_65, hit_36))
+    pub(crate) fn visible_lights(&self, at_76: Entered, hit_40: Hit) -> [rt::Vec4<f32>; 8] {
+        rt::into(self.v_visible_lights(at_76, hit_40))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_visible_lights(&self, at_65: Entered, hit_36: Hit) -> [rt::Vec4<f32>; 8] {
+    fn v_visible_lights(&self, at_76: Entered, hit_40: Hit) -> [rt::Vec4<f32>; 8] {
         let mut visible_2: [rt::Vec4<f32>; 8] = rt::zero();
-        let mut k_18: rt::Scalar<u32> = rt::Scalar(0u32);
+        let mut k_20: rt::Scalar<u32> = rt::Scalar(0u32);
 
-        if rt::Scalar::into_branch_condition(rt::Scalar(hit_36.found).elementwise_eq(rt::Scalar(0u32))) {
+        if rt::Scalar::into_branch_condition(rt::Scalar(hit_40.found).elementwise_eq(rt::Scalar(0u32))) {
             let _e7 = visible_2;
             return _e7;
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e10 = k_18;
+                let _e10 = k_20;
                 let _e13 = rt::Scalar(self.frame.light_count);
                 if rt::Scalar::into_branch_condition(_e10.elementwise_lt(_e13)) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e17 = k_18;
+                    let _e17 = k_20;
                     let _e19 = self.frame.lights[rt::Scalar::into_array_index(_e17)];
-                    let _e21 = self.v_toward_light(_e19, at_65.point);
-                    let _e22 = self.v_shadow_stage(at_65, hit_36, _e21);
-                    let _e23 = k_18;
+                    let _e21 = self.v_toward_light(_e19, at_76.point);
+                    let _e22 = self.v_shadow_stage(at_76, hit_40, _e21);
+                    let _e23 = k_20;
                     visible_2[rt::Scalar::into_array_index(_e23)] = <rt::Vec4<f32>>::from_scalars(_e22, rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32));
-                    let _e29 = k_18;
-                    k_18 = (_e29 + rt::Scalar(1u32));
+                    let _e29 = k_20;
+                    k_20 = (_e29 + rt::Scalar(1u32));
                 }
             }
         }
         let _e32 = visible_2;
         return _e32;
     }
-    pub(crate) fn shade_pixel(&self, pixel_48: PixelIn) -> PixelOut {
-        rt::into(self.v_shade_pixel(pixel_48))
+    pub(crate) fn shade_pixel(&self, pixel_58: PixelIn) -> PixelOut {
+        rt::into(self.v_shade_pixel(pixel_58))
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
-    fn v_shade_pixel(&self, pixel_48: PixelIn) -> PixelOut {
-        let _e1 = self.v_enter_relief(pixel_48);
-        let _e2 = self.v_first_hit(pixel_48, _e1);
-        let _e5 = self.v_place_hit(pixel_48, _e1, rt::Scalar(_e2.segment), _e2.hit);
+    fn v_shade_pixel(&self, pixel_58: PixelIn) -> PixelOut {
+        let _e1 = self.v_enter_relief(pixel_58);
+        let _e2 = self.v_first_hit(pixel_58, _e1);
+        let _e5 = self.v_place_hit(pixel_58, _e1, rt::Scalar(_e2.segment), _e2.hit);
         let _e8 = self.v_visible_lights(_e5, _e2.hit);
-        let _e9 = self.v_shade_hit(pixel_48, _e5, _e2.hit, _e8);
+        let _e9 = self.v_shade_hit(pixel_58, _e5, _e2.hit, _e8);
         return _e9;
     }
 }

@@ -74,6 +74,11 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "shared/pixel", head: r#"// A pixel as one pure function: surface, search, refinement and shading in a row.
 "# },
+    Module { path: "shared/quadric", head: r#"// Quadrics that a base surface follows around a point of a triangle, and rays above and under them.
+//
+// A ray goes through texture coordinates in a straight line; its height over a quadric is a quadratic in the
+// metres along it, which is solved without cancellation.
+"# },
     Module { path: "shared/records", head: r#"// What the host and the GPU exchange in buffers besides the settings. The Rust side of these structs is
 // written by the linker.
 "# },
@@ -112,6 +117,22 @@ pub const MODULES: &[Module] = &[
 // heights is curved. It is cut into chords: straight in texture coordinates, with heights that bend through
 // their middle. Where along the ray a chord is, is known by the ray's own parameter, which also serves where
 // the ray runs along the shell. `params.x` is how far chords may be beside the way, in texels; with
+// `params.y` of 1 the base is smooth.
+"# },
+    Module { path: "surface/quadric_perpendicular", head: r#"// The base as quadrics, from which distances are measured across the view.
+//
+// Oliveira and Policarpo 2005, section 3.1, equations 3 to 7: how deep a point of the ray is under the quadric is
+// its distance from it at right angles to the ray, in the plane of the ray and the normal; where that line
+// misses the quadric, it is the distance along the normal. The distance is no quadratic in the metres along the
+// ray, and jumps from one measure to the other. So the ray is cut into chords, whose heights are right at their
+// ends and in their middle. `params.x` is how many coefficients quadrics have, which the host fits; with
+// `params.y` of 1 the base is smooth; `params.z` is the number of chords.
+"# },
+    Module { path: "surface/quadric_vertical", head: r#"// The base as quadrics, over which heights are measured along the normal of the base point.
+//
+// Oliveira and Policarpo 2005, sections 3.2 to 3.4, equations 7 to 9; Szirmay-Kalos and Umenhoffer 2008, section
+// 5.1. The ray goes through the frame of the base point; what it comes down under the quadric is quadratic in
+// the metres along it. `params.x` is how many coefficients quadrics have, which the host fits; with
 // `params.y` of 1 the base is smooth.
 "# },
     Module { path: "surface/tetrahedra", head: r#"// Shells of the base triangles in three tetrahedra each: the ray is straight in each of them.
@@ -869,6 +890,21 @@ fn plane_distance(pixel: PixelIn, normal: vec3f) -> f32 {
 fn plane_normal(pixel: PixelIn) -> vec3f {
     let a = pixel.a.position;
     return cross(pixel.b.position - a, pixel.c.position - a);
+}"#,
+    },
+    Declaration {
+        module: "shared/base",
+        name: "plane_weights",
+        sampling: None,
+        uses: &["PixelIn"],
+        text: r#"// The weights of the corners at a point of that plane, of that normal.
+fn plane_weights(pixel: PixelIn, normal: vec3f, point: vec3f) -> vec3f {
+    let a = pixel.a.position;
+    let nn = dot(normal, normal);
+    let from_a = point - a;
+    let wb = dot(cross(from_a, pixel.c.position - a), normal) / nn;
+    let wc = dot(cross(pixel.b.position - a, from_a), normal) / nn;
+    return vec3f(1.0 - wb - wc, wb, wc);
 }"#,
     },
     Declaration {
@@ -2777,6 +2813,136 @@ fn add_sample(sum: vec4f, color: vec4f, weight: f32) -> vec4f {
 }"#,
     },
     Declaration {
+        module: "shared/quadric",
+        name: "quadric_at",
+        sampling: None,
+        uses: &[],
+        text: r#"// The height of a quadric at an offset in texture coordinates, in metres.
+fn quadric_at(quadric: vec3f, duv: vec2f) -> f32 {
+    return dot(quadric, vec3f(duv.x * duv.x, duv.x * duv.y, duv.y * duv.y));
+}"#,
+    },
+    Declaration {
+        module: "shared/quadric",
+        name: "quadric_slope",
+        sampling: None,
+        uses: &[],
+        text: r#"// Its change with them.
+fn quadric_slope(quadric: vec3f, duv: vec2f) -> vec2f {
+    return vec2f(
+        2.0 * quadric.x * duv.x + quadric.y * duv.y,
+        quadric.y * duv.x + 2.0 * quadric.z * duv.y,
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/quadric",
+        name: "quadric_of",
+        sampling: None,
+        uses: &["PixelIn", "base_height", "lift_of", "ordered_weights", "plane_normal", "plane_weights", "surface_settings", "traced_scale_m"],
+        text: r#"// The quadric at a point of the triangle, and the height of that point in the relief.
+//
+// Where relief would rise above its base, the host has moved the triangle out to height 1, as it is seen from
+// its front; `lift` is 1 where the relief lies on a smooth base.
+fn quadric_of(pixel: PixelIn, point: vec3f, lift: f32) -> vec4f {
+    let w = plane_weights(pixel, plane_normal(pixel), point);
+    let quadric = pixel.a.quadric * w.x + pixel.b.quadric * w.y + pixel.c.quadric * w.z;
+    var height = base_height();
+    if (surface_settings.bias_m + surface_settings.scale_m > 0.0) {
+        height = select(2.0 * height - 1.0, 1.0, pixel.side > 0.0);
+    }
+    let lifted = lift_of(pixel.shell.lift, ordered_weights(pixel.shell, w)) * (lift * pixel.side);
+    return vec4f(quadric * pixel.side, height - lifted / traced_scale_m());
+}"#,
+    },
+    Declaration {
+        module: "shared/quadric",
+        name: "bent_descent",
+        sampling: None,
+        uses: &["NEVER"],
+        text: r#"// Metres along a ray to where it comes down to that depth under the quadric, in metres, or NEVER. `descent` is
+// what it goes down with a metre where it is above the quadric's point, `bend` the quadric's height there.
+fn bent_descent(depth: f32, descent: f32, bend: f32) -> f32 {
+    var t = NEVER;
+    if (bend == 0.0) {
+        if (descent > 0.0) {
+            t = depth / descent;
+        }
+        return t;
+    }
+    let discriminant = descent * descent + 4.0 * bend * depth;
+    if (discriminant > 0.0) {
+        let root = sqrt(discriminant);
+        if (descent > 0.0) {
+            t = 2.0 * depth / (descent + root);
+        } else {
+            t = (root - descent) / (2.0 * bend);
+        }
+    }
+    return t;
+}"#,
+    },
+    Declaration {
+        module: "shared/quadric",
+        name: "bent_exit",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "NEVER"],
+        text: r#"// The parameter at which a path of these heights, the first of them at most 1, is a little below the floor or
+// above the relief again.
+fn bent_exit(h: vec3f) -> f32 {
+    var exit = NEVER;
+    let floor = h.x + (BELOW_FLOOR - 1.0);
+    let under = h.y * h.y - 4.0 * h.z * floor;
+    if (under >= 0.0) {
+        if (h.y < 0.0) {
+            exit = 2.0 * floor / (sqrt(under) - h.y);
+        } else {
+            if (h.z < 0.0) {
+                exit = (h.y + sqrt(under)) / (-2.0 * h.z);
+            }
+        }
+    }
+    let room = 1.0 - h.x;
+    let above = h.y * h.y + 4.0 * h.z * room;
+    if (above >= 0.0) {
+        if (h.y > 0.0) {
+            exit = min(exit, 2.0 * room / (h.y + sqrt(above)));
+        } else {
+            if (h.z > 0.0) {
+                exit = min(exit, (sqrt(above) - h.y) / (2.0 * h.z));
+            }
+        }
+    }
+    return exit;
+}"#,
+    },
+    Declaration {
+        module: "shared/quadric",
+        name: "quadric_frame",
+        sampling: None,
+        uses: &["Entered", "quadric_slope"],
+        text: r#"// The frame at an offset from the point, on the quadric: its tangents, and its normal.
+fn quadric_frame(at: Entered, aside: vec2f) -> Entered {
+    var placed = at;
+    let slope = quadric_slope(at.quadric.xyz, aside);
+    if (slope.x == 0.0 && slope.y == 0.0) {
+        return placed;
+    }
+    let m = at.metric;
+    let area = m.x * m.z - m.y * m.y;
+    let along_t = (slope.x * m.z - slope.y * m.y) / area;
+    let along_b = (slope.y * m.x - slope.x * m.y) / area;
+    placed.tangent = at.tangent + at.normal * slope.x;
+    placed.bitangent = at.bitangent + at.normal * slope.y;
+    placed.normal = normalize(at.normal - at.tangent * along_t - at.bitangent * along_b);
+    let tt = dot(placed.tangent, placed.tangent);
+    let tb = dot(placed.tangent, placed.bitangent);
+    let bb = dot(placed.bitangent, placed.bitangent);
+    placed.metric = vec4f(tt, tb, bb, m.w);
+    return placed;
+}"#,
+    },
+    Declaration {
         module: "shared/records",
         name: "Triangle",
         sampling: None,
@@ -3592,6 +3758,30 @@ fn ordered(pixel: PixelIn, place: u32) -> Corner {
     },
     Declaration {
         module: "shared/shell",
+        name: "ordered_weights",
+        sampling: None,
+        uses: &["Shell", "weight_at"],
+        text: r#"// The weights of the corners in that order.
+fn ordered_weights(shell: Shell, weights: vec3f) -> vec3f {
+    return vec3f(
+        weight_at(shell.order, weights),
+        weight_at(shell.order >> 2u, weights),
+        weight_at(shell.order >> 4u, weights),
+    );
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "weight_at",
+        sampling: None,
+        uses: &[],
+        text: r#"fn weight_at(order: u32, weights: vec3f) -> f32 {
+    let corner = order & 3u;
+    return select(select(weights.z, weights.y, corner == 1u), weights.x, corner == 0u);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
         name: "raised",
         sampling: None,
         uses: &["Corner", "NEVER", "moved_out", "surface_settings"],
@@ -3626,6 +3816,17 @@ fn offsets_of(shell: Shell) -> vec2f {
     let lowered = dot(min(shell.lift, zero), quarter);
     let lifted = dot(max(shell.lift, zero), quarter);
     return surface_settings.shell_m.x + width * shell.heights + vec2f(lowered, lifted);
+}"#,
+    },
+    Declaration {
+        module: "shared/shell",
+        name: "lift_of",
+        sampling: None,
+        uses: &[],
+        text: r#"// How much higher the smooth base is at a point of the triangle. In this order: with a common factor taken out
+// compilers make other bits of it.
+fn lift_of(lift: vec3f, w: vec3f) -> f32 {
+    return lift.x * w.y * w.z + lift.y * w.z * w.x + lift.z * w.x * w.y;
 }"#,
     },
     Declaration {
@@ -3686,7 +3887,21 @@ fn frame_at(pixel: PixelIn, weights: vec3f, point: vec3f, uv: vec2f, facing: vec
         surface_settings.scale_m,
     );
     let unit = normalize(normal) * pixel.side;
-    return Entered(1u, point, uv, tangent, bitangent, unit, metric, 0u, facing, vec2f(0.0, 0.0), 0.0, 0.0);
+    return Entered(
+        1u,
+        point,
+        uv,
+        tangent,
+        bitangent,
+        unit,
+        metric,
+        0u,
+        facing,
+        vec2f(0.0, 0.0),
+        vec4f(0.0, 0.0, 0.0, 0.0),
+        0.0,
+        0.0,
+    );
 }"#,
     },
     Declaration {
@@ -3836,6 +4051,9 @@ struct Corner {
     tangent: vec3f,
     bitangent: vec3f,
     uv: vec2f,
+    // The quadric that the base follows around the corner, where the surface stage is one of quadrics, zeros
+    // elsewhere: of q(du, dv) = x du² + y du dv + z dv², in metres a tile squared, positive along the normal.
+    quadric: vec3f,
 }"#,
     },
     Declaration {
@@ -3894,6 +4112,9 @@ struct Entered {
     facing: vec3f,
     // Where the ray may be in a shell: metres from the place where it comes nearest to the triangle.
     span: vec2f,
+    // The quadric at the point as in `Corner`, positive toward the ray's side, and the height that the point
+    // has in the relief. Zeros where the surface is none of quadrics.
+    quadric: vec4f,
     // How many texels of the height map's finest level the pixel's footprint is wide; 0 where all is seen in
     // the finest level.
     footprint: f32,
@@ -4052,16 +4273,14 @@ fn path_from(path: Path, t: f32) -> Path {
         module: "surface/plane",
         name: "surface_plane_enter",
         sampling: None,
-        uses: &["Entered", "PixelIn", "plane_distance", "plane_normal", "surface_settings"],
+        uses: &["Entered", "PixelIn", "plane_distance", "plane_normal", "plane_weights", "surface_settings"],
         text: r#"fn surface_plane_enter(pixel: PixelIn, params: vec4f) -> Entered {
-    let a = pixel.a.position;
     let n = plane_normal(pixel);
-    let nn = dot(n, n);
     let point = pixel.origin + pixel.direction * plane_distance(pixel, n);
-    let from_a = point - a;
-    let wb = dot(cross(from_a, pixel.c.position - a), n) / nn;
-    let wc = dot(cross(pixel.b.position - a, from_a), n) / nn;
-    let wa = 1.0 - wb - wc;
+    let w = plane_weights(pixel, n, point);
+    let wa = w.x;
+    let wb = w.y;
+    let wc = w.z;
 
     let uv = pixel.a.uv * wa + pixel.b.uv * wb + pixel.c.uv * wc;
     let tangent = pixel.a.tangent * wa + pixel.b.tangent * wb + pixel.c.tangent * wc;
@@ -4073,7 +4292,21 @@ fn path_from(path: Path, t: f32) -> Path {
     let area = tt * bb - tb * tb;
     let metric = vec4f(tt, tb, bb, surface_settings.scale_m);
     let segments = select(0u, 1u, area > 0.0 && dot(normal, pixel.direction) < 0.0);
-    return Entered(segments, point, uv, tangent, bitangent, normal, metric, 0u, n, vec2f(0.0, 0.0), 0.0, 0.0);
+    return Entered(
+        segments,
+        point,
+        uv,
+        tangent,
+        bitangent,
+        normal,
+        metric,
+        0u,
+        n,
+        vec2f(0.0, 0.0),
+        vec4f(0.0, 0.0, 0.0, 0.0),
+        0.0,
+        0.0,
+    );
 }"#,
     },
     Declaration {
@@ -4242,7 +4475,7 @@ struct ShellPoint {
         module: "surface/prism",
         name: "shell_point",
         sampling: None,
-        uses: &["NEVER", "NEWTON_END", "NEWTON_STEPS", "Prism", "ShellPoint", "surface_settings"],
+        uses: &["NEVER", "NEWTON_END", "NEWTON_STEPS", "Prism", "ShellPoint", "lift_of", "surface_settings"],
         text: r#"// The point of a shell that is at a place, by Newton's method.
 fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
     let low = surface_settings.shell_m.x;
@@ -4256,9 +4489,7 @@ fn shell_point(prism: Prism, place: vec3f, height: f32) -> ShellPoint {
     var step = 0u;
     while (step < NEWTON_STEPS) {
         step = step + 1u;
-        // In this order: with a common factor taken out compilers make other bits of it.
-        let lift = l.x * w.y * w.z + l.y * w.z * w.x + l.z * w.x * w.y;
-        let offset = low + width * h + lift;
+        let offset = low + width * h + lift_of(l, w);
         let normal = prism.n0 * w.x + prism.n1 * w.y + prism.n2 * w.z;
         let base = prism.p0 * w.x + prism.p1 * w.y + prism.p2 * w.z;
         let rest = place - base - normal * offset;
@@ -4528,6 +4759,370 @@ fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
     let s = path.start + hit.t - middle;
     let weights = shell_point(prism, along * s, hit.height).weights;
     return placed_at(pixel, at, weights, pixel.origin + along * (path.start + hit.t), hit.uv);
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "LEAST_SINE",
+        sampling: None,
+        uses: &[],
+        text: r#"// The least sine of the angle between ray and normal: a ray along the normal has no way across it to the base.
+const LEAST_SINE = 0.0009765625;"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "SAME_DEPTH",
+        sampling: None,
+        uses: &[],
+        text: r#"// How far, in heights, rounding may see the ray from a depth that it is at.
+const SAME_DEPTH = 0.0009765625;"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "Across",
+        sampling: None,
+        uses: &["mixed"],
+        text: r#"// A ray over a quadric: along it and across it the changes of the texture coordinates and of the quadric.
+struct Across {
+    duv: vec2f,
+    // Metres that it comes down with a metre.
+    descent: f32,
+    // The quadric's height at the end of a metre along the ray, of one across it, and what both together add.
+    along: f32,
+    across: f32,
+    mixed: f32,
+    // What a metre across the ray rises.
+    sine: f32,
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "across_of",
+        sampling: None,
+        uses: &["Across", "Entered", "LEAST_SINE", "climb", "mixed", "quadric_at", "quadric_slope"],
+        text: r#"fn across_of(at: Entered, direction: vec3f) -> Across {
+    let duv = climb(at, direction).xy;
+    let descent = 0.0 - dot(at.normal, direction);
+    let aside = at.normal + direction * descent;
+    let sine = max(length(aside), LEAST_SINE);
+    let q = at.quadric.xyz;
+    let beside = climb(at, aside / sine).xy;
+    let mixed = dot(quadric_slope(q, duv), beside);
+    return Across(duv, descent, quadric_at(q, duv), quadric_at(q, beside), mixed, sine);
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "across_roots",
+        sampling: None,
+        uses: &["Across"],
+        text: r#"// What equation 6 takes the root of, as a quadratic in the parameter.
+fn across_roots(ray: Across) -> vec3f {
+    return vec3f(
+        ray.sine * ray.sine,
+        -2.0 * ray.mixed * ray.sine - 4.0 * ray.across * ray.descent,
+        ray.mixed * ray.mixed - 4.0 * ray.across * ray.along,
+    );
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "across_discriminant",
+        sampling: None,
+        uses: &["Across", "across_roots", "quadratic"],
+        text: r#"fn across_discriminant(ray: Across, t: f32) -> f32 {
+    return quadratic(across_roots(ray), t);
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "across_depth",
+        sampling: None,
+        uses: &["Across", "across_discriminant"],
+        text: r#"// How deep the ray is under the quadric, in metres.
+fn across_depth(ray: Across, t: f32) -> f32 {
+    let c = t * (ray.descent + t * ray.along);
+    let discriminant = across_discriminant(ray, t);
+    if (!(discriminant >= 0.0)) {
+        return c;
+    }
+    let b = t * ray.mixed - ray.sine;
+    let root = sqrt(discriminant);
+    if (b < 0.0) {
+        return 2.0 * c / (root - b);
+    }
+    if (ray.across != 0.0) {
+        return (0.0 - b - root) / (2.0 * ray.across);
+    }
+    return c;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "down_across",
+        sampling: None,
+        uses: &["Across", "bent_descent", "reached"],
+        text: r#"// Where the ray comes down to that depth, in metres, by equation 6, or NEVER.
+fn down_across(ray: Across, depth: f32) -> f32 {
+    let under = depth * (ray.sine - depth * ray.across);
+    return reached(ray, depth, bent_descent(under, ray.descent + depth * ray.mixed, ray.along));
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "down_along",
+        sampling: None,
+        uses: &["Across", "bent_descent", "reached"],
+        text: r#"// The same by equation 7.
+fn down_along(ray: Across, depth: f32) -> f32 {
+    return reached(ray, depth, bent_descent(depth, ray.descent, ray.along));
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "reached",
+        sampling: None,
+        uses: &["Across", "NEVER", "SAME_DEPTH", "across_depth", "traced_scale_m"],
+        text: r#"// A parameter where the ray should be at that depth, or NEVER where the other equation or the other root holds.
+fn reached(ray: Across, depth: f32, t: f32) -> f32 {
+    let off = abs(across_depth(ray, t) - depth);
+    return select(NEVER, t, t < NEVER && off <= SAME_DEPTH * (traced_scale_m() + abs(depth)));
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "jumps_below",
+        sampling: None,
+        uses: &["Across", "NEVER", "across_roots", "first_root"],
+        text: r#"// Where the distance jumps to a depth below that one, or NEVER.
+fn jumps_below(ray: Across, depth: f32) -> f32 {
+    let t = first_root(across_roots(ray), NEVER);
+    let below = t < NEVER && t * (ray.descent + t * ray.along) >= depth;
+    return select(NEVER, t, below);
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "across_span",
+        sampling: None,
+        uses: &["Across", "BELOW_FLOOR", "Entered", "NEVER", "down_across", "down_along", "jumps_below", "traced_scale_m"],
+        text: r#"// Where the ray is in the relief, in metres from the base; nowhere where it ends before it begins.
+fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
+    let nowhere = vec2f(1.0, -1.0);
+    let scale = traced_scale_m();
+    let height = at.quadric.w;
+    let over = (height - 1.0) * scale;
+    let begin = min(min(down_across(ray, over), down_along(ray, over)), jumps_below(ray, over));
+    if (!(begin < NEVER) || (height >= 1.0 && begin < 0.0)) {
+        return nowhere;
+    }
+    let enter = max(begin, eye);
+    let floor = height * scale;
+    let by_across = down_across(ray, floor);
+    let by_along = down_along(ray, floor);
+    let by_jump = jumps_below(ray, floor);
+    var leave = select(NEVER, by_across, by_across > enter);
+    leave = min(leave, select(NEVER, by_along, by_along > enter));
+    leave = min(leave, select(NEVER, by_jump, by_jump > enter));
+    // It is above a convex quadric again.
+    if (ray.along < 0.0) {
+        let under = ray.descent * ray.descent + 4.0 * ray.along * over;
+        if (under >= 0.0) {
+            leave = min(leave, (ray.descent + sqrt(under)) / (-2.0 * ray.along));
+        }
+    }
+    if (!(leave < NEVER)) {
+        return nowhere;
+    }
+    return vec2f(enter, leave + (leave - enter) * (BELOW_FLOOR - 1.0));
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "surface_quadric_perpendicular_enter",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "across_of", "across_span", "plane_distance", "plane_normal", "surface_quadric_vertical_enter"],
+        text: r#"fn surface_quadric_perpendicular_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    var at = surface_quadric_vertical_enter(pixel, params);
+    let along = length(pixel.direction);
+    let ray = across_of(at, pixel.direction / along);
+    let eye = 0.0 - plane_distance(pixel, plane_normal(pixel)) * along;
+    at.span = across_span(at, ray, eye);
+    at.segments = select(0u, at.segments * u32(params.z), at.span.y > at.span.x);
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "surface_quadric_perpendicular_segment",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "across_depth", "across_of", "inside_unit", "path_from", "plane_distance", "plane_normal", "surface_settings", "traced_scale_m"],
+        text: r#"fn surface_quadric_perpendicular_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    let along = length(pixel.direction);
+    let ray = across_of(at, pixel.direction / along);
+    let scale = traced_scale_m();
+    let distance = plane_distance(pixel, plane_normal(pixel)) * along;
+    let whole = at.span.y - at.span.x;
+    let first = at.span.x + whole * (f32(k) / params.z);
+    let last = at.span.x + whole * (f32(k + 1u) / params.z);
+    let long = last - first;
+    let begin = min(at.quadric.w - across_depth(ray, first) / scale, 1.0);
+    let middle = at.quadric.w - across_depth(ray, 0.5 * (first + last)) / scale;
+    var end = at.quadric.w - across_depth(ray, last) / scale;
+    // Rounding must not let a ray end above a floor that it has come to.
+    if (k + 1u == u32(params.z) && end < 0.5) {
+        end = min(end, 1.0 - BELOW_FLOOR);
+    }
+    let bend = 2.0 * (begin + end - 2.0 * middle);
+    let slope = end - begin - bend;
+    let base = clamp(0.0 - first, 0.0 - NEVER, NEVER);
+    var path = Path(
+        at.uv + ray.duv * first,
+        ray.duv,
+        vec3f(begin, slope / long, bend / (long * long)),
+        long,
+        base,
+        at.metric,
+        RAY_VIEW,
+        at.level,
+        distance + first,
+        1.0 / params.z,
+    );
+    var inside = vec2f(0.0, long);
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        inside = inside_unit(path.uv.x, ray.duv.x, inside);
+        inside = inside_unit(path.uv.y, ray.duv.y, inside);
+        path.exit = inside.y;
+        path = path_from(path, inside.x);
+    }
+    if (!(path.exit > 0.0)) {
+        path.exit = 0.0;
+    }
+    return path;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "surface_quadric_perpendicular_polish",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_quadric_perpendicular_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    return hit;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_perpendicular",
+        name: "surface_quadric_perpendicular_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "quadric_frame"],
+        text: r#"// On the ray, in the frame that the quadric has there.
+fn surface_quadric_perpendicular_place(
+    pixel: PixelIn,
+    at: Entered,
+    path: Path,
+    hit: Hit,
+    params: vec4f,
+) -> Entered {
+    var placed = quadric_frame(at, hit.uv - at.uv);
+    placed.point = pixel.origin + normalize(pixel.direction) * (path.start + hit.t);
+    placed.uv = hit.uv;
+    return placed;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_vertical",
+        name: "surface_quadric_vertical_enter",
+        sampling: None,
+        uses: &["Entered", "PixelIn", "quadric_of", "surface_plane_enter"],
+        text: r#"fn surface_quadric_vertical_enter(pixel: PixelIn, params: vec4f) -> Entered {
+    var at = surface_plane_enter(pixel, params);
+    at.quadric = quadric_of(pixel, at.point, params.y);
+    // Where the interpolated normal is turned away, a ray may still come down into a hollow.
+    let area = at.metric.x * at.metric.z - at.metric.y * at.metric.y;
+    at.segments = select(0u, 1u, area > 0.0);
+    return at;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_vertical",
+        name: "surface_quadric_vertical_segment",
+        sampling: None,
+        uses: &["BELOW_FLOOR", "Entered", "NEVER", "Path", "PixelIn", "RAY_VIEW", "WRAP_CLAMP", "bent_descent", "bent_exit", "climb", "inside_unit", "plane_distance", "plane_normal", "quadric_at", "surface_settings", "traced_scale_m"],
+        text: r#"fn surface_quadric_vertical_segment(pixel: PixelIn, at: Entered, k: u32, params: vec4f) -> Path {
+    let along = length(pixel.direction);
+    let direction = pixel.direction / along;
+    let duv = climb(at, direction).xy;
+    let descent = 0.0 - dot(at.normal, direction);
+    let scale = traced_scale_m();
+    let height = at.quadric.w;
+    let slope = (0.0 - descent) / scale;
+    let bend = quadric_at(at.quadric.xyz, duv);
+    let curve = (0.0 - bend) / scale;
+
+    // Metres along the ray, counted from the base: entry at height 1 but not behind the eye.
+    let distance = plane_distance(pixel, plane_normal(pixel)) * along;
+    let eye = 0.0 - distance;
+    let top = bent_descent((height - 1.0) * scale, descent, bend);
+    // Under a base that is higher than the triangle rays come down before they are there; else behind it.
+    let comes_down = top < NEVER && (height < 1.0 || top >= 0.0);
+    var enter = max(top, eye);
+    let begin = select(height + enter * (slope + curve * enter), 1.0, enter == top);
+    var leave = enter + bent_exit(vec3f(begin, slope + 2.0 * curve * enter, curve));
+    if (bend == 0.0) {
+        leave = height * scale / descent;
+        leave = leave + (leave - top) * (BELOW_FLOOR - 1.0);
+    }
+    if (surface_settings.wrap == WRAP_CLAMP) {
+        var interval = inside_unit(at.uv.x, duv.x, vec2f(enter, leave));
+        interval = inside_unit(at.uv.y, duv.y, interval);
+        enter = interval.x;
+        leave = interval.y;
+    }
+    let entry_height = select(height + enter * (slope + curve * enter), 1.0, enter == top);
+    // Limits that it never reaches, as on the plane.
+    let base = clamp(0.0 - enter, 0.0 - NEVER, NEVER);
+    var path = Path(
+        at.uv + duv * enter,
+        duv,
+        vec3f(entry_height, slope + 2.0 * curve * enter, curve),
+        leave - enter,
+        base,
+        at.metric,
+        RAY_VIEW,
+        at.level,
+        distance + enter,
+        1.0,
+    );
+    if (!comes_down || !(path.exit > 0.0)) {
+        path.exit = 0.0;
+    }
+    return path;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_vertical",
+        name: "surface_quadric_vertical_polish",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn"],
+        text: r#"fn surface_quadric_vertical_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+    return hit;
+}"#,
+    },
+    Declaration {
+        module: "surface/quadric_vertical",
+        name: "surface_quadric_vertical_place",
+        sampling: None,
+        uses: &["Entered", "Hit", "Path", "PixelIn", "base_height", "height_at", "quadric_at", "quadric_frame", "surface_settings", "traced_scale_m"],
+        text: r#"// On the surface, whatever the height of the path there, in the frame that the quadric has there.
+fn surface_quadric_vertical_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+    let aside = hit.uv - at.uv;
+    let height = surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.level);
+    let lifted = (base_height() - at.quadric.w) * traced_scale_m() + quadric_at(at.quadric.xyz, aside);
+    var placed = quadric_frame(at, aside);
+    placed.point =
+        at.point + at.tangent * aside.x + at.bitangent * aside.y + at.normal * (height + lifted);
+    placed.uv = hit.uv;
+    return placed;
 }"#,
     },
     Declaration {

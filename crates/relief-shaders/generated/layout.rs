@@ -210,7 +210,7 @@ impl Shared for SurfaceSettings {
 }
 
 impl Shared for Corner {
-    const SIZE: usize = 80;
+    const SIZE: usize = 96;
 
     fn write(&self, bytes: &mut [u8]) {
         self.position.write(&mut bytes[0..]);
@@ -218,6 +218,7 @@ impl Shared for Corner {
         self.tangent.write(&mut bytes[32..]);
         self.bitangent.write(&mut bytes[48..]);
         self.uv.write(&mut bytes[64..]);
+        self.quadric.write(&mut bytes[80..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -227,6 +228,7 @@ impl Shared for Corner {
             tangent: Shared::read(&bytes[32..]),
             bitangent: Shared::read(&bytes[48..]),
             uv: Shared::read(&bytes[64..]),
+            quadric: Shared::read(&bytes[80..]),
         }
     }
 }
@@ -259,21 +261,21 @@ pub struct Triangle {
 }
 
 impl Shared for Triangle {
-    const SIZE: usize = 272;
+    const SIZE: usize = 320;
 
     fn write(&self, bytes: &mut [u8]) {
         self.a.write(&mut bytes[0..]);
-        self.b.write(&mut bytes[80..]);
-        self.c.write(&mut bytes[160..]);
-        self.shell.write(&mut bytes[240..]);
+        self.b.write(&mut bytes[96..]);
+        self.c.write(&mut bytes[192..]);
+        self.shell.write(&mut bytes[288..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
         Self {
             a: Shared::read(&bytes[0..]),
-            b: Shared::read(&bytes[80..]),
-            c: Shared::read(&bytes[160..]),
-            shell: Shared::read(&bytes[240..]),
+            b: Shared::read(&bytes[96..]),
+            c: Shared::read(&bytes[192..]),
+            shell: Shared::read(&bytes[288..]),
         }
     }
 }
@@ -337,16 +339,16 @@ impl Shared for Record {
 }
 
 impl Shared for PixelIn {
-    const SIZE: usize = 304;
+    const SIZE: usize = 352;
 
     fn write(&self, bytes: &mut [u8]) {
         self.origin.write(&mut bytes[0..]);
         self.direction.write(&mut bytes[16..]);
         self.side.write(&mut bytes[28..]);
         self.a.write(&mut bytes[32..]);
-        self.b.write(&mut bytes[112..]);
-        self.c.write(&mut bytes[192..]);
-        self.shell.write(&mut bytes[272..]);
+        self.b.write(&mut bytes[128..]);
+        self.c.write(&mut bytes[224..]);
+        self.shell.write(&mut bytes[320..]);
     }
 
     fn read(bytes: &[u8]) -> Self {
@@ -355,9 +357,9 @@ impl Shared for PixelIn {
             direction: Shared::read(&bytes[16..]),
             side: Shared::read(&bytes[28..]),
             a: Shared::read(&bytes[32..]),
-            b: Shared::read(&bytes[112..]),
-            c: Shared::read(&bytes[192..]),
-            shell: Shared::read(&bytes[272..]),
+            b: Shared::read(&bytes[128..]),
+            c: Shared::read(&bytes[224..]),
+            shell: Shared::read(&bytes[320..]),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A variant chosen for every stage, with its settings.
 
+use relief_core::mesh::QuadricCoefficients;
 use relief_core::registry::{
     self, Entry, Guarantee, Guarantees, MAX_PARAMS, MapLevels, MapSetting, Param, RayClass, UnknownName,
 };
@@ -288,6 +289,14 @@ impl Selection {
         entry.param("lift").is_some_and(|(place, _)| params[place] != 0.0)
     }
 
+    /// Which quadrics the surface follows around the corners of its triangles, where it follows any. Its
+    /// triangles are moved out along their normals where relief would rise above them.
+    pub fn quadrics(&self) -> Option<QuadricCoefficients> {
+        let Choice { entry, params, .. } = &self.choices[SURFACE];
+        let (place, _) = entry.param("coefficients")?;
+        Some(if params[place] < 3.0 { QuadricCoefficients::Two } else { QuadricCoefficients::Three })
+    }
+
     /// What the chosen surface makes of rays.
     pub fn paths(&self) -> &'static Paths {
         &PATHS[self.choices[SURFACE].number as usize]
@@ -307,7 +316,7 @@ impl Selection {
         };
         for (place, (stage, choice)) in STAGES.iter().zip(&self.choices).enumerate() {
             let of_stage = refused.iter().filter(|refused| refused.stage == stage.key);
-            if let Some(refused) = of_stage.into_iter().find(|it| it.names.contains(&choice.entry.name)) {
+            if let Some(refused) = of_stage.into_iter().find(|it| it.names.contain(choice.entry.name)) {
                 return error(place, refused.reason.to_owned());
             }
         }

@@ -71,8 +71,9 @@ fn job(surface: JobSurface) -> Job {
 }
 
 fn ray() -> PixelIn {
-    let corner =
-        |x: f32, z: f32| Corner::new([x, 0.0, z], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [x, z]);
+    let corner = |x: f32, z: f32| {
+        Corner::new([x, 0.0, z], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [x, z], [0.0; 3])
+    };
     PixelIn::new(
         [0.0, 3.0, 0.0],
         [0.0, -1.0, 0.0],

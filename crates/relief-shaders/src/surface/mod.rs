@@ -1,19 +1,23 @@
 //! Surfaces: what turns a fragment into path segments. A new one is a `.wesl` and a `.rs` file here and its
 //! name in the two lists below.
 
-use relief_core::registry::{Entry, RayClass};
+use relief_core::registry::{Entry, Param, RayClass};
 
 use crate::SURVEY;
 
 mod plane;
 mod prism;
+mod quadric_perpendicular;
+mod quadric_vertical;
 mod tetrahedra;
 
 /// All of them.
-pub const ENTRIES: &[Entry] = &[plane::ENTRY, prism::ENTRY, tetrahedra::ENTRY];
+pub const ENTRIES: &[Entry] =
+    &[plane::ENTRY, prism::ENTRY, quadric_perpendicular::ENTRY, quadric_vertical::ENTRY, tetrahedra::ENTRY];
 
 /// What each of them makes of rays, in the same order.
-pub const PATHS: &[Paths] = &[plane::PATHS, prism::PATHS, tetrahedra::PATHS];
+pub const PATHS: &[Paths] =
+    &[plane::PATHS, prism::PATHS, quadric_perpendicular::PATHS, quadric_vertical::PATHS, tetrahedra::PATHS];
 
 /// What is added to the order of a shell's corners where the shell overlaps itself.
 pub const FOLDED: u32 = 64;
@@ -42,18 +46,48 @@ pub enum Proposal {
 const SEGMENTS_REFUSE: &[Refused] = &[
     Refused {
         stage: "search",
-        names: &["none"],
+        names: Names::These(&["none"]),
         reason: "a ray has several segments there, none of which begins at the base",
     },
     Refused {
         stage: "detail",
-        names: &["fade"],
+        names: Names::These(&["fade"]),
         reason: "a segment may begin anywhere in the relief there, and a flatter one may be above it",
     },
     Refused {
         stage: "shadow",
-        names: &["entry"],
+        names: Names::These(&["entry"]),
         reason: "where a ray to a light enters the relief is not known there",
+    },
+];
+
+/// What surfaces of quadrics refuse.
+const NO_ENTRY_OF_LIGHT: Refused = Refused {
+    stage: "shadow",
+    names: Names::These(&["entry"]),
+    reason: "where a ray to a light enters a bent relief is not known",
+};
+
+/// The settings of surfaces of quadrics. Hosts read them, too: see
+/// [`Selection::quadrics`](crate::Selection::quadrics).
+const QUADRIC_PARAMS: &[Param] = &[
+    Param {
+        name: "coefficients",
+        summary: "2 leaves out the product of both directions: cheaper, and some saddles are lost",
+        unit: "",
+        min: 2.0,
+        max: 3.0,
+        default: 3.0,
+        integer: true,
+    },
+    Param {
+        name: "lift",
+        summary: "1 lays the relief on a smooth base in place of flat triangles",
+        unit: "",
+        min: 0.0,
+        max: 1.0,
+        default: 0.0,
+        integer: true,
     },
 ];
 
@@ -62,8 +96,27 @@ const SEGMENTS_REFUSE: &[Refused] = &[
 pub struct Refused {
     /// The key of their stage.
     pub stage: &'static str,
-    /// Their names.
-    pub names: &'static [&'static str],
+    /// Which.
+    pub names: Names,
     /// Why, as the end of a sentence.
     pub reason: &'static str,
+}
+
+/// Some variants of a stage, by their names.
+#[derive(Clone, Copy, Debug)]
+pub enum Names {
+    /// These.
+    These(&'static [&'static str]),
+    /// All others.
+    AllBut(&'static [&'static str]),
+}
+
+impl Names {
+    /// Whether a variant is one of them.
+    pub fn contain(&self, name: &str) -> bool {
+        match self {
+            Names::These(names) => names.contains(&name),
+            Names::AllBut(names) => !names.contains(&name),
+        }
+    }
 }

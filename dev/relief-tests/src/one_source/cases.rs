@@ -95,10 +95,24 @@ impl Case {
 
     /// A case of two stages by name, with default parameters.
     pub fn of(search: &str, refine: &str, map: HeightMap) -> Self {
+        Self::on("plane", search, refine, map)
+    }
+
+    /// The same on another surface.
+    pub fn on(surface: &str, search: &str, refine: &str, map: HeightMap) -> Self {
         let mut selection = Selection::pair(search, refine).expect("listed names");
+        selection.choose("surface", surface).expect("a listed name");
         shorten(&mut selection);
-        let name = format!("{search}, {refine}, {}", map.wrap());
+        let name = format!("{surface}, {search}, {refine}, {}", map.wrap());
         Self::with(name, map, selection, MapFormat::F32)
+    }
+
+    /// Another value of a setting, by its key. Maps that the stages read stay as they are.
+    pub fn set(&mut self, key: &str, value: f64) {
+        self.surface.selection.set(key, value).expect("a setting");
+        let surface = &mut self.surface;
+        let choices = surface.selection.choices.map(|choice| (&choice).into());
+        surface.settings = SurfaceSettings { choices, ..surface.settings };
     }
 
     /// What the probe is given.

@@ -244,7 +244,7 @@ fn is_close(answer: Option<&PixelOut>, pixel: &PixelOut) -> bool {
 fn triangles() -> Vec<Triangle> {
     let shell = Shell::whole();
     let corner = |position: [f32; 3], normal: [f32; 3], length: f32, uv: [f32; 2]| {
-        Corner::new(position, normal, [length, 0.0, 0.0], [0.0, 0.0, length], uv)
+        Corner::new(position, normal, [length, 0.0, 0.0], [0.0, 0.0, length], uv, [0.0; 3])
     };
     let level = |y: f32, half: f32, tiles: f32| {
         let at = |x: f32, z: f32| {

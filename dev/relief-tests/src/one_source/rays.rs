@@ -2,7 +2,7 @@
 
 use crate::rays::{RayKind, Rays};
 use crate::rng::Rng;
-use glam::{DMat3, DQuat, DVec2, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3, Vec3};
 use relief_core::{HeightMap, Path};
 use relief_shaders::cpu::{Corner, PixelIn, Shell};
 
@@ -33,6 +33,31 @@ pub fn pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
     pixels
 }
 
+/// The same rays over a base that is bent: each corner has a quadric of its own, all of one form, by which the ray
+/// is bent from hardly at all to more than it takes to come out of the relief again.
+pub fn bent_pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
+    let mut rng = Rng::new(seed ^ 0x5bd1);
+    let mut pixels = pixels(map, count, seed);
+    for pixel in &mut pixels {
+        let of = |v: relief_shaders::cpu::Vec3<f32>| Vec3::new(v.x, v.y, v.z).as_dvec3();
+        let [t, b, n] = [pixel.a.tangent, pixel.a.bitangent, pixel.a.normal].map(of);
+        let along = of(pixel.direction).normalize();
+        let offset = DMat3::from_cols(t, b, n).inverse() * along;
+        let descent = n.dot(along).abs();
+        let scale_m = if map.scale_m() > 0.0 { map.scale_m() } else { 0.1 };
+        // At -1/4 a ray touches the floor.
+        let amount = rng.pick(&[-0.25, 0.25, -1.0, 1.0, -0.2, 0.01, -0.01, 4.0]) * rng.between(0.5, 1.5);
+        let form = [rng.between(-1.0, 1.0), rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)];
+        let value = form[0] * offset.x.powi(2) + form[1] * offset.x * offset.y + form[2] * offset.y.powi(2);
+        let factor = amount * descent.powi(2) / scale_m / value.abs().max(1e-6) * value.signum();
+        for corner in [&mut pixel.a, &mut pixel.b, &mut pixel.c] {
+            let own = factor * rng.between(0.8, 1.2) * f64::from(pixel.side);
+            corner.quadric = form.map(|number| (number * own).clamp(-1e6, 1e6) as f32).into();
+        }
+    }
+    pixels
+}
+
 /// A ray that takes a straight, descending path through the relief on some triangle.
 fn pixel(rng: &mut Rng, map: &HeightMap, path: &Path) -> PixelIn {
     let frame = frame(rng);
@@ -53,7 +78,7 @@ fn pixel(rng: &mut Rng, map: &HeightMap, path: &Path) -> PixelIn {
         let position = point + frame * aside.extend(0.0);
         let [position, normal] = [position, frame.z_axis * side].map(|v| v.as_vec3().to_array());
         let [tangent, bitangent] = [frame.x_axis, frame.y_axis].map(|v| v.as_vec3().to_array());
-        Corner::new(position, normal, tangent, bitangent, (uv + aside).as_vec2().to_array())
+        Corner::new(position, normal, tangent, bitangent, (uv + aside).as_vec2().to_array(), [0.0; 3])
     };
     let [origin, direction] = [origin, direction].map(|v| v.as_vec3().to_array());
     let turned = rng.unit();

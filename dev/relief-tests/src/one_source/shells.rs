@@ -62,7 +62,7 @@ fn pixel(rng: &mut Rng, map: &HeightMap) -> PixelIn {
         };
         let [position, normal] = [places[at], normals[at]].map(|v| v.as_vec3().to_array());
         let [tangent, bitangent] = [tangents[at], bitangents[at]].map(|v| v.as_vec3().to_array());
-        Corner::new(position, normal, tangent, bitangent, uv.as_vec2().to_array())
+        Corner::new(position, normal, tangent, bitangent, uv.as_vec2().to_array(), [0.0; 3])
     });
 
     // To a point of the shell, or to one of its edges or corners.

@@ -1,0 +1,59 @@
+//! Registry entry of quadrics from which distances are measured across the view.
+
+use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication, RayClass};
+
+use super::{NO_ENTRY_OF_LIGHT, Names, Paths, Proposal, QUADRIC_PARAMS, Refused};
+
+/// Quadrics, with distances at right angles to the ray.
+pub const ENTRY: Entry = Entry {
+    name: "quadric-perpendicular",
+    summary: "quadrics around the polygon's points, distances across the view: silhouettes, for sampling searches",
+    publication: Publication {
+        paper: "Oliveira and Policarpo 2005, An Efficient Representation for Surface Details",
+        section: "3.1",
+    },
+    maps: &[],
+    params: &[
+        QUADRIC_PARAMS[0],
+        QUADRIC_PARAMS[1],
+        Param {
+            name: "chords",
+            summary: "pieces that a ray is cut into; half as many as the search has steps",
+            unit: "",
+            min: 1.0,
+            max: 64.0,
+            default: 16.0,
+            integer: true,
+        },
+    ],
+    states: &[],
+    guarantee: Guarantees {
+        view: Guarantee::Approximate,
+        bent: Guarantee::Approximate,
+        shadow: Guarantee::Approximate,
+    },
+    weakened: &[],
+    argument: "The distance across the view is no quadratic in the metres along the ray, and jumps to the one along \
+        the normal where the line across misses the quadric. Chords are right at their ends and in their middle \
+        alone, which is where a search of twice as many steps looks. Seen along its normal a relief is flat, as \
+        the distance across the view grows beyond all bounds there.",
+};
+
+/// What it makes of rays.
+pub const PATHS: Paths = Paths {
+    rays: &[RayClass::Bent],
+    proposal: Proposal::Polygons,
+    refused: &[
+        Refused {
+            stage: "search",
+            names: Names::AllBut(&["linear"]),
+            reason: "the distance from the quadric jumps along a ray, which only samples are taken of",
+        },
+        Refused {
+            stage: "detail",
+            names: Names::These(&["fade"]),
+            reason: "a chord may begin anywhere in the relief there, and a flatter one may be above it",
+        },
+        NO_ENTRY_OF_LIGHT,
+    ],
+};
