@@ -1224,10 +1224,10 @@ impl<'g> Resources<'g> {
         let _e12 = self.v_down_across(ray_7, over);
         let _e13 = self.v_down_along(ray_7, over);
         let _e15 = self.v_jumps_below(ray_7, over);
-        let begin = _e12.min(_e13).min(_e15);
-        if rt::Scalar::into_branch_condition((!(!begin.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
+        let begin_1 = _e12.min(_e13).min(_e15);
+        if rt::Scalar::into_branch_condition((!(!begin_1.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))))) {
             if rt::Scalar::into_branch_condition(height_5.elementwise_ge(rt::Scalar(1f32))) {
-                local_3 = begin.elementwise_lt(rt::Scalar(0f32));
+                local_3 = begin_1.elementwise_lt(rt::Scalar(0f32));
             } else {
                 local_3 = rt::Scalar(false);
             }
@@ -1240,7 +1240,7 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e32) {
             return nowhere;
         }
-        let enter_2 = begin.max(eye);
+        let enter_2 = begin_1.max(eye);
         let floor = (height_5 * _e6);
         let _e35 = self.v_down_across(ray_7, floor);
         let _e36 = self.v_down_along(ray_7, floor);
@@ -2480,9 +2480,9 @@ impl<'g> Resources<'g> {
         params_5: rt::Vec4<f32>,
     ) -> Detail {
         let _e4 = self.v_footprint_of(pixel_7, at_15, params_5.x());
-        let begin_1 = (params_5.z() * params_5.w());
+        let begin_2 = (params_5.z() * params_5.w());
         let _e8 = self.v_depth_in_samples(pixel_7, at_15);
-        let part_6 = ((begin_1 - _e8) / (begin_1 - params_5.z()).max(rt::Scalar(0.000001f32)));
+        let part_6 = ((begin_2 - _e8) / (begin_2 - params_5.z()).max(rt::Scalar(0.000001f32)));
         let _e19 = rt::Scalar(self.surface_settings.height_levels);
         let _e20 = self.v_levels_of((_e4 / params_5.y()), _e19);
         let level_25 = rt::Scalar(_e20.fine);
@@ -4103,6 +4103,7 @@ impl<'g> Resources<'g> {
         k_4: rt::Scalar<u32>,
         params_18: rt::Vec4<f32>,
     ) -> Path {
+        let mut begin: rt::Scalar<f32>;
         let mut end: rt::Scalar<f32>;
         let mut local_14: rt::Scalar<bool>;
         let mut path_17: Path;
@@ -4119,52 +4120,59 @@ impl<'g> Resources<'g> {
         let last_2 = (at_30.span.x() + (whole_1 * ((k_4 + rt::Scalar(1u32)).cast_elem_as_f32() / params_18.z())));
         let long_2 = (last_2 - first_3);
         let _e38 = self.v_across_depth(_e9, first_3);
-        let begin_2 = (at_30.quadric.w() - (_e38 / _e10)).min(rt::Scalar(1f32));
-        let _e48 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_3 + last_2)));
-        let middle_9 = (at_30.quadric.w() - (_e48 / _e10));
-        let _e53 = self.v_across_depth(_e9, last_2);
-        end = (at_30.quadric.w() - (_e53 / _e10));
+        begin = (at_30.quadric.w() - (_e38 / _e10));
+        if rt::Scalar::into_branch_condition(k_4.elementwise_eq(rt::Scalar(0u32))) {
+            let _e44 = begin;
+            begin = _e44.min(rt::Scalar(1f32));
+        }
+        let _e52 = self.v_across_depth(_e9, (rt::Scalar(0.5f32) * (first_3 + last_2)));
+        let middle_9 = (at_30.quadric.w() - (_e52 / _e10));
+        let _e57 = self.v_across_depth(_e9, last_2);
+        end = (at_30.quadric.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_18.z().cast_elem_as_u32())) {
-            let _e64 = end;
-            local_14 = _e64.elementwise_lt(rt::Scalar(0.5f32));
+            let _e68 = end;
+            local_14 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
             local_14 = rt::Scalar(false);
         }
-        let _e68 = local_14;
-        if rt::Scalar::into_branch_condition(_e68) {
-            let _e69 = end;
-            end = _e69.min(rt::Scalar(-0.000001f32));
+        let _e72 = local_14;
+        if rt::Scalar::into_branch_condition(_e72) {
+            let _e73 = end;
+            end = _e73.min(rt::Scalar(-0.000001f32));
         }
-        let _e72 = end;
-        let bend_3 = (rt::Scalar(2f32) * ((begin_2 + _e72) - (rt::Scalar(2f32) * middle_9)));
-        let _e79 = end;
-        let slope_7 = ((_e79 - begin_2) - bend_3);
+        let _e76 = begin;
+        let _e77 = end;
+        let bend_3 = (rt::Scalar(2f32) * ((_e76 + _e77) - (rt::Scalar(2f32) * middle_9)));
+        let _e84 = end;
+        let _e85 = begin;
+        let slope_7 = ((_e84 - _e85) - bend_3);
         let base_3 = (rt::Scalar(0f32) - first_3).clamp(rt::Scalar(-300000000000000000000000000000000000000f32), rt::Scalar(300000000000000000000000000000000000000f32));
-        path_17 = <Path>::new((at_30.uv + (_e9.duv * first_3)), _e9.duv, <rt::Vec3<f32>>::from_scalars(begin_2, (slope_7 / long_2), (bend_3 / (long_2 * long_2))), long_2, base_3, at_30.metric, RAY_VIEW, rt::Scalar(at_30.level), (distance_1 + first_3), (rt::Scalar(1f32) / params_18.z()));
+        let _e98 = begin;
+        path_17 = <Path>::new((at_30.uv + (_e9.duv * first_3)), _e9.duv, <rt::Vec3<f32>>::from_scalars(_e98, (slope_7 / long_2), (bend_3 / (long_2 * long_2))), long_2, base_3, at_30.metric, RAY_VIEW, rt::Scalar(at_30.level), (distance_1 + first_3), (rt::Scalar(1f32) / params_18.z()));
         inside_3 = <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), long_2);
-        let _e110 = rt::Scalar(self.surface_settings.wrap);
-        if rt::Scalar::into_branch_condition(_e110.elementwise_eq(WRAP_CLAMP)) {
-            let _e115 = path_17.uv.x();
-            let _e118 = inside_3;
-            let _e119 = self.v_inside_unit(_e115, _e9.duv.x(), _e118);
-            inside_3 = _e119;
-            let _e122 = path_17.uv.y();
+        let _e117 = rt::Scalar(self.surface_settings.wrap);
+        if rt::Scalar::into_branch_condition(_e117.elementwise_eq(WRAP_CLAMP)) {
+            let _e122 = path_17.uv.x();
             let _e125 = inside_3;
-            let _e126 = self.v_inside_unit(_e122, _e9.duv.y(), _e125);
+            let _e126 = self.v_inside_unit(_e122, _e9.duv.x(), _e125);
             inside_3 = _e126;
-            let _e129 = inside_3.y();
-            rt::Scalar(path_17.exit) = _e129;
-            let _e130 = path_17;
-            let _e132 = inside_3.x();
-            let _e133 = self.v_path_from(_e130, _e132);
-            path_17 = _e133;
+            let _e129 = path_17.uv.y();
+            let _e132 = inside_3;
+            let _e133 = self.v_inside_unit(_e129, _e9.duv.y(), _e132);
+            inside_3 = _e133;
+            let _e136 = inside_3.y();
+            rt::Scalar(path_17.exit) = _e136;
+            let _e137 = path_17;
+            let _e139 = inside_3.x();
+            let _e140 = self.v_path_from(_e137, _e139);
+            path_17 = _e140;
         }
-        let _e135 = rt::Scalar(path_17.exit);
-        if rt::Scalar::into_branch_condition((!_e135.elementwise_gt(rt::Scalar(0f32)))) {
+        let _e142 = rt::Scalar(path_17.exit);
+        if rt::Scalar::into_branch_condition((!_e142.elementwise_gt(rt::Scalar(0f32)))) {
             rt::Scalar(path_17.exit) = rt::Scalar(0f32);
         }
-        let _e141 = path_17;
-        return _e141;
+        let _e148 = path_17;
+        return _e148;
     }
     pub(crate) fn surface_quadric_vertical_segment(
         &self,

@@ -4966,7 +4966,11 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
     let first = at.span.x + whole * (f32(k) / params.z);
     let last = at.span.x + whole * (f32(k + 1u) / params.z);
     let long = last - first;
-    let begin = min(at.quadric.w - across_depth(ray, first) / scale, 1.0);
+    var begin = at.quadric.w - across_depth(ray, first) / scale;
+    // Later it may be above the relief, where the distance has jumped.
+    if (k == 0u) {
+        begin = min(begin, 1.0);
+    }
     let middle = at.quadric.w - across_depth(ray, 0.5 * (first + last)) / scale;
     var end = at.quadric.w - across_depth(ray, last) / scale;
     // Rounding must not let a ray end above a floor that it has come to.

@@ -48,8 +48,11 @@ pub fn bent_pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
         // At -1/4 a ray touches the floor.
         let amount = rng.pick(&[-0.25, 0.25, -1.0, 1.0, -0.2, 0.01, -0.01, 4.0]) * rng.between(0.5, 1.5);
         let form = [rng.between(-1.0, 1.0), rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)];
-        let value = form[0] * offset.x.powi(2) + form[1] * offset.x * offset.y + form[2] * offset.y.powi(2);
-        let factor = amount * descent.powi(2) / scale_m / value.abs().max(1e-6) * value.signum();
+        let terms = [offset.x.powi(2), offset.x * offset.y, offset.y.powi(2)];
+        let terms = [0, 1, 2].map(|k| form[k] * terms[k]);
+        let (value, all) = (terms.iter().sum::<f64>(), terms.iter().map(|term| term.abs()).sum::<f64>());
+        // The terms may cancel, but not so far that nothing is left of the bits of `f32`.
+        let factor = amount * descent.powi(2) / scale_m / value.abs().max(0.1 * all + 1e-9) * value.signum();
         for corner in [&mut pixel.a, &mut pixel.b, &mut pixel.c] {
             let own = factor * rng.between(0.8, 1.2) * f64::from(pixel.side);
             corner.quadric = form.map(|number| (number * own).clamp(-1e6, 1e6) as f32).into();
