@@ -3258,6 +3258,8 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let mut cell_6: rt::Vec2<f32>;
         let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_10: rt::Scalar<bool>;
+        let mut local_11: rt::Scalar<bool>;
 
         let _e3 = self.v_grid_of(path_14);
         let _e4 = self.v_rounded_gap(path_14, slack_3, texels_2);
@@ -3265,39 +3267,51 @@ impl<'g> Resources<'g> {
         cell_6 = _e6;
         let _e10 = cell_6;
         let _e12 = self.v_cell_gap(path_14, _e3, _e10, rt::Scalar(0f32));
+        if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
+            local_10 = _e12.y().elementwise_gt(rt::Scalar(0f32));
+        } else {
+            local_10 = rt::Scalar(false);
+        }
+        let comes_out = local_10;
         if rt::Scalar::into_branch_condition(_e12.x().elementwise_ge((rt::Scalar(0f32) - _e4))) {
+            local_11 = (!comes_out);
+        } else {
+            local_11 = rt::Scalar(false);
+        }
+        let _e31 = local_11;
+        if rt::Scalar::into_branch_condition(_e31) {
             return rt::Scalar(0f32);
         }
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = t_8;
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(rt::Scalar(path_14.exit))) {
+                let _e33 = t_8;
+                if rt::Scalar::into_branch_condition(_e33.elementwise_lt(rt::Scalar(path_14.exit))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = cell_6;
-                    let _e22 = self.v_cell_leave(_e3, _e21);
-                    let end = _e22.x().min(_e22.y()).min(rt::Scalar(path_14.exit));
-                    let _e31 = cell_6;
-                    let _e32 = t_8;
-                    let _e33 = self.v_cell_gap(path_14, _e3, _e31, _e32);
-                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e4, rt::Scalar(0f32), rt::Scalar(0f32)) - _e33);
+                    let _e36 = cell_6;
+                    let _e37 = self.v_cell_leave(_e3, _e36);
+                    let end = _e37.x().min(_e37.y()).min(rt::Scalar(path_14.exit));
+                    let _e46 = cell_6;
+                    let _e47 = t_8;
+                    let _e48 = self.v_cell_gap(path_14, _e3, _e46, _e47);
+                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e4, rt::Scalar(0f32), rt::Scalar(0f32)) - _e48);
                     if rt::Scalar::into_branch_condition((!below_3.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e39 = t_8;
-                        return _e39;
+                        let _e54 = t_8;
+                        return _e54;
                     }
-                    let _e40 = t_8;
-                    let _e44 = self.v_first_root(below_3, (end - _e40).max(rt::Scalar(0f32)));
-                    if rt::Scalar::into_branch_condition(_e44.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e47 = t_8;
-                        return (_e47 + _e44);
+                    let _e55 = t_8;
+                    let _e59 = self.v_first_root(below_3, (end - _e55).max(rt::Scalar(0f32)));
+                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e62 = t_8;
+                        return (_e62 + _e59);
                     }
-                    let _e49 = cell_6;
-                    let _e50 = self.v_cell_next(_e3, _e49, _e22);
-                    cell_6 = _e50;
-                    let _e51 = t_8;
-                    t_8 = _e51.max(end);
+                    let _e64 = cell_6;
+                    let _e65 = self.v_cell_next(_e3, _e64, _e37);
+                    cell_6 = _e65;
+                    let _e66 = t_8;
+                    t_8 = _e66.max(end);
                 }
             }
         }
@@ -3633,15 +3647,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_10: rt::Scalar<bool>;
+        let mut local_12: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_10.elementwise_gt(rt::Scalar(path_20.exit))) {
             let _e9 = self.v_path_height(path_20, rt::Scalar(path_20.exit));
-            local_10 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_12 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_10 = rt::Scalar(false);
+            local_12 = rt::Scalar(false);
         }
-        let _e13 = local_10;
+        let _e13 = local_12;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -3656,17 +3670,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_21: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_11: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_21.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_11 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_13 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_11 = rt::Scalar(true);
+            local_13 = rt::Scalar(true);
         }
-        let _e16 = local_11;
+        let _e16 = local_13;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -3923,28 +3937,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_12: rt::Scalar<bool>;
-        let mut local_13: rt::Scalar<bool>;
         let mut local_14: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_13 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_15 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_13 = rt::Scalar(true);
+                local_15 = rt::Scalar(true);
             }
-            let _e16 = local_13;
+            let _e16 = local_15;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_14 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_16 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_14 = rt::Scalar(true);
+                local_16 = rt::Scalar(true);
             }
-            let _e24 = local_14;
-            local_12 = _e24;
+            let _e24 = local_16;
+            local_14 = _e24;
         } else {
-            local_12 = rt::Scalar(false);
+            local_14 = rt::Scalar(false);
         }
-        let _e26 = local_12;
+        let _e26 = local_14;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -3965,7 +3979,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_15: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_7: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -3980,11 +3994,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_28, _e18);
-            local_15 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_17 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_15 = rt::Scalar(true);
+            local_17 = rt::Scalar(true);
         }
-        let _e23 = local_15;
+        let _e23 = local_17;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -4232,7 +4246,7 @@ impl<'g> Resources<'g> {
         let mut t_15: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_16: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -4289,11 +4303,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_16 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_18 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_16 = rt::Scalar(true);
+                            local_18 = rt::Scalar(true);
                         }
-                        let _e89 = local_16;
+                        let _e89 = local_18;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_31, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -4533,15 +4547,15 @@ impl<'g> Resources<'g> {
         first: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_17: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_17 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_19 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_17 = rt::Scalar(false);
+                local_19 = rt::Scalar(false);
             }
-            let _e14 = local_17;
+            let _e14 = local_19;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_10);
             }
@@ -4633,14 +4647,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_3: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_18: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_18 = cell_9.elementwise_lt(n_3);
+            local_20 = cell_9.elementwise_lt(n_3);
         } else {
-            local_18 = rt::Scalar(false);
+            local_20 = rt::Scalar(false);
         }
-        let _e8 = local_18;
+        let _e8 = local_20;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -4677,17 +4691,17 @@ impl<'g> Resources<'g> {
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_19: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_37.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_19 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_21 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_19 = rt::Scalar(true);
+            local_21 = rt::Scalar(true);
         }
-        let _e21 = local_19;
+        let _e21 = local_21;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -4767,7 +4781,7 @@ impl<'g> Resources<'g> {
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_20: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_39);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -4810,11 +4824,11 @@ impl<'g> Resources<'g> {
                     let _e82 = self.v_least_at(above_5, span_7);
                     let _e83 = self.v_quadratic(above_5, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_20 = above_5.x().elementwise_gt(of_heights);
+                        local_22 = above_5.x().elementwise_gt(of_heights);
                     } else {
-                        local_20 = rt::Scalar(false);
+                        local_22 = rt::Scalar(false);
                     }
-                    let _e90 = local_20;
+                    let _e90 = local_22;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_3.elementwise_lt(rt::Scalar(path_39.exit))) {
                             let _e93 = cell_11;
@@ -4913,7 +4927,7 @@ impl<'g> Resources<'g> {
         t_19: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_21: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
         let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_5 = (rt::Scalar(path_40.exit) - t_19);
@@ -4938,11 +4952,11 @@ impl<'g> Resources<'g> {
         let aside_2 = (((grid_6.origin - offset_1) + (grid_6.step * t_19)) / _e85);
         let c_7 = (((slope_3 * aside_2.length()) - gap_2) * ((slope_3 * aside_2.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_21 = c_7.elementwise_ge(rt::Scalar(0f32));
+            local_23 = c_7.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_21 = rt::Scalar(true);
+            local_23 = rt::Scalar(true);
         }
-        let _e102 = local_21;
+        let _e102 = local_23;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -5087,7 +5101,7 @@ impl<'g> Resources<'g> {
         n_4: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_22: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
 
         let first_5 = ((image.x() >> level_16) << level_16);
         let side_3 = (rt::Scalar(1i32) << level_16);
@@ -5101,11 +5115,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_22 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_24 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_22 = rt::Scalar(false);
+            local_24 = rt::Scalar(false);
         }
-        let _e43 = local_22;
+        let _e43 = local_24;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_13.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_4)));
         }
@@ -5153,10 +5167,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_23: rt::Scalar<bool>;
-        let mut local_24: rt::Scalar<bool>;
         let mut local_25: rt::Scalar<bool>;
         let mut local_26: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_42);
         let _e4 = self.v_height_texels(rt::Scalar(path_42.level));
@@ -5205,24 +5219,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over.x()))) {
                             let _e89 = parent.y();
-                            local_24 = _e89.elementwise_ne(over.y());
+                            local_26 = _e89.elementwise_ne(over.y());
                         } else {
-                            local_24 = rt::Scalar(true);
+                            local_26 = rt::Scalar(true);
                         }
-                        let _e93 = local_24;
-                        local_23 = _e93;
-                    } else {
-                        local_23 = rt::Scalar(false);
-                    }
-                    let left_3 = local_23;
-                    if rt::Scalar::into_branch_condition(left_3) {
-                        let _e98 = level_17;
-                        let _e99 = top;
-                        local_25 = _e98.elementwise_lt(_e99);
+                        let _e93 = local_26;
+                        local_25 = _e93;
                     } else {
                         local_25 = rt::Scalar(false);
                     }
-                    let _e102 = local_25;
+                    let left_3 = local_25;
+                    if rt::Scalar::into_branch_condition(left_3) {
+                        let _e98 = level_17;
+                        let _e99 = top;
+                        local_27 = _e98.elementwise_lt(_e99);
+                    } else {
+                        local_27 = rt::Scalar(false);
+                    }
+                    let _e102 = local_27;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
@@ -5276,11 +5290,11 @@ impl<'g> Resources<'g> {
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
                             let _e214 = self.v_least_at(gap_3, span_9);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_26 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_28 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_26 = rt::Scalar(true);
+                            local_28 = rt::Scalar(true);
                         }
-                        let _e219 = local_26;
+                        let _e219 = local_28;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_21;
@@ -5336,18 +5350,18 @@ impl<'g> Resources<'g> {
         n_5: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
         let first_6 = ((_e3 >> level_18) << level_18);
         let last_3 = (first_6 + (rt::Scalar(1i32) << level_18)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_27 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_29 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_27 = rt::Scalar(true);
+            local_29 = rt::Scalar(true);
         }
-        let _e20 = local_27;
+        let _e20 = local_29;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_6), ((texel_2 - _e3) + last_3));
         }
@@ -5547,10 +5561,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_28: rt::Scalar<bool>;
-        let mut local_29: rt::Scalar<bool>;
         let mut local_30: rt::Scalar<bool>;
         let mut local_31: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_44);
         let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
@@ -5581,11 +5595,11 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_28 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_30 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_28 = rt::Scalar(true);
+                        local_30 = rt::Scalar(true);
                     }
-                    let _e64 = local_28;
+                    let _e64 = local_30;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -5621,18 +5635,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_29 = _e131.elementwise_lt(end_8);
+                            local_31 = _e131.elementwise_lt(end_8);
                         } else {
-                            local_29 = rt::Scalar(false);
+                            local_31 = rt::Scalar(false);
                         }
-                        let _e134 = local_29;
+                        let _e134 = local_31;
                         if rt::Scalar::into_branch_condition(_e134) {
                             let _e137 = self.v_path_height(path_44, end_8);
-                            local_30 = _e137.elementwise_lt(_e72.x());
+                            local_32 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_30 = rt::Scalar(false);
+                            local_32 = rt::Scalar(false);
                         }
-                        let _e141 = local_30;
+                        let _e141 = local_32;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -5643,11 +5657,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_8))) {
                         let _e150 = t_23;
-                        local_31 = (!end_8.elementwise_gt(_e150));
+                        local_33 = (!end_8.elementwise_gt(_e150));
                     } else {
-                        local_31 = rt::Scalar(true);
+                        local_33 = rt::Scalar(true);
                     }
-                    let _e154 = local_31;
+                    let _e154 = local_33;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -5705,7 +5719,7 @@ impl<'g> Resources<'g> {
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_32: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_45);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -5763,11 +5777,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_9))) {
                             let _e121 = t_24;
-                            local_32 = (!end_9.elementwise_gt(_e121));
+                            local_34 = (!end_9.elementwise_gt(_e121));
                         } else {
-                            local_32 = rt::Scalar(true);
+                            local_34 = rt::Scalar(true);
                         }
-                        let _e125 = local_32;
+                        let _e125 = local_34;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -5824,7 +5838,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_11: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_33: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
         let aside_3 = path_46.duv.length();
         'naga_break: loop {
@@ -5844,11 +5858,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_25;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_33 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_35 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_33 = rt::Scalar(false);
+                            local_35 = rt::Scalar(false);
                         }
-                        let _e35 = local_33;
+                        let _e35 = local_35;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -5924,11 +5938,11 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_47);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -5967,11 +5981,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_26;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_34 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_36 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_34 = rt::Scalar(false);
+                            local_36 = rt::Scalar(false);
                         }
-                        let _e87 = local_34;
+                        let _e87 = local_36;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_26;
@@ -6035,11 +6049,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_36.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_26;
-                        local_35 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_47.exit))));
+                        local_37 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_47.exit))));
                     } else {
-                        local_35 = rt::Scalar(false);
+                        local_37 = rt::Scalar(false);
                     }
-                    let _e186 = local_35;
+                    let _e186 = local_37;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_26;
                         let _e190 = gap;
@@ -6093,7 +6107,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_48);
@@ -6128,11 +6142,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_27;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_36 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_38 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_36 = rt::Scalar(false);
+                            local_38 = rt::Scalar(false);
                         }
-                        let _e60 = local_36;
+                        let _e60 = local_38;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_27;
@@ -6548,7 +6562,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_ray(&self, at_35: Entered, hit_15: Hit, light_3: Toward) -> LightRay {
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_35, hit_15, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -6565,11 +6579,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_37 = (_e31.y() + (_e31.z() * end_12)).elementwise_lt(rt::Scalar(0f32));
+            local_39 = (_e31.y() + (_e31.z() * end_12)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_37 = rt::Scalar(true);
+            local_39 = rt::Scalar(true);
         }
-        let _e45 = local_37;
+        let _e45 = local_39;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -7017,7 +7031,7 @@ impl<'g> Resources<'g> {
         uv_18: rt::Vec2<f32>,
         view_8: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
@@ -7029,11 +7043,11 @@ impl<'g> Resources<'g> {
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_38 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_40 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_38 = rt::Scalar(false);
+            local_40 = rt::Scalar(false);
         }
-        let _e32 = local_38;
+        let _e32 = local_40;
         if rt::Scalar::into_branch_condition(_e32) {
             let _e33 = self.v_finest_normal(at_43, uv_18);
             let _e34 = self.v_one_seen(_e33);

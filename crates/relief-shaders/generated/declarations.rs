@@ -3999,14 +3999,16 @@ fn rounded_gap(path: Path, slack: f32, texels: f32) -> f32 {
         name: "out_of_ground",
         sampling: None,
         uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "rounded_gap"],
-        text: r#"// The parameter at which a path that begins lower than that under the surface is as high above it: 0 where it
-// does not begin so low, its exit where it never comes out.
+        text: r#"// The parameter at which a path that begins lower than that under the surface, or on it or under it on its way
+// out, is as high above it: 0 where it does not begin so, its exit where it never comes out.
 fn out_of_ground(path: Path, slack: f32, texels: f32) -> f32 {
     let grid = grid_of(path);
     let least = rounded_gap(path, slack, texels);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    if (cell_gap(path, grid, cell, 0.0).x >= 0.0 - least) {
+    let begin = cell_gap(path, grid, cell, 0.0);
+    let comes_out = begin.x <= 0.0 && begin.y > 0.0;
+    if (begin.x >= 0.0 - least && !comes_out) {
         return 0.0;
     }
     while (t < path.exit) {
