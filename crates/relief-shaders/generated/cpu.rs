@@ -3260,6 +3260,7 @@ impl<'g> Resources<'g> {
         let mut t_8: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut local_10: rt::Scalar<bool>;
         let mut local_11: rt::Scalar<bool>;
+        let mut local_12: rt::Scalar<bool>;
 
         let _e3 = self.v_grid_of(path_14);
         let _e4 = self.v_rounded_gap(path_14, slack_3, texels_2);
@@ -3267,13 +3268,14 @@ impl<'g> Resources<'g> {
         cell_6 = _e6;
         let _e10 = cell_6;
         let _e12 = self.v_cell_gap(path_14, _e3, _e10, rt::Scalar(0f32));
+        let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
         if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
             local_10 = _e12.y().elementwise_gt(rt::Scalar(0f32));
         } else {
             local_10 = rt::Scalar(false);
         }
         let comes_out = local_10;
-        if rt::Scalar::into_branch_condition(_e12.x().elementwise_ge((rt::Scalar(0f32) - _e4))) {
+        if rt::Scalar::into_branch_condition(is_near) {
             local_11 = (!comes_out);
         } else {
             local_11 = rt::Scalar(false);
@@ -3282,36 +3284,48 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition(_e31) {
             return rt::Scalar(0f32);
         }
+        let _e34 = self.v_rounded_gap(path_14, slack_3, rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e33 = t_8;
-                if rt::Scalar::into_branch_condition(_e33.elementwise_lt(rt::Scalar(path_14.exit))) {
+                let _e35 = t_8;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_14.exit))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e36 = cell_6;
-                    let _e37 = self.v_cell_leave(_e3, _e36);
-                    let end = _e37.x().min(_e37.y()).min(rt::Scalar(path_14.exit));
-                    let _e46 = cell_6;
-                    let _e47 = t_8;
-                    let _e48 = self.v_cell_gap(path_14, _e3, _e46, _e47);
-                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e4, rt::Scalar(0f32), rt::Scalar(0f32)) - _e48);
+                    let _e38 = cell_6;
+                    let _e39 = self.v_cell_leave(_e3, _e38);
+                    let end = _e39.x().min(_e39.y()).min(rt::Scalar(path_14.exit));
+                    let _e48 = cell_6;
+                    let _e49 = t_8;
+                    let _e50 = self.v_cell_gap(path_14, _e3, _e48, _e49);
+                    let below_3 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
                     if rt::Scalar::into_branch_condition((!below_3.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e54 = t_8;
-                        return _e54;
+                        let _e56 = t_8;
+                        return _e56;
                     }
-                    let _e55 = t_8;
-                    let _e59 = self.v_first_root(below_3, (end - _e55).max(rt::Scalar(0f32)));
-                    if rt::Scalar::into_branch_condition(_e59.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e62 = t_8;
-                        return (_e62 + _e59);
+                    let _e57 = t_8;
+                    let span_5 = (end - _e57).max(rt::Scalar(0f32));
+                    let _e61 = self.v_first_root(below_3, span_5);
+                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e64 = t_8;
+                        return (_e64 + _e61);
                     }
-                    let _e64 = cell_6;
-                    let _e65 = self.v_cell_next(_e3, _e64, _e37);
-                    cell_6 = _e65;
-                    let _e66 = t_8;
-                    t_8 = _e66.max(end);
+                    if rt::Scalar::into_branch_condition(is_near) {
+                        let _e68 = self.v_quadratic(below_3, span_5);
+                        local_12 = _e68.elementwise_gt((_e34 + _e4));
+                    } else {
+                        local_12 = rt::Scalar(false);
+                    }
+                    let _e72 = local_12;
+                    if rt::Scalar::into_branch_condition(_e72) {
+                        return rt::Scalar(0f32);
+                    }
+                    let _e74 = cell_6;
+                    let _e75 = self.v_cell_next(_e3, _e74, _e39);
+                    cell_6 = _e75;
+                    let _e76 = t_8;
+                    t_8 = _e76.max(end);
                 }
             }
         }
@@ -3647,15 +3661,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_12: rt::Scalar<bool>;
+        let mut local_13: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_10.elementwise_gt(rt::Scalar(path_20.exit))) {
             let _e9 = self.v_path_height(path_20, rt::Scalar(path_20.exit));
-            local_12 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_13 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_12 = rt::Scalar(false);
+            local_13 = rt::Scalar(false);
         }
-        let _e13 = local_12;
+        let _e13 = local_13;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -3670,17 +3684,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_21: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_13: rt::Scalar<bool>;
+        let mut local_14: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_21.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_13 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_14 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_13 = rt::Scalar(true);
+            local_14 = rt::Scalar(true);
         }
-        let _e16 = local_13;
+        let _e16 = local_14;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -3937,28 +3951,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_14: rt::Scalar<bool>;
         let mut local_15: rt::Scalar<bool>;
         let mut local_16: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_15 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
-            } else {
-                local_15 = rt::Scalar(true);
-            }
-            let _e16 = local_15;
-            if rt::Scalar::into_branch_condition((!_e16)) {
-                local_16 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_16 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
                 local_16 = rt::Scalar(true);
             }
-            let _e24 = local_16;
-            local_14 = _e24;
+            let _e16 = local_16;
+            if rt::Scalar::into_branch_condition((!_e16)) {
+                local_17 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+            } else {
+                local_17 = rt::Scalar(true);
+            }
+            let _e24 = local_17;
+            local_15 = _e24;
         } else {
-            local_14 = rt::Scalar(false);
+            local_15 = rt::Scalar(false);
         }
-        let _e26 = local_14;
+        let _e26 = local_15;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -3979,7 +3993,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_17: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_7: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -3994,11 +4008,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_28, _e18);
-            local_17 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_18 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_17 = rt::Scalar(true);
+            local_18 = rt::Scalar(true);
         }
-        let _e23 = local_17;
+        let _e23 = local_18;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -4246,7 +4260,7 @@ impl<'g> Resources<'g> {
         let mut t_15: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_18: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -4282,7 +4296,7 @@ impl<'g> Resources<'g> {
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_1 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
                     let _e52 = t_15;
-                    let span_5 = (end_1 - _e52).max(rt::Scalar(0f32));
+                    let span_6 = (end_1 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_7;
                     let _e57 = t_15;
                     let _e58 = self.v_cell_gap(path_31, _e22, _e56, _e57);
@@ -4294,7 +4308,7 @@ impl<'g> Resources<'g> {
                         let _e68 = self.v_hit_on_path(path_31, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
-                    let _e69 = self.v_first_root(_e58, span_5);
+                    let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_15;
                         let _e75 = cost_8;
@@ -4303,11 +4317,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_1.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_18 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_19 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_18 = rt::Scalar(true);
+                            local_19 = rt::Scalar(true);
                         }
-                        let _e89 = local_18;
+                        let _e89 = local_19;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_31, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -4547,15 +4561,15 @@ impl<'g> Resources<'g> {
         first: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_19: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_19 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_20 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_19 = rt::Scalar(false);
+                local_20 = rt::Scalar(false);
             }
-            let _e14 = local_19;
+            let _e14 = local_20;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_10);
             }
@@ -4609,11 +4623,11 @@ impl<'g> Resources<'g> {
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
                     let _e31 = t_17;
-                    let span_6 = (end_2 - _e31).max(rt::Scalar(0f32));
+                    let span_7 = (end_2 - _e31).max(rt::Scalar(0f32));
                     let _e35 = t_17;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
-                    let _e41 = self.v_found_in_cell(_e27, _e35, span_6, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
+                    let _e41 = self.v_found_in_cell(_e27, _e35, span_7, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
@@ -4647,14 +4661,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_3: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_20: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_20 = cell_9.elementwise_lt(n_3);
+            local_21 = cell_9.elementwise_lt(n_3);
         } else {
-            local_20 = rt::Scalar(false);
+            local_21 = rt::Scalar(false);
         }
-        let _e8 = local_20;
+        let _e8 = local_21;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -4691,17 +4705,17 @@ impl<'g> Resources<'g> {
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_21: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_37.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_21 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_22 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_21 = rt::Scalar(true);
+            local_22 = rt::Scalar(true);
         }
-        let _e21 = local_21;
+        let _e21 = local_22;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -4781,7 +4795,7 @@ impl<'g> Resources<'g> {
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_22: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_39);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -4808,7 +4822,7 @@ impl<'g> Resources<'g> {
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_3 = _e35.x().min(_e35.y()).min(rt::Scalar(path_39.exit));
                     let _e41 = t_18;
-                    let span_7 = (end_3 - _e41).max(rt::Scalar(0f32));
+                    let span_8 = (end_3 - _e41).max(rt::Scalar(0f32));
                     let top_6 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_18;
                     let _e53 = self.v_path_height(path_39, _e52);
@@ -4821,14 +4835,14 @@ impl<'g> Resources<'g> {
                     let _e77 = t_18;
                     next_1 = _e77.max(end_3);
                     slope_2 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_5, span_7);
+                    let _e82 = self.v_least_at(above_5, span_8);
                     let _e83 = self.v_quadratic(above_5, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_22 = above_5.x().elementwise_gt(of_heights);
+                        local_23 = above_5.x().elementwise_gt(of_heights);
                     } else {
-                        local_22 = rt::Scalar(false);
+                        local_23 = rt::Scalar(false);
                     }
-                    let _e90 = local_22;
+                    let _e90 = local_23;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_3.elementwise_lt(rt::Scalar(path_39.exit))) {
                             let _e93 = cell_11;
@@ -4847,7 +4861,7 @@ impl<'g> Resources<'g> {
                         let _e105 = self.v_gap_to(path_39, _e2, _e103, _e30, _e104);
                         let _e106 = t_18;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_7, first_3, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_3, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
@@ -4927,7 +4941,7 @@ impl<'g> Resources<'g> {
         t_19: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
         let mut leave_4: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_5 = (rt::Scalar(path_40.exit) - t_19);
@@ -4952,11 +4966,11 @@ impl<'g> Resources<'g> {
         let aside_2 = (((grid_6.origin - offset_1) + (grid_6.step * t_19)) / _e85);
         let c_7 = (((slope_3 * aside_2.length()) - gap_2) * ((slope_3 * aside_2.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_23 = c_7.elementwise_ge(rt::Scalar(0f32));
+            local_24 = c_7.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_23 = rt::Scalar(true);
+            local_24 = rt::Scalar(true);
         }
-        let _e102 = local_23;
+        let _e102 = local_24;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -5027,7 +5041,7 @@ impl<'g> Resources<'g> {
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_5 = _e35.x().min(_e35.y()).min(rt::Scalar(path_41.exit));
                     let _e41 = t_20;
-                    let span_8 = (end_5 - _e41).max(rt::Scalar(0f32));
+                    let span_9 = (end_5 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_20;
                     let at_67 = ((_e2.origin - _e46) + (_e2.step * _e49));
@@ -5058,7 +5072,7 @@ impl<'g> Resources<'g> {
                         let _e76 = self.v_gap_to(path_41, _e2, _e74, _e30, _e75);
                         let _e77 = t_20;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_8, first_4, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_4, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
@@ -5101,7 +5115,7 @@ impl<'g> Resources<'g> {
         n_4: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
         let first_5 = ((image.x() >> level_16) << level_16);
         let side_3 = (rt::Scalar(1i32) << level_16);
@@ -5115,11 +5129,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_24 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_25 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_24 = rt::Scalar(false);
+            local_25 = rt::Scalar(false);
         }
-        let _e43 = local_24;
+        let _e43 = local_25;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_13.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_4)));
         }
@@ -5167,10 +5181,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_21: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_25: rt::Scalar<bool>;
         let mut local_26: rt::Scalar<bool>;
         let mut local_27: rt::Scalar<bool>;
         let mut local_28: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_42);
         let _e4 = self.v_height_texels(rt::Scalar(path_42.level));
@@ -5219,24 +5233,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over.x()))) {
                             let _e89 = parent.y();
-                            local_26 = _e89.elementwise_ne(over.y());
+                            local_27 = _e89.elementwise_ne(over.y());
                         } else {
-                            local_26 = rt::Scalar(true);
+                            local_27 = rt::Scalar(true);
                         }
-                        let _e93 = local_26;
-                        local_25 = _e93;
+                        let _e93 = local_27;
+                        local_26 = _e93;
                     } else {
-                        local_25 = rt::Scalar(false);
+                        local_26 = rt::Scalar(false);
                     }
-                    let left_3 = local_25;
+                    let left_3 = local_26;
                     if rt::Scalar::into_branch_condition(left_3) {
                         let _e98 = level_17;
                         let _e99 = top;
-                        local_27 = _e98.elementwise_lt(_e99);
+                        local_28 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_27 = rt::Scalar(false);
+                        local_28 = rt::Scalar(false);
                     }
-                    let _e102 = local_27;
+                    let _e102 = local_28;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
@@ -5250,7 +5264,7 @@ impl<'g> Resources<'g> {
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
                     let end_6 = _e117.min(_e122).min(rt::Scalar(path_42.exit));
                     let _e126 = t_21;
-                    let span_9 = (end_6 - _e126).max(rt::Scalar(0f32));
+                    let span_10 = (end_6 - _e126).max(rt::Scalar(0f32));
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_2 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_17;
@@ -5265,7 +5279,7 @@ impl<'g> Resources<'g> {
                         let _e153 = t_21;
                         let _e154 = t_21;
                         let _e157 = cost_14;
-                        let _e158 = self.v_found_in_cell(_e152, _e153, span_9, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
+                        let _e158 = self.v_found_in_cell(_e152, _e153, span_10, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e158;
                         }
@@ -5280,7 +5294,7 @@ impl<'g> Resources<'g> {
                         let _e180 = self.v_search_texel(path_42, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_42.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_21;
-                        let furthest = (_e182 + span_9);
+                        let furthest = (_e182 + span_10);
                         let rounded = (path_42.h.x().abs() + (furthest * (path_42.h.y().abs() + (furthest * path_42.h.z().abs()))));
                         let _e197 = t_21;
                         let _e198 = self.v_path_height(path_42, _e197);
@@ -5288,18 +5302,18 @@ impl<'g> Resources<'g> {
                         let _e204 = self.v_path_slope(path_42, _e203);
                         let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_42.h.z());
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e214 = self.v_least_at(gap_3, span_9);
+                            let _e214 = self.v_least_at(gap_3, span_10);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_28 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_29 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_28 = rt::Scalar(true);
+                            local_29 = rt::Scalar(true);
                         }
-                        let _e219 = local_28;
+                        let _e219 = local_29;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_21;
-                                let _e224 = self.v_first_root(gap_3, span_9);
-                                t_21 = (_e223 + _e224.min(span_9));
+                                let _e224 = self.v_first_root(gap_3, span_10);
+                                t_21 = (_e223 + _e224.min(span_10));
                             }
                             let _e229 = t_21;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
@@ -5350,18 +5364,18 @@ impl<'g> Resources<'g> {
         n_5: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
         let first_6 = ((_e3 >> level_18) << level_18);
         let last_3 = (first_6 + (rt::Scalar(1i32) << level_18)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_29 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_30 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_29 = rt::Scalar(true);
+            local_30 = rt::Scalar(true);
         }
-        let _e20 = local_29;
+        let _e20 = local_30;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_6), ((texel_2 - _e3) + last_3));
         }
@@ -5561,10 +5575,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_30: rt::Scalar<bool>;
         let mut local_31: rt::Scalar<bool>;
         let mut local_32: rt::Scalar<bool>;
         let mut local_33: rt::Scalar<bool>;
+        let mut local_34: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_44);
         let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
@@ -5586,7 +5600,7 @@ impl<'g> Resources<'g> {
                     let _e28 = self.v_cell_leave(_e2, _e27);
                     let end_8 = _e28.x().min(_e28.y()).min(rt::Scalar(path_44.exit));
                     let _e34 = t_23;
-                    let span_10 = (end_8 - _e34).max(rt::Scalar(0f32));
+                    let span_11 = (end_8 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_23;
                     next_3 = _e38;
                     looks = params_33.y().elementwise_gt(rt::Scalar(0.5f32));
@@ -5595,11 +5609,11 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_30 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_31 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_30 = rt::Scalar(true);
+                        local_31 = rt::Scalar(true);
                     }
-                    let _e64 = local_30;
+                    let _e64 = local_31;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -5635,18 +5649,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_31 = _e131.elementwise_lt(end_8);
-                        } else {
-                            local_31 = rt::Scalar(false);
-                        }
-                        let _e134 = local_31;
-                        if rt::Scalar::into_branch_condition(_e134) {
-                            let _e137 = self.v_path_height(path_44, end_8);
-                            local_32 = _e137.elementwise_lt(_e72.x());
+                            local_32 = _e131.elementwise_lt(end_8);
                         } else {
                             local_32 = rt::Scalar(false);
                         }
-                        let _e141 = local_32;
+                        let _e134 = local_32;
+                        if rt::Scalar::into_branch_condition(_e134) {
+                            let _e137 = self.v_path_height(path_44, end_8);
+                            local_33 = _e137.elementwise_lt(_e72.x());
+                        } else {
+                            local_33 = rt::Scalar(false);
+                        }
+                        let _e141 = local_33;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -5657,11 +5671,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_8))) {
                         let _e150 = t_23;
-                        local_33 = (!end_8.elementwise_gt(_e150));
+                        local_34 = (!end_8.elementwise_gt(_e150));
                     } else {
-                        local_33 = rt::Scalar(true);
+                        local_34 = rt::Scalar(true);
                     }
-                    let _e154 = local_33;
+                    let _e154 = local_34;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -5675,7 +5689,7 @@ impl<'g> Resources<'g> {
                             let _e166 = t_23;
                             let _e167 = t_23;
                             let _e170 = cost_16;
-                            let _e171 = self.v_found_in_cell(_e165, _e166, span_10, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
+                            let _e171 = self.v_found_in_cell(_e165, _e166, span_11, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
@@ -5719,7 +5733,7 @@ impl<'g> Resources<'g> {
         let mut t_24: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_45);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -5748,7 +5762,7 @@ impl<'g> Resources<'g> {
                     let _e67 = self.v_cell_leave(_e2, _e66);
                     let end_9 = _e67.x().min(_e67.y()).min(rt::Scalar(path_45.exit));
                     let _e73 = t_24;
-                    let span_11 = (end_9 - _e73).max(rt::Scalar(0f32));
+                    let span_12 = (end_9 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_24;
                     let _e78 = self.v_path_uv(path_45, _e77);
                     let _e79 = t_24;
@@ -5777,11 +5791,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_9))) {
                             let _e121 = t_24;
-                            local_34 = (!end_9.elementwise_gt(_e121));
+                            local_35 = (!end_9.elementwise_gt(_e121));
                         } else {
-                            local_34 = rt::Scalar(true);
+                            local_35 = rt::Scalar(true);
                         }
-                        let _e125 = local_34;
+                        let _e125 = local_35;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -5793,7 +5807,7 @@ impl<'g> Resources<'g> {
                             let _e136 = t_24;
                             let _e137 = t_24;
                             let _e140 = cost_17;
-                            let _e141 = self.v_found_in_cell(_e135, _e136, span_11, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
+                            let _e141 = self.v_found_in_cell(_e135, _e136, span_12, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
@@ -5838,7 +5852,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_11: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
 
         let aside_3 = path_46.duv.length();
         'naga_break: loop {
@@ -5858,11 +5872,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_25;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_35 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_36 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_35 = rt::Scalar(false);
+                            local_36 = rt::Scalar(false);
                         }
-                        let _e35 = local_35;
+                        let _e35 = local_36;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -5938,11 +5952,11 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_37: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_47);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -5968,7 +5982,7 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_cell_leave(_e2, _e54);
                     let end_10 = _e55.x().min(_e55.y()).min(rt::Scalar(path_47.exit));
                     let _e61 = t_26;
-                    let span_12 = (end_10 - _e61).max(rt::Scalar(0f32));
+                    let span_13 = (end_10 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_18;
                     let _e66 = cell_18;
                     let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_47.level));
@@ -5981,11 +5995,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_26;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_36 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_37 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_36 = rt::Scalar(false);
+                            local_37 = rt::Scalar(false);
                         }
-                        let _e87 = local_36;
+                        let _e87 = local_37;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_26;
@@ -5997,7 +6011,7 @@ impl<'g> Resources<'g> {
                         let _e94 = t_26;
                         let _e95 = t_26;
                         let _e98 = cost_19;
-                        let _e99 = self.v_found_in_cell(_e71, _e94, span_12, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
+                        let _e99 = self.v_found_in_cell(_e71, _e94, span_13, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
                     let _e100 = t_26;
@@ -6007,7 +6021,7 @@ impl<'g> Resources<'g> {
                         let _e107 = t_26;
                         let _e108 = t_26;
                         let _e111 = cost_19;
-                        let _e112 = self.v_found_in_cell(_e71, _e107, span_12, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
+                        let _e112 = self.v_found_in_cell(_e71, _e107, span_13, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
@@ -6049,11 +6063,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_36.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_26;
-                        local_37 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_47.exit))));
+                        local_38 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_47.exit))));
                     } else {
-                        local_37 = rt::Scalar(false);
+                        local_38 = rt::Scalar(false);
                     }
-                    let _e186 = local_37;
+                    let _e186 = local_38;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_26;
                         let _e190 = gap;
@@ -6107,7 +6121,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_38: rt::Scalar<bool>;
+        let mut local_39: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_48);
@@ -6133,7 +6147,7 @@ impl<'g> Resources<'g> {
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_11 = _e35.x().min(_e35.y()).min(rt::Scalar(path_48.exit));
                     let _e41 = t_27;
-                    let span_13 = (end_11 - _e41).max(rt::Scalar(0f32));
+                    let span_14 = (end_11 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_19;
                     let _e46 = t_27;
                     let _e47 = self.v_gap_to(path_48, _e2, _e45, _e30, _e46);
@@ -6142,11 +6156,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_27;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_38 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_39 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_38 = rt::Scalar(false);
+                            local_39 = rt::Scalar(false);
                         }
-                        let _e60 = local_38;
+                        let _e60 = local_39;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_27;
@@ -6158,13 +6172,13 @@ impl<'g> Resources<'g> {
                         let _e67 = t_27;
                         let _e68 = t_27;
                         let _e71 = cost_20;
-                        let _e72 = self.v_found_in_cell(_e47, _e67, span_13, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
+                        let _e72 = self.v_found_in_cell(_e47, _e67, span_14, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
                     let _e73 = t_27;
                     let _e74 = t_27;
                     let _e77 = cost_20;
-                    let _e78 = self.v_found_in_cell(_e47, _e73, span_13, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
+                    let _e78 = self.v_found_in_cell(_e47, _e73, span_14, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
@@ -6562,7 +6576,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_ray(&self, at_35: Entered, hit_15: Hit, light_3: Toward) -> LightRay {
-        let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_35, hit_15, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -6579,11 +6593,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_39 = (_e31.y() + (_e31.z() * end_12)).elementwise_lt(rt::Scalar(0f32));
+            local_40 = (_e31.y() + (_e31.z() * end_12)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_39 = rt::Scalar(true);
+            local_40 = rt::Scalar(true);
         }
-        let _e45 = local_39;
+        let _e45 = local_40;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -7031,7 +7045,7 @@ impl<'g> Resources<'g> {
         uv_18: rt::Vec2<f32>,
         view_8: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
@@ -7043,11 +7057,11 @@ impl<'g> Resources<'g> {
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_40 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_41 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_40 = rt::Scalar(false);
+            local_41 = rt::Scalar(false);
         }
-        let _e32 = local_40;
+        let _e32 = local_41;
         if rt::Scalar::into_branch_condition(_e32) {
             let _e33 = self.v_finest_normal(at_43, uv_18);
             let _e34 = self.v_one_seen(_e33);

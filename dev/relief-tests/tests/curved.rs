@@ -94,8 +94,8 @@ fn shells_as_they_are_show_what_the_judge_sees() {
                 inside.depths_at(0.99),
             );
             assert!(comparison.outline_at(0.95) <= 1.0 && comparison.outline_at(0.99) <= 2.0, "{name}");
-            // Most of what is seen lies at no silhouette.
-            assert!(inside.texels.len() as f64 > 0.99 * *both as f64, "{name}");
+            // Little lies at a silhouette or behind an open hard edge.
+            assert!(inside.texels.len() as f64 > 0.95 * *both as f64, "{name}");
             assert!(inside.texels_at(0.5) <= 0.005 && inside.texels_at(0.99) <= 0.05, "{name}");
             assert!(inside.depths_at(0.5) <= 0.0005 && inside.depths_at(0.99) <= 0.005, "{name}");
             assert!(inside.beyond_half() <= 0.001 && all.beyond_half() <= 0.005, "{name}");
