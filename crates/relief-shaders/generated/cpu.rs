@@ -3856,6 +3856,9 @@ impl<'g> Resources<'g> {
     ) -> rt::Scalar<f32> {
         let mut cell_6: rt::Vec2<f32>;
         let mut t_12: rt::Scalar<f32> = rt::Scalar(0f32);
+        let mut local_14: rt::Scalar<bool>;
+        let mut local_15: rt::Scalar<bool>;
+        let mut local_16: rt::Scalar<bool>;
 
         let _e3 = self.v_grid_of(path_14);
         let _e4 = self.v_rounded_gap(path_14, slack_3, texels_2);
@@ -3863,39 +3866,64 @@ impl<'g> Resources<'g> {
         cell_6 = _e6;
         let _e10 = cell_6;
         let _e12 = self.v_cell_gap(path_14, _e3, _e10, rt::Scalar(0f32));
-        if rt::Scalar::into_branch_condition(_e12.x().elementwise_ge((rt::Scalar(0f32) - _e4))) {
+        let is_near = _e12.x().elementwise_ge((rt::Scalar(0f32) - _e4));
+        if rt::Scalar::into_branch_condition(_e12.x().elementwise_le(rt::Scalar(0f32))) {
+            local_14 = _e12.y().elementwise_gt(rt::Scalar(0f32));
+        } else {
+            local_14 = rt::Scalar(false);
+        }
+        let comes_out = local_14;
+        if rt::Scalar::into_branch_condition(is_near) {
+            local_15 = (!comes_out);
+        } else {
+            local_15 = rt::Scalar(false);
+        }
+        let _e31 = local_15;
+        if rt::Scalar::into_branch_condition(_e31) {
             return rt::Scalar(0f32);
         }
+        let _e34 = self.v_rounded_gap(path_14, slack_3, rt::Scalar(0f32));
         'naga_break: loop {
             'naga_continue: {
-                let _e18 = t_12;
-                if rt::Scalar::into_branch_condition(_e18.elementwise_lt(rt::Scalar(path_14.exit))) {
+                let _e35 = t_12;
+                if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(path_14.exit))) {
                 } else {
                     break 'naga_break;
                 }
                 {
-                    let _e21 = cell_6;
-                    let _e22 = self.v_cell_leave(_e3, _e21);
-                    let end_1 = _e22.x().min(_e22.y()).min(rt::Scalar(path_14.exit));
-                    let _e31 = cell_6;
-                    let _e32 = t_12;
-                    let _e33 = self.v_cell_gap(path_14, _e3, _e31, _e32);
-                    let below_4 = (<rt::Vec3<f32>>::from_scalars(_e4, rt::Scalar(0f32), rt::Scalar(0f32)) - _e33);
+                    let _e38 = cell_6;
+                    let _e39 = self.v_cell_leave(_e3, _e38);
+                    let end_1 = _e39.x().min(_e39.y()).min(rt::Scalar(path_14.exit));
+                    let _e48 = cell_6;
+                    let _e49 = t_12;
+                    let _e50 = self.v_cell_gap(path_14, _e3, _e48, _e49);
+                    let below_4 = (<rt::Vec3<f32>>::from_scalars(_e34, rt::Scalar(0f32), rt::Scalar(0f32)) - _e50);
                     if rt::Scalar::into_branch_condition((!below_4.x().elementwise_gt(rt::Scalar(0f32)))) {
-                        let _e39 = t_12;
-                        return _e39;
+                        let _e56 = t_12;
+                        return _e56;
                     }
-                    let _e40 = t_12;
-                    let _e44 = self.v_first_root(below_4, (end_1 - _e40).max(rt::Scalar(0f32)));
-                    if rt::Scalar::into_branch_condition(_e44.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
-                        let _e47 = t_12;
-                        return (_e47 + _e44);
+                    let _e57 = t_12;
+                    let span_5 = (end_1 - _e57).max(rt::Scalar(0f32));
+                    let _e61 = self.v_first_root(below_4, span_5);
+                    if rt::Scalar::into_branch_condition(_e61.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
+                        let _e64 = t_12;
+                        return (_e64 + _e61);
                     }
-                    let _e49 = cell_6;
-                    let _e50 = self.v_cell_next(_e3, _e49, _e22);
-                    cell_6 = _e50;
-                    let _e51 = t_12;
-                    t_12 = _e51.max(end_1);
+                    if rt::Scalar::into_branch_condition(is_near) {
+                        let _e68 = self.v_quadratic(below_4, span_5);
+                        local_16 = _e68.elementwise_gt((_e34 + _e4));
+                    } else {
+                        local_16 = rt::Scalar(false);
+                    }
+                    let _e72 = local_16;
+                    if rt::Scalar::into_branch_condition(_e72) {
+                        return rt::Scalar(0f32);
+                    }
+                    let _e74 = cell_6;
+                    let _e75 = self.v_cell_next(_e3, _e74, _e39);
+                    cell_6 = _e75;
+                    let _e76 = t_12;
+                    t_12 = _e76.max(end_1);
                 }
             }
         }
@@ -4105,7 +4133,7 @@ impl<'g> Resources<'g> {
     ) -> Path {
         let mut begin: rt::Scalar<f32>;
         let mut end: rt::Scalar<f32>;
-        let mut local_14: rt::Scalar<bool>;
+        let mut local_17: rt::Scalar<bool>;
         let mut path_17: Path;
         let mut inside_3: rt::Vec2<f32>;
 
@@ -4131,11 +4159,11 @@ impl<'g> Resources<'g> {
         end = (at_30.quadric.w() - (_e57 / _e10));
         if rt::Scalar::into_branch_condition((k_4 + rt::Scalar(1u32)).elementwise_eq(params_18.z().cast_elem_as_u32())) {
             let _e68 = end;
-            local_14 = _e68.elementwise_lt(rt::Scalar(0.5f32));
+            local_17 = _e68.elementwise_lt(rt::Scalar(0.5f32));
         } else {
-            local_14 = rt::Scalar(false);
+            local_17 = rt::Scalar(false);
         }
-        let _e72 = local_14;
+        let _e72 = local_17;
         if rt::Scalar::into_branch_condition(_e72) {
             let _e73 = end;
             end = _e73.min(rt::Scalar(-0.000001f32));
@@ -4191,13 +4219,13 @@ impl<'g> Resources<'g> {
         k_5: rt::Scalar<u32>,
         params_19: rt::Vec4<f32>,
     ) -> Path {
-        let mut local_15: rt::Scalar<bool>;
-        let mut local_16: rt::Scalar<bool>;
+        let mut local_18: rt::Scalar<bool>;
+        let mut local_19: rt::Scalar<bool>;
         let mut enter_1: rt::Scalar<f32>;
         let mut leave_5: rt::Scalar<f32>;
         let mut interval_4: rt::Vec2<f32>;
         let mut path_18: Path;
-        let mut local_17: rt::Scalar<bool>;
+        let mut local_20: rt::Scalar<bool>;
 
         let along_18 = pixel_34.direction.length();
         let direction_6 = (pixel_34.direction / rt::Vec3::splat_from_scalar(along_18));
@@ -4216,16 +4244,16 @@ impl<'g> Resources<'g> {
         let _e35 = self.v_bent_descent(((height_8 - rt::Scalar(1f32)) * _e15), descent_3, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_8.elementwise_lt(rt::Scalar(1f32)))) {
-                local_16 = _e35.elementwise_ge(rt::Scalar(0f32));
+                local_19 = _e35.elementwise_ge(rt::Scalar(0f32));
             } else {
-                local_16 = rt::Scalar(true);
+                local_19 = rt::Scalar(true);
             }
-            let _e48 = local_16;
-            local_15 = _e48;
+            let _e48 = local_19;
+            local_18 = _e48;
         } else {
-            local_15 = rt::Scalar(false);
+            local_18 = rt::Scalar(false);
         }
-        let comes_down = local_15;
+        let comes_down = local_18;
         enter_1 = _e35.max(eye_3);
         let _e53 = enter_1;
         let _e54 = enter_1;
@@ -4269,11 +4297,11 @@ impl<'g> Resources<'g> {
         path_18 = <Path>::new((at_31.uv + (duv_7 * _e122)), duv_7, <rt::Vec3<f32>>::from_scalars(entry_height_1, (slope_8 + ((rt::Scalar(2f32) * curve) * _e127)), curve), (_e131 - _e132), base_4, at_31.metric, RAY_VIEW, rt::Scalar(at_31.level), (distance_2 + _e137), rt::Scalar(1f32));
         if rt::Scalar::into_branch_condition((!(!comes_down))) {
             let _e147 = rt::Scalar(path_18.exit);
-            local_17 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
+            local_20 = (!_e147.elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_17 = rt::Scalar(true);
+            local_20 = rt::Scalar(true);
         }
-        let _e152 = local_17;
+        let _e152 = local_20;
         if rt::Scalar::into_branch_condition(_e152) {
             rt::Scalar(path_18.exit) = rt::Scalar(0f32);
         }
@@ -4435,15 +4463,15 @@ impl<'g> Resources<'g> {
         exhausted: rt::Scalar<u32>,
         cost_3: rt::Vec3<u32>,
     ) -> Hit {
-        let mut local_18: rt::Scalar<bool>;
+        let mut local_21: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(t_14.elementwise_gt(rt::Scalar(path_22.exit))) {
             let _e9 = self.v_path_height(path_22, rt::Scalar(path_22.exit));
-            local_18 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
+            local_21 = _e9.elementwise_gt(rt::Scalar(0.000001f32));
         } else {
-            local_18 = rt::Scalar(false);
+            local_21 = rt::Scalar(false);
         }
-        let _e13 = local_18;
+        let _e13 = local_21;
         if rt::Scalar::into_branch_condition(_e13) {
             let _e14 = self.v_miss(cost_3);
             return _e14;
@@ -4458,17 +4486,17 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_starting_point(&self, path_23: Path, found: Found) -> rt::Scalar<f32> {
-        let mut local_19: rt::Scalar<bool>;
+        let mut local_22: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found.status).elementwise_eq(FOUND_UNBRACKETED)) {
             return rt::Scalar(path_23.base);
         }
         if rt::Scalar::into_branch_condition((!rt::Scalar(found.status).elementwise_eq(FOUND_BRACKET))) {
-            local_19 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
+            local_22 = rt::Scalar(found.status).elementwise_eq(FOUND_BELOW);
         } else {
-            local_19 = rt::Scalar(true);
+            local_22 = rt::Scalar(true);
         }
-        let _e16 = local_19;
+        let _e16 = local_22;
         if rt::Scalar::into_branch_condition(_e16) {
             return rt::Scalar(found.far);
         }
@@ -4725,28 +4753,28 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_has_interval(&self, found_6: Found) -> rt::Scalar<bool> {
-        let mut local_20: rt::Scalar<bool>;
-        let mut local_21: rt::Scalar<bool>;
-        let mut local_22: rt::Scalar<bool>;
+        let mut local_23: rt::Scalar<bool>;
+        let mut local_24: rt::Scalar<bool>;
+        let mut local_25: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_6.far).elementwise_gt(rt::Scalar(found_6.near))) {
             if rt::Scalar::into_branch_condition((!rt::Scalar(found_6.status).elementwise_eq(FOUND_BRACKET))) {
-                local_21 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
+                local_24 = rt::Scalar(found_6.status).elementwise_eq(FOUND_UNBRACKETED);
             } else {
-                local_21 = rt::Scalar(true);
+                local_24 = rt::Scalar(true);
             }
-            let _e16 = local_21;
+            let _e16 = local_24;
             if rt::Scalar::into_branch_condition((!_e16)) {
-                local_22 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
+                local_25 = rt::Scalar(found_6.status).elementwise_eq(FOUND_ABOVE);
             } else {
-                local_22 = rt::Scalar(true);
+                local_25 = rt::Scalar(true);
             }
-            let _e24 = local_22;
-            local_20 = _e24;
+            let _e24 = local_25;
+            local_23 = _e24;
         } else {
-            local_20 = rt::Scalar(false);
+            local_23 = rt::Scalar(false);
         }
-        let _e26 = local_20;
+        let _e26 = local_23;
         return _e26;
     }
     pub(crate) fn refine_binary(
@@ -4767,7 +4795,7 @@ impl<'g> Resources<'g> {
         let mut near_2: rt::Scalar<f32>;
         let mut far_2: rt::Scalar<f32>;
         let mut cost_5: rt::Vec3<u32>;
-        let mut local_23: rt::Scalar<bool>;
+        let mut local_26: rt::Scalar<bool>;
         let mut crossed: rt::Scalar<bool>;
         let mut k_9: rt::Scalar<f32> = rt::Scalar(0f32);
 
@@ -4782,11 +4810,11 @@ impl<'g> Resources<'g> {
         if rt::Scalar::into_branch_condition((!rt::Scalar(found_7.status).elementwise_eq(FOUND_BRACKET))) {
             let _e18 = far_2;
             let _e19 = self.v_path_height(path_30, _e18);
-            local_23 = _e19.elementwise_le(rt::Scalar(0.000001f32));
+            local_26 = _e19.elementwise_le(rt::Scalar(0.000001f32));
         } else {
-            local_23 = rt::Scalar(true);
+            local_26 = rt::Scalar(true);
         }
-        let _e23 = local_23;
+        let _e23 = local_26;
         crossed = _e23;
         'naga_break: loop {
             'naga_continue: {
@@ -5034,7 +5062,7 @@ impl<'g> Resources<'g> {
         let mut t_19: rt::Scalar<f32>;
         let mut cell_7: rt::Vec2<f32>;
         let mut cost_8: rt::Vec3<u32>;
-        let mut local_24: rt::Scalar<bool>;
+        let mut local_27: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(rt::Scalar(found_10.status).elementwise_eq(FOUND_MISS)) {
             let _e7 = self.v_miss(found_10.cost);
@@ -5070,7 +5098,7 @@ impl<'g> Resources<'g> {
                     let _e46 = self.v_cell_leave(_e22, _e45);
                     let end_2 = _e46.x().min(_e46.y()).min(rt::Scalar(found_10.far));
                     let _e52 = t_19;
-                    let span_5 = (end_2 - _e52).max(rt::Scalar(0f32));
+                    let span_6 = (end_2 - _e52).max(rt::Scalar(0f32));
                     let _e56 = cell_7;
                     let _e57 = t_19;
                     let _e58 = self.v_cell_gap(path_33, _e22, _e56, _e57);
@@ -5082,7 +5110,7 @@ impl<'g> Resources<'g> {
                         let _e68 = self.v_hit_on_path(path_33, _e65, rt::Scalar(0u32), _e67);
                         return _e68;
                     }
-                    let _e69 = self.v_first_root(_e58, span_5);
+                    let _e69 = self.v_first_root(_e58, span_6);
                     if rt::Scalar::into_branch_condition(_e69.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
                         let _e72 = t_19;
                         let _e75 = cost_8;
@@ -5091,11 +5119,11 @@ impl<'g> Resources<'g> {
                     }
                     if rt::Scalar::into_branch_condition(end_2.elementwise_ge(rt::Scalar(found_10.far))) {
                         if rt::Scalar::into_branch_condition((!rt::Scalar(found_10.status).elementwise_eq(FOUND_BRACKET))) {
-                            local_24 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
+                            local_27 = rt::Scalar(found_10.status).elementwise_eq(FOUND_BELOW);
                         } else {
-                            local_24 = rt::Scalar(true);
+                            local_27 = rt::Scalar(true);
                         }
-                        let _e89 = local_24;
+                        let _e89 = local_27;
                         if rt::Scalar::into_branch_condition(_e89) {
                             let _e92 = cost_8;
                             let _e93 = self.v_hit_on_path(path_33, rt::Scalar(found_10.far), rt::Scalar(0u32), _e92);
@@ -5335,15 +5363,15 @@ impl<'g> Resources<'g> {
         first: rt::Scalar<bool>,
         cost_10: rt::Vec3<u32>,
     ) -> Found {
-        let mut local_25: rt::Scalar<bool>;
+        let mut local_28: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(c_3.x().elementwise_le(rt::Scalar(0f32))) {
             if rt::Scalar::into_branch_condition(first) {
-                local_25 = c_3.x().elementwise_lt(rt::Scalar(0f32));
+                local_28 = c_3.x().elementwise_lt(rt::Scalar(0f32));
             } else {
-                local_25 = rt::Scalar(false);
+                local_28 = rt::Scalar(false);
             }
-            let _e14 = local_25;
+            let _e14 = local_28;
             if rt::Scalar::into_branch_condition(_e14) {
                 return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), c_3.x(), c_3.x(), cost_10);
             }
@@ -5397,11 +5425,11 @@ impl<'g> Resources<'g> {
                     let _e28 = cost_11;
                     cost_11 = (_e28 + HEIGHTS_READ);
                     let _e31 = t_21;
-                    let span_6 = (end_3 - _e31).max(rt::Scalar(0f32));
+                    let span_7 = (end_3 - _e31).max(rt::Scalar(0f32));
                     let _e35 = t_21;
                     let _e37 = cost_11.x();
                     let _e40 = cost_11;
-                    let _e41 = self.v_found_in_cell(_e27, _e35, span_6, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
+                    let _e41 = self.v_found_in_cell(_e27, _e35, span_7, _e37.elementwise_eq(rt::Scalar(1u32)), _e40);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e41.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e41;
                     }
@@ -5435,14 +5463,14 @@ impl<'g> Resources<'g> {
         cell_9: rt::Scalar<i32>,
         n_3: rt::Scalar<i32>,
     ) -> rt::Vec2<i32> {
-        let mut local_26: rt::Scalar<bool>;
+        let mut local_29: rt::Scalar<bool>;
 
         if rt::Scalar::into_branch_condition(cell_9.elementwise_ge(rt::Scalar(0i32))) {
-            local_26 = cell_9.elementwise_lt(n_3);
+            local_29 = cell_9.elementwise_lt(n_3);
         } else {
-            local_26 = rt::Scalar(false);
+            local_29 = rt::Scalar(false);
         }
-        let _e8 = local_26;
+        let _e8 = local_29;
         if rt::Scalar::into_branch_condition(_e8) {
             return <rt::Vec2<i32>>::from_scalars(cell_9, rt::Scalar(0i32));
         }
@@ -5479,17 +5507,17 @@ impl<'g> Resources<'g> {
         cell_10: rt::Vec2<i32>,
         forward_1: rt::Vec2<bool>,
     ) -> rt::Scalar<f32> {
-        let mut local_27: rt::Scalar<bool>;
+        let mut local_30: rt::Scalar<bool>;
 
         let _e4 = self.v_height_texels(rt::Scalar(path_39.level));
         let _e7 = self.v_image_of(cell_10.x(), _e4.x());
         let _e10 = self.v_image_of(cell_10.y(), _e4.y());
         if rt::Scalar::into_branch_condition((!_e7.y().elementwise_eq(rt::Scalar(2i32)))) {
-            local_27 = _e10.y().elementwise_eq(rt::Scalar(2i32));
+            local_30 = _e10.y().elementwise_eq(rt::Scalar(2i32));
         } else {
-            local_27 = rt::Scalar(true);
+            local_30 = rt::Scalar(true);
         }
-        let _e21 = local_27;
+        let _e21 = local_30;
         if rt::Scalar::into_branch_condition(_e21) {
             return rt::Scalar(-1f32);
         }
@@ -5569,7 +5597,7 @@ impl<'g> Resources<'g> {
         let mut cost_12: rt::Vec3<u32> = NO_COST;
         let mut next_1: rt::Scalar<f32>;
         let mut slope_2: rt::Scalar<f32>;
-        let mut local_28: rt::Scalar<bool>;
+        let mut local_31: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_41);
         let forward_3 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -5596,7 +5624,7 @@ impl<'g> Resources<'g> {
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_4 = _e35.x().min(_e35.y()).min(rt::Scalar(path_41.exit));
                     let _e41 = t_22;
-                    let span_7 = (end_4 - _e41).max(rt::Scalar(0f32));
+                    let span_8 = (end_4 - _e41).max(rt::Scalar(0f32));
                     let top_6 = _e30.x().max(_e30.y()).max(_e30.z().max(_e30.w()));
                     let _e52 = t_22;
                     let _e53 = self.v_path_height(path_41, _e52);
@@ -5609,14 +5637,14 @@ impl<'g> Resources<'g> {
                     let _e77 = t_22;
                     next_1 = _e77.max(end_4);
                     slope_2 = rt::Scalar(-1f32);
-                    let _e82 = self.v_least_at(above_6, span_7);
+                    let _e82 = self.v_least_at(above_6, span_8);
                     let _e83 = self.v_quadratic(above_6, _e82);
                     if rt::Scalar::into_branch_condition(_e83.elementwise_gt(of_heights)) {
-                        local_28 = above_6.x().elementwise_gt(of_heights);
+                        local_31 = above_6.x().elementwise_gt(of_heights);
                     } else {
-                        local_28 = rt::Scalar(false);
+                        local_31 = rt::Scalar(false);
                     }
-                    let _e90 = local_28;
+                    let _e90 = local_31;
                     if rt::Scalar::into_branch_condition(_e90) {
                         if rt::Scalar::into_branch_condition(end_4.elementwise_lt(rt::Scalar(path_41.exit))) {
                             let _e93 = cell_11;
@@ -5635,7 +5663,7 @@ impl<'g> Resources<'g> {
                         let _e105 = self.v_gap_to(path_41, _e2, _e103, _e30, _e104);
                         let _e106 = t_22;
                         let _e107 = cost_12;
-                        let _e108 = self.v_found_in_cell(_e105, _e106, span_7, first_4, _e107);
+                        let _e108 = self.v_found_in_cell(_e105, _e106, span_8, first_4, _e107);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e108.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e108;
                         }
@@ -5715,7 +5743,7 @@ impl<'g> Resources<'g> {
         t_23: rt::Scalar<f32>,
     ) -> rt::Scalar<f32> {
         let mut most: rt::Scalar<f32>;
-        let mut local_29: rt::Scalar<bool>;
+        let mut local_32: rt::Scalar<bool>;
         let mut leave_6: rt::Scalar<f32> = rt::Scalar(300000000000000000000000000000000000000f32);
 
         let rest_5 = (rt::Scalar(path_42.exit) - t_23);
@@ -5740,11 +5768,11 @@ impl<'g> Resources<'g> {
         let aside_4 = (((grid_6.origin - offset_1) + (grid_6.step * t_23)) / _e85);
         let c_8 = (((slope_3 * aside_4.length()) - gap_2) * ((slope_3 * aside_4.length()) + gap_2));
         if rt::Scalar::into_branch_condition((!gap_2.elementwise_le(rt::Scalar(0f32)))) {
-            local_29 = c_8.elementwise_ge(rt::Scalar(0f32));
+            local_32 = c_8.elementwise_ge(rt::Scalar(0f32));
         } else {
-            local_29 = rt::Scalar(true);
+            local_32 = rt::Scalar(true);
         }
-        let _e102 = local_29;
+        let _e102 = local_32;
         if rt::Scalar::into_branch_condition(_e102) {
             return rt::Scalar(0f32);
         }
@@ -5815,7 +5843,7 @@ impl<'g> Resources<'g> {
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_6 = _e35.x().min(_e35.y()).min(rt::Scalar(path_43.exit));
                     let _e41 = t_24;
-                    let span_8 = (end_6 - _e41).max(rt::Scalar(0f32));
+                    let span_9 = (end_6 - _e41).max(rt::Scalar(0f32));
                     let _e46 = cell_12;
                     let _e49 = t_24;
                     let at_79 = ((_e2.origin - _e46) + (_e2.step * _e49));
@@ -5846,7 +5874,7 @@ impl<'g> Resources<'g> {
                         let _e76 = self.v_gap_to(path_43, _e2, _e74, _e30, _e75);
                         let _e77 = t_24;
                         let _e78 = cost_13;
-                        let _e79 = self.v_found_in_cell(_e76, _e77, span_8, first_5, _e78);
+                        let _e79 = self.v_found_in_cell(_e76, _e77, span_9, first_5, _e78);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e79.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e79;
                         }
@@ -5889,7 +5917,7 @@ impl<'g> Resources<'g> {
         n_4: rt::Scalar<i32>,
         level_16: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_30: rt::Scalar<bool>;
+        let mut local_33: rt::Scalar<bool>;
 
         let first_6 = ((image.x() >> level_16) << level_16);
         let side_3 = (rt::Scalar(1i32) << level_16);
@@ -5903,11 +5931,11 @@ impl<'g> Resources<'g> {
         }
         if rt::Scalar::into_branch_condition(level_16.elementwise_gt(rt::Scalar(0u32))) {
             let _e39 = rt::Scalar(self.surface_settings.wrap);
-            local_30 = _e39.elementwise_eq(WRAP_CLAMP);
+            local_33 = _e39.elementwise_eq(WRAP_CLAMP);
         } else {
-            local_30 = rt::Scalar(false);
+            local_33 = rt::Scalar(false);
         }
-        let _e43 = local_30;
+        let _e43 = local_33;
         if rt::Scalar::into_branch_condition(_e43) {
             return <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1073741824i32).select(n_4, cell_13.elementwise_ge(n_4)), rt::Scalar(0i32).select(rt::Scalar(1073741824i32), cell_13.elementwise_ge(n_4)));
         }
@@ -5955,10 +5983,10 @@ impl<'g> Resources<'g> {
         let mut parent: rt::Vec2<i32> = <rt::Vec2<i32>>::from_scalars(rt::Scalar(-1i32), rt::Scalar(-1i32));
         let mut t_25: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_14: rt::Vec3<u32> = NO_COST;
-        let mut local_31: rt::Scalar<bool>;
-        let mut local_32: rt::Scalar<bool>;
-        let mut local_33: rt::Scalar<bool>;
         let mut local_34: rt::Scalar<bool>;
+        let mut local_35: rt::Scalar<bool>;
+        let mut local_36: rt::Scalar<bool>;
+        let mut local_37: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_44);
         let _e4 = self.v_height_texels(rt::Scalar(path_44.level));
@@ -6007,24 +6035,24 @@ impl<'g> Resources<'g> {
                         let _e82 = parent.x();
                         if rt::Scalar::into_branch_condition((!_e82.elementwise_ne(over_1.x()))) {
                             let _e89 = parent.y();
-                            local_32 = _e89.elementwise_ne(over_1.y());
+                            local_35 = _e89.elementwise_ne(over_1.y());
                         } else {
-                            local_32 = rt::Scalar(true);
+                            local_35 = rt::Scalar(true);
                         }
-                        let _e93 = local_32;
-                        local_31 = _e93;
+                        let _e93 = local_35;
+                        local_34 = _e93;
                     } else {
-                        local_31 = rt::Scalar(false);
+                        local_34 = rt::Scalar(false);
                     }
-                    let left_3 = local_31;
+                    let left_3 = local_34;
                     if rt::Scalar::into_branch_condition(left_3) {
                         let _e98 = level_17;
                         let _e99 = top;
-                        local_33 = _e98.elementwise_lt(_e99);
+                        local_36 = _e98.elementwise_lt(_e99);
                     } else {
-                        local_33 = rt::Scalar(false);
+                        local_36 = rt::Scalar(false);
                     }
-                    let _e102 = local_33;
+                    let _e102 = local_36;
                     if rt::Scalar::into_branch_condition(_e102) {
                         level_17 = above_level;
                     }
@@ -6038,7 +6066,7 @@ impl<'g> Resources<'g> {
                     let _e122 = self.v_leaves_extent(_e2.origin.y(), _e2.step.y(), _e112);
                     let end_7 = _e117.min(_e122).min(rt::Scalar(path_44.exit));
                     let _e126 = t_25;
-                    let span_9 = (end_7 - _e126).max(rt::Scalar(0f32));
+                    let span_10 = (end_7 - _e126).max(rt::Scalar(0f32));
                     let low_2 = <rt::Vec2<i32>>::from_scalars(_e107.x(), _e112.x());
                     let last_3 = <rt::Vec2<i32>>::from_scalars((_e107.y() - rt::Scalar(1i32)), (_e112.y() - rt::Scalar(1i32)));
                     let _e140 = level_17;
@@ -6053,7 +6081,7 @@ impl<'g> Resources<'g> {
                         let _e153 = t_25;
                         let _e154 = t_25;
                         let _e157 = cost_14;
-                        let _e158 = self.v_found_in_cell(_e152, _e153, span_9, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
+                        let _e158 = self.v_found_in_cell(_e152, _e153, span_10, _e154.elementwise_eq(rt::Scalar(0f32)), _e157);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e158.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e158;
                         }
@@ -6068,7 +6096,7 @@ impl<'g> Resources<'g> {
                         let _e180 = self.v_search_texel(path_44, node, rt::Scalar(0i32), ((_e174 + rt::Scalar(path_44.level)).cast_elem_as_i32() - rt::Scalar(1i32)));
                         let highest_1 = _e180.y();
                         let _e182 = t_25;
-                        let furthest = (_e182 + span_9);
+                        let furthest = (_e182 + span_10);
                         let rounded = (path_44.h.x().abs() + (furthest * (path_44.h.y().abs() + (furthest * path_44.h.z().abs()))));
                         let _e197 = t_25;
                         let _e198 = self.v_path_height(path_44, _e197);
@@ -6076,18 +6104,18 @@ impl<'g> Resources<'g> {
                         let _e204 = self.v_path_slope(path_44, _e203);
                         let gap_3 = <rt::Vec3<f32>>::from_scalars(((_e198 - highest_1) - (rt::Scalar(0.0000009536743f32) * rounded)), _e204, path_44.h.z());
                         if rt::Scalar::into_branch_condition((!gap_3.x().elementwise_le(rt::Scalar(0f32)))) {
-                            let _e214 = self.v_least_at(gap_3, span_9);
+                            let _e214 = self.v_least_at(gap_3, span_10);
                             let _e215 = self.v_quadratic(gap_3, _e214);
-                            local_34 = _e215.elementwise_le(rt::Scalar(0f32));
+                            local_37 = _e215.elementwise_le(rt::Scalar(0f32));
                         } else {
-                            local_34 = rt::Scalar(true);
+                            local_37 = rt::Scalar(true);
                         }
-                        let _e219 = local_34;
+                        let _e219 = local_37;
                         if rt::Scalar::into_branch_condition(_e219) {
                             if rt::Scalar::into_branch_condition(gap_3.x().elementwise_gt(rt::Scalar(0f32))) {
                                 let _e223 = t_25;
-                                let _e224 = self.v_first_root(gap_3, span_9);
-                                t_25 = (_e223 + _e224.min(span_9));
+                                let _e224 = self.v_first_root(gap_3, span_10);
+                                t_25 = (_e223 + _e224.min(span_10));
                             }
                             let _e229 = t_25;
                             let _e232 = self.v_cell_of((_e2.origin + (_e2.step * _e229)));
@@ -6138,18 +6166,18 @@ impl<'g> Resources<'g> {
         n_5: rt::Scalar<i32>,
         level_18: rt::Scalar<u32>,
     ) -> rt::Vec2<i32> {
-        let mut local_35: rt::Scalar<bool>;
+        let mut local_38: rt::Scalar<bool>;
 
         let _e3 = self.v_wrap_index(texel_2, n_5);
         let first_7 = ((_e3 >> level_18) << level_18);
         let last_4 = (first_7 + (rt::Scalar(1i32) << level_18)).min(n_5);
         if rt::Scalar::into_branch_condition((!texel_2.elementwise_eq(_e3))) {
             let _e16 = rt::Scalar(self.surface_settings.wrap);
-            local_35 = _e16.elementwise_eq(WRAP_REPEAT);
+            local_38 = _e16.elementwise_eq(WRAP_REPEAT);
         } else {
-            local_35 = rt::Scalar(true);
+            local_38 = rt::Scalar(true);
         }
-        let _e20 = local_35;
+        let _e20 = local_38;
         if rt::Scalar::into_branch_condition(_e20) {
             return <rt::Vec2<i32>>::from_scalars(((texel_2 - _e3) + first_7), ((texel_2 - _e3) + last_4));
         }
@@ -6349,10 +6377,10 @@ impl<'g> Resources<'g> {
         let mut cost_16: rt::Vec3<u32> = NO_COST;
         let mut next_3: rt::Scalar<f32>;
         let mut looks: rt::Scalar<bool>;
-        let mut local_36: rt::Scalar<bool>;
-        let mut local_37: rt::Scalar<bool>;
-        let mut local_38: rt::Scalar<bool>;
         let mut local_39: rt::Scalar<bool>;
+        let mut local_40: rt::Scalar<bool>;
+        let mut local_41: rt::Scalar<bool>;
+        let mut local_42: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_46);
         let _e4 = self.v_height_texels(rt::Scalar(path_46.level));
@@ -6374,7 +6402,7 @@ impl<'g> Resources<'g> {
                     let _e28 = self.v_cell_leave(_e2, _e27);
                     let end_9 = _e28.x().min(_e28.y()).min(rt::Scalar(path_46.exit));
                     let _e34 = t_27;
-                    let span_10 = (end_9 - _e34).max(rt::Scalar(0f32));
+                    let span_11 = (end_9 - _e34).max(rt::Scalar(0f32));
                     let _e38 = t_27;
                     next_3 = _e38;
                     looks = params_37.y().elementwise_gt(rt::Scalar(0.5f32));
@@ -6383,11 +6411,11 @@ impl<'g> Resources<'g> {
                     let _e50 = cell_16.y();
                     let _e53 = self.v_image_of(_e50.cast_elem_as_i32(), _e4.y());
                     if rt::Scalar::into_branch_condition((!_e48.y().elementwise_eq(rt::Scalar(2i32)))) {
-                        local_36 = _e53.y().elementwise_eq(rt::Scalar(2i32));
+                        local_39 = _e53.y().elementwise_eq(rt::Scalar(2i32));
                     } else {
-                        local_36 = rt::Scalar(true);
+                        local_39 = rt::Scalar(true);
                     }
-                    let _e64 = local_36;
+                    let _e64 = local_39;
                     if rt::Scalar::into_branch_condition(_e64) {
                         looks = rt::Scalar(true);
                     } else {
@@ -6423,18 +6451,18 @@ impl<'g> Resources<'g> {
                         let _e127 = looks;
                         if rt::Scalar::into_branch_condition((!_e127)) {
                             let _e131 = next_3;
-                            local_37 = _e131.elementwise_lt(end_9);
+                            local_40 = _e131.elementwise_lt(end_9);
                         } else {
-                            local_37 = rt::Scalar(false);
+                            local_40 = rt::Scalar(false);
                         }
-                        let _e134 = local_37;
+                        let _e134 = local_40;
                         if rt::Scalar::into_branch_condition(_e134) {
                             let _e137 = self.v_path_height(path_46, end_9);
-                            local_38 = _e137.elementwise_lt(_e72.x());
+                            local_41 = _e137.elementwise_lt(_e72.x());
                         } else {
-                            local_38 = rt::Scalar(false);
+                            local_41 = rt::Scalar(false);
                         }
-                        let _e141 = local_38;
+                        let _e141 = local_41;
                         if rt::Scalar::into_branch_condition(_e141) {
                             let _e142 = safe_;
                             let _e143 = cost_16;
@@ -6445,11 +6473,11 @@ impl<'g> Resources<'g> {
                     let _e145 = next_3;
                     if rt::Scalar::into_branch_condition((!_e145.elementwise_lt(end_9))) {
                         let _e150 = t_27;
-                        local_39 = (!end_9.elementwise_gt(_e150));
+                        local_42 = (!end_9.elementwise_gt(_e150));
                     } else {
-                        local_39 = rt::Scalar(true);
+                        local_42 = rt::Scalar(true);
                     }
-                    let _e154 = local_39;
+                    let _e154 = local_42;
                     if rt::Scalar::into_branch_condition(_e154) {
                         let _e155 = looks;
                         if rt::Scalar::into_branch_condition(_e155) {
@@ -6463,7 +6491,7 @@ impl<'g> Resources<'g> {
                             let _e166 = t_27;
                             let _e167 = t_27;
                             let _e170 = cost_16;
-                            let _e171 = self.v_found_in_cell(_e165, _e166, span_10, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
+                            let _e171 = self.v_found_in_cell(_e165, _e166, span_11, _e167.elementwise_eq(rt::Scalar(0f32)), _e170);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e171.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e171;
                             }
@@ -6507,7 +6535,7 @@ impl<'g> Resources<'g> {
         let mut t_28: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_17: rt::Vec3<u32> = NO_COST;
         let mut next_4: rt::Scalar<f32>;
-        let mut local_40: rt::Scalar<bool>;
+        let mut local_43: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_47);
         let forward_6 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -6536,7 +6564,7 @@ impl<'g> Resources<'g> {
                     let _e67 = self.v_cell_leave(_e2, _e66);
                     let end_10 = _e67.x().min(_e67.y()).min(rt::Scalar(path_47.exit));
                     let _e73 = t_28;
-                    let span_11 = (end_10 - _e73).max(rt::Scalar(0f32));
+                    let span_12 = (end_10 - _e73).max(rt::Scalar(0f32));
                     let _e77 = t_28;
                     let _e78 = self.v_path_uv(path_47, _e77);
                     let _e79 = t_28;
@@ -6565,11 +6593,11 @@ impl<'g> Resources<'g> {
                         let _e116 = next_4;
                         if rt::Scalar::into_branch_condition((!_e116.elementwise_lt(end_10))) {
                             let _e121 = t_28;
-                            local_40 = (!end_10.elementwise_gt(_e121));
+                            local_43 = (!end_10.elementwise_gt(_e121));
                         } else {
-                            local_40 = rt::Scalar(true);
+                            local_43 = rt::Scalar(true);
                         }
-                        let _e125 = local_40;
+                        let _e125 = local_43;
                         if rt::Scalar::into_branch_condition(_e125) {
                             let _e126 = cost_17;
                             cost_17 = (_e126 + HEIGHTS_READ);
@@ -6581,7 +6609,7 @@ impl<'g> Resources<'g> {
                             let _e136 = t_28;
                             let _e137 = t_28;
                             let _e140 = cost_17;
-                            let _e141 = self.v_found_in_cell(_e135, _e136, span_11, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
+                            let _e141 = self.v_found_in_cell(_e135, _e136, span_12, _e137.elementwise_eq(rt::Scalar(0f32)), _e140);
                             if rt::Scalar::into_branch_condition(rt::Scalar(_e141.status).elementwise_ne(FOUND_ABOVE)) {
                                 return _e141;
                             }
@@ -6626,7 +6654,7 @@ impl<'g> Resources<'g> {
         let mut near_gap_3: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_18: rt::Vec3<u32> = NO_COST;
         let mut k_13: rt::Scalar<f32> = rt::Scalar(0f32);
-        let mut local_41: rt::Scalar<bool>;
+        let mut local_44: rt::Scalar<bool>;
 
         let aside_5 = path_48.duv.length();
         'naga_break: loop {
@@ -6646,11 +6674,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(_e21.elementwise_le(rt::Scalar(0f32))) {
                         let _e27 = t_29;
                         if rt::Scalar::into_branch_condition(_e27.elementwise_eq(rt::Scalar(0f32))) {
-                            local_41 = _e21.elementwise_lt(rt::Scalar(0f32));
+                            local_44 = _e21.elementwise_lt(rt::Scalar(0f32));
                         } else {
-                            local_41 = rt::Scalar(false);
+                            local_44 = rt::Scalar(false);
                         }
-                        let _e35 = local_41;
+                        let _e35 = local_44;
                         if rt::Scalar::into_branch_condition(_e35) {
                             let _e37 = cost_18;
                             return <Found>::new(FOUND_STARTED_BELOW, rt::Scalar(0f32), rt::Scalar(0f32), _e21, _e21, _e37);
@@ -6726,11 +6754,11 @@ impl<'g> Resources<'g> {
         let mut near_6: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_4: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_19: rt::Vec3<u32> = NO_COST;
-        let mut local_42: rt::Scalar<bool>;
+        let mut local_45: rt::Scalar<bool>;
         let mut start_1: rt::Scalar<f32>;
         let mut gap: rt::Scalar<f32>;
         let mut next_5: rt::Scalar<f32>;
-        let mut local_43: rt::Scalar<bool>;
+        let mut local_46: rt::Scalar<bool>;
 
         let _e2 = self.v_grid_of(path_49);
         let forward_7 = _e2.step.elementwise_ge(<rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)));
@@ -6756,7 +6784,7 @@ impl<'g> Resources<'g> {
                     let _e55 = self.v_cell_leave(_e2, _e54);
                     let end_11 = _e55.x().min(_e55.y()).min(rt::Scalar(path_49.exit));
                     let _e61 = t_30;
-                    let span_12 = (end_11 - _e61).max(rt::Scalar(0f32));
+                    let span_13 = (end_11 - _e61).max(rt::Scalar(0f32));
                     let _e65 = cell_18;
                     let _e66 = cell_18;
                     let _e69 = self.v_height_cell(_e66.cast_elem_as_i32(), rt::Scalar(path_49.level));
@@ -6769,11 +6797,11 @@ impl<'g> Resources<'g> {
                         let _e79 = t_30;
                         if rt::Scalar::into_branch_condition(_e78.elementwise_lt(_e79)) {
                             let _e83 = near_gap_4;
-                            local_42 = _e83.elementwise_gt(rt::Scalar(0f32));
+                            local_45 = _e83.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_42 = rt::Scalar(false);
+                            local_45 = rt::Scalar(false);
                         }
-                        let _e87 = local_42;
+                        let _e87 = local_45;
                         if rt::Scalar::into_branch_condition(_e87) {
                             let _e88 = near_6;
                             let _e89 = t_30;
@@ -6785,7 +6813,7 @@ impl<'g> Resources<'g> {
                         let _e94 = t_30;
                         let _e95 = t_30;
                         let _e98 = cost_19;
-                        let _e99 = self.v_found_in_cell(_e71, _e94, span_12, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
+                        let _e99 = self.v_found_in_cell(_e71, _e94, span_13, _e95.elementwise_eq(rt::Scalar(0f32)), _e98);
                         return _e99;
                     }
                     let _e100 = t_30;
@@ -6795,7 +6823,7 @@ impl<'g> Resources<'g> {
                         let _e107 = t_30;
                         let _e108 = t_30;
                         let _e111 = cost_19;
-                        let _e112 = self.v_found_in_cell(_e71, _e107, span_12, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
+                        let _e112 = self.v_found_in_cell(_e71, _e107, span_13, _e108.elementwise_eq(rt::Scalar(0f32)), _e111);
                         if rt::Scalar::into_branch_condition(rt::Scalar(_e112.status).elementwise_ne(FOUND_ABOVE)) {
                             return _e112;
                         }
@@ -6837,11 +6865,11 @@ impl<'g> Resources<'g> {
                     if rt::Scalar::into_branch_condition(params_40.y().elementwise_lt(rt::Scalar(0.5f32))) {
                         let _e177 = next_5;
                         let _e178 = t_30;
-                        local_43 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_49.exit))));
+                        local_46 = (!(_e177 - _e178).elementwise_gt((rt::Scalar(0.0000009536743f32) * rt::Scalar(path_49.exit))));
                     } else {
-                        local_43 = rt::Scalar(false);
+                        local_46 = rt::Scalar(false);
                     }
-                    let _e186 = local_43;
+                    let _e186 = local_46;
                     if rt::Scalar::into_branch_condition(_e186) {
                         let _e188 = t_30;
                         let _e190 = gap;
@@ -6895,7 +6923,7 @@ impl<'g> Resources<'g> {
         let mut near_7: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut near_gap_5: rt::Scalar<f32> = rt::Scalar(0f32);
         let mut cost_20: rt::Vec3<u32> = NO_COST;
-        let mut local_44: rt::Scalar<bool>;
+        let mut local_47: rt::Scalar<bool>;
         let mut next_6: rt::Scalar<f32>;
 
         let _e2 = self.v_grid_of(path_50);
@@ -6921,7 +6949,7 @@ impl<'g> Resources<'g> {
                     let _e35 = self.v_cell_leave(_e2, _e34);
                     let end_12 = _e35.x().min(_e35.y()).min(rt::Scalar(path_50.exit));
                     let _e41 = t_31;
-                    let span_13 = (end_12 - _e41).max(rt::Scalar(0f32));
+                    let span_14 = (end_12 - _e41).max(rt::Scalar(0f32));
                     let _e45 = cell_19;
                     let _e46 = t_31;
                     let _e47 = self.v_gap_to(path_50, _e2, _e45, _e30, _e46);
@@ -6930,11 +6958,11 @@ impl<'g> Resources<'g> {
                         let _e52 = t_31;
                         if rt::Scalar::into_branch_condition(_e51.elementwise_lt(_e52)) {
                             let _e56 = near_gap_5;
-                            local_44 = _e56.elementwise_gt(rt::Scalar(0f32));
+                            local_47 = _e56.elementwise_gt(rt::Scalar(0f32));
                         } else {
-                            local_44 = rt::Scalar(false);
+                            local_47 = rt::Scalar(false);
                         }
-                        let _e60 = local_44;
+                        let _e60 = local_47;
                         if rt::Scalar::into_branch_condition(_e60) {
                             let _e61 = near_7;
                             let _e62 = t_31;
@@ -6946,13 +6974,13 @@ impl<'g> Resources<'g> {
                         let _e67 = t_31;
                         let _e68 = t_31;
                         let _e71 = cost_20;
-                        let _e72 = self.v_found_in_cell(_e47, _e67, span_13, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
+                        let _e72 = self.v_found_in_cell(_e47, _e67, span_14, _e68.elementwise_eq(rt::Scalar(0f32)), _e71);
                         return _e72;
                     }
                     let _e73 = t_31;
                     let _e74 = t_31;
                     let _e77 = cost_20;
-                    let _e78 = self.v_found_in_cell(_e47, _e73, span_13, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
+                    let _e78 = self.v_found_in_cell(_e47, _e73, span_14, _e74.elementwise_eq(rt::Scalar(0f32)), _e77);
                     if rt::Scalar::into_branch_condition(rt::Scalar(_e78.status).elementwise_ne(FOUND_ABOVE)) {
                         return _e78;
                     }
@@ -7402,7 +7430,7 @@ impl<'g> Resources<'g> {
     }
     #[allow(unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
     fn v_light_ray(&self, at_44: Entered, hit_17: Hit, light_3: Toward) -> LightRay {
-        let mut local_45: rt::Scalar<bool>;
+        let mut local_48: rt::Scalar<bool>;
 
         let _e3 = self.v_from_hit(at_44, hit_17, light_3);
         if rt::Scalar::into_branch_condition((!_e3.h.y().elementwise_gt(rt::Scalar(0f32)))) {
@@ -7419,11 +7447,11 @@ impl<'g> Resources<'g> {
         let _e29 = self.v_height_cell(_e19.cast_elem_as_i32(), rt::Scalar(_e3.level));
         let _e31 = self.v_gap_to(_e3, _e17, _e19, _e29, rt::Scalar(0f32));
         if rt::Scalar::into_branch_condition((!_e31.y().elementwise_lt(rt::Scalar(0f32)))) {
-            local_45 = (_e31.y() + (_e31.z() * end_13)).elementwise_lt(rt::Scalar(0f32));
+            local_48 = (_e31.y() + (_e31.z() * end_13)).elementwise_lt(rt::Scalar(0f32));
         } else {
-            local_45 = rt::Scalar(true);
+            local_48 = rt::Scalar(true);
         }
-        let _e45 = local_45;
+        let _e45 = local_48;
         if rt::Scalar::into_branch_condition(_e45) {
             return <LightRay>::new(LIGHT_RAY_DARK, _e3);
         }
@@ -7871,7 +7899,7 @@ impl<'g> Resources<'g> {
         uv_18: rt::Vec2<f32>,
         view_8: rt::Vec3<f32>,
     ) -> SeenNormals {
-        let mut local_46: rt::Scalar<bool>;
+        let mut local_49: rt::Scalar<bool>;
         let mut first_1: rt::Vec4<f32>;
         let mut second: rt::Vec4<f32>;
 
@@ -7883,11 +7911,11 @@ impl<'g> Resources<'g> {
         let _e20 = rt::Scalar(self.surface_settings.normal_levels);
         let _e21 = self.v_levels_of(texels_5, _e20);
         if rt::Scalar::into_branch_condition(rt::Scalar(_e21.fine).elementwise_eq(rt::Scalar(0u32))) {
-            local_46 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
+            local_49 = (!rt::Scalar(_e21.part).elementwise_gt(rt::Scalar(0f32)));
         } else {
-            local_46 = rt::Scalar(false);
+            local_49 = rt::Scalar(false);
         }
-        let _e32 = local_46;
+        let _e32 = local_49;
         if rt::Scalar::into_branch_condition(_e32) {
             let _e33 = self.v_finest_normal(at_52, uv_18);
             let _e34 = self.v_one_seen(_e33);
@@ -8644,16 +8672,16 @@ impl<'g> Resources<'g> {
         aside: rt::Vec2<f32>,
     ) -> Entered {
         let mut placed_2: Entered;
-        let mut local_47: rt::Scalar<bool>;
+        let mut local_50: rt::Scalar<bool>;
 
         placed_2 = at_67;
         let _e5 = self.v_quadric_slope(at_67.quadric.xyz(), aside);
         if rt::Scalar::into_branch_condition(_e5.x().elementwise_eq(rt::Scalar(0f32))) {
-            local_47 = _e5.y().elementwise_eq(rt::Scalar(0f32));
+            local_50 = _e5.y().elementwise_eq(rt::Scalar(0f32));
         } else {
-            local_47 = rt::Scalar(false);
+            local_50 = rt::Scalar(false);
         }
-        let _e15 = local_47;
+        let _e15 = local_50;
         if rt::Scalar::into_branch_condition(_e15) {
             let _e16 = placed_2;
             return _e16;

@@ -4226,27 +4226,36 @@ fn rounded_gap(path: Path, slack: f32, texels: f32) -> f32 {
         module: "shared/under",
         name: "out_of_ground",
         sampling: None,
-        uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "rounded_gap"],
-        text: r#"// The parameter at which a path that begins lower than that under the surface is as high above it: 0 where it
-// does not begin so low, its exit where it never comes out.
+        uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "quadratic", "rounded_gap"],
+        text: r#"// The parameter at which a path that begins under the surface is above it by more than rounding: 0 where it
+// does not begin so, its exit where it never comes out. What rounding and `texels` may see under the surface is
+// so only on its way out, and where it does not go deeper before: else the way there may have met the surface.
 fn out_of_ground(path: Path, slack: f32, texels: f32) -> f32 {
     let grid = grid_of(path);
     let least = rounded_gap(path, slack, texels);
     var cell = cell_of(grid.origin);
     var t = 0.0;
-    if (cell_gap(path, grid, cell, 0.0).x >= 0.0 - least) {
+    let begin = cell_gap(path, grid, cell, 0.0);
+    let is_near = begin.x >= 0.0 - least;
+    let comes_out = begin.x <= 0.0 && begin.y > 0.0;
+    if (is_near && !comes_out) {
         return 0.0;
     }
+    let above = rounded_gap(path, slack, 0.0);
     while (t < path.exit) {
         let leave = cell_leave(grid, cell);
         let end = min(min(leave.x, leave.y), path.exit);
-        let below = vec3f(least, 0.0, 0.0) - cell_gap(path, grid, cell, t);
+        let below = vec3f(above, 0.0, 0.0) - cell_gap(path, grid, cell, t);
         if (!(below.x > 0.0)) {
             return t;
         }
-        let s = first_root(below, max(end - t, 0.0));
+        let span = max(end - t, 0.0);
+        let s = first_root(below, span);
         if (s < NEVER) {
             return t + s;
+        }
+        if (is_near && quadratic(below, span) > above + least) {
+            return 0.0;
         }
         cell = cell_next(grid, cell, leave);
         t = max(t, end);

@@ -1,5 +1,5 @@
 //! Measurements of Relief: `cargo relief-bench accuracy`, `bake`, `detail`, `frame`, `probe`, `pyramid`,
-//! `shadow`, `sheet` and `trace`.
+//! `shadow`, `sheet`, `surfaces` and `trace`.
 //! Results are kept in `docs/`.
 
 use std::process::ExitCode;
@@ -15,6 +15,7 @@ mod pyramid;
 mod samples;
 mod shadow;
 mod sheet;
+mod surfaces;
 mod table;
 mod trace;
 
@@ -46,6 +47,8 @@ enum Command {
     Shadow(shadow::Arguments),
     /// What a new user sees of every map in a folder
     Sheet(sheet::Arguments),
+    /// How near every surface comes to the exact judge on curved meshes
+    Surfaces(surfaces::Arguments),
     /// Rays a second of the exact tracer, beside other tracers and two other programs
     Trace(trace::Arguments),
 }
@@ -60,6 +63,7 @@ fn main() -> ExitCode {
         Command::Pyramid(arguments) => pyramid::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Shadow(arguments) => shadow::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Sheet(arguments) => sheet::run(&arguments).map(|()| ExitCode::SUCCESS),
+        Command::Surfaces(arguments) => surfaces::run(&arguments).map(|()| ExitCode::SUCCESS),
         Command::Trace(arguments) => trace::run(&arguments).map(|()| ExitCode::SUCCESS),
     };
     match done {

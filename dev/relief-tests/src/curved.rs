@@ -1,0 +1,344 @@
+//! Pictures of curved surfaces beside what the exact judge of displaced meshes sees along the same rays.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use glam::DVec3;
+use rayon::prelude::*;
+use relief_core::exact::{DisplacedMesh, Side, Sides};
+use relief_core::{HeightMap, Wrap};
+use relief_maps::Maps;
+use relief_render::Renderer;
+use relief_render::camera::Camera;
+use relief_render::mesh::Mesh;
+use relief_render::scene::{BackendChoice, Scene, Surface};
+use relief_shaders::Selection;
+
+use crate::outline::{Mask, distances, overlap};
+use crate::rng::Rng;
+
+/// Vertical field of view of all cameras, in degrees.
+const FOV_DEGREES: f64 = 40.0;
+
+/// Hits that differ by so many texels or more are looked at more closely: whether they lie at a silhouette.
+const LOOKED_AT_TEXELS: f64 = 0.05;
+
+/// How far from a pixel's middle silhouettes are looked for, in pixels.
+const NEAR_PIXELS: f64 = 0.0625;
+
+/// How far three depths in a row may be beside a straight line where there is no silhouette, in scales of the
+/// displacement.
+const JUMP_SCALES: f64 = 0.03;
+
+/// A relief on a mesh.
+#[derive(Clone, Debug)]
+pub struct Curved {
+    mesh: Arc<Mesh>,
+    map: Arc<HeightMap>,
+}
+
+/// Where a pixel's ray meets a relief.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Met {
+    /// Metres along the view axis.
+    pub depth_m: f64,
+    /// Texture coordinates, not wrapped.
+    pub uv: [f64; 2],
+    /// Whether the judge's word counts: not where the shell is turned inside out, and not where the ray
+    /// came to the relief from behind, through a gap of the relief itself, as there are at poles of texture
+    /// coordinates and along hard edges.
+    pub counts: bool,
+}
+
+/// What every pixel's ray meets, from the top row on.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// The pixels.
+    pub met: Vec<Option<Met>>,
+}
+
+/// How the surface's segments are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    /// The variant of the stage `surface`.
+    pub surface: &'static str,
+    /// Whether its base is smooth.
+    pub lifted: bool,
+}
+
+impl Drawn {
+    /// On flat triangles.
+    pub const fn flat(surface: &'static str) -> Self {
+        Self { surface, lifted: false }
+    }
+
+    fn selection(self) -> Selection {
+        let mut selection = Selection::exact();
+        for (key, name) in [("surface", self.surface), ("detail", "none"), ("shadow", "none")] {
+            selection.choose(key, name).expect("a listed name");
+        }
+        if self.lifted {
+            selection.set("surface.lift", 1.0).expect("a setting of this surface");
+        }
+        selection
+    }
+}
+
+impl Curved {
+    /// A map on a mesh, height 0 by `bias_m` metres along the normals and height 1 by `bias_m + scale_m`.
+    ///
+    /// # Panics
+    ///
+    /// When these are no lengths.
+    pub fn new(mesh: Mesh, map: &HeightMap, scale_m: f64, bias_m: f64) -> Self {
+        let map = map.clone().with_displacement(scale_m, bias_m).expect("lengths");
+        Self { mesh: Arc::new(mesh), map: Arc::new(map) }
+    }
+
+    /// The height map.
+    pub fn map(&self) -> &HeightMap {
+        &self.map
+    }
+
+    /// The judge of this relief.
+    ///
+    /// # Panics
+    ///
+    /// When the mesh has too many tiles.
+    pub fn judge(&self) -> DisplacedMesh {
+        let Self { mesh, map } = self;
+        DisplacedMesh::new(mesh, map, map.scale_m(), map.bias_m()).expect("a few tiles")
+    }
+
+    /// A scene that shows it.
+    ///
+    /// # Panics
+    ///
+    /// When there is no such surface.
+    pub fn scene(&self, drawn: Drawn, camera: Camera, size: [u32; 2], backend: BackendChoice) -> Scene {
+        let surface = Surface::new(Arc::clone(&self.mesh), Arc::clone(&self.map));
+        let scene = Scene::builder(surface.with_selection(drawn.selection())).camera(camera);
+        let scene = scene.lights(Vec::new()).samples(1).size(size[0], size[1]).backend(backend);
+        scene.build().expect("a scene")
+    }
+
+    /// A camera that looks at it from a random side and sees all of it, or, with `closeness` above 1, a part
+    /// as much larger.
+    pub fn random_camera(&self, rng: &mut Rng, closeness: f64) -> Camera {
+        let up = rng.between(-1.0, 1.0);
+        let (sin, cos) = rng.between(0.0, TAU).sin_cos();
+        let level = (1.0 - up * up).sqrt();
+        self.camera(DVec3::new(level * cos, up, level * sin), closeness)
+    }
+
+    /// The same from that side.
+    pub fn camera(&self, from: DVec3, closeness: f64) -> Camera {
+        let farthest = self.mesh.vertices().iter().map(|vertex| vertex.position.as_dvec3().length());
+        let outward = (self.map.bias_m() + self.map.scale_m()).max(0.0);
+        let radius = farthest.fold(0.0, f64::max) + outward;
+        let distance = 1.02 * radius / (FOV_DEGREES / 2.0).to_radians().sin();
+        let target = DVec3::ZERO;
+        Camera::new(from.normalize() * (distance / closeness), target, FOV_DEGREES).expect("a camera")
+    }
+}
+
+impl Picture {
+    /// What a scene's picture shows.
+    ///
+    /// # Panics
+    ///
+    /// When no picture can be made.
+    pub fn rendered(scene: &Scene, renderer: &mut Renderer) -> Self {
+        let rendered = renderer.render(scene, &mut Maps::in_memory(), &|_, _| {}).expect("a picture");
+        let met = rendered.rendering.pixels.iter().map(|pixel| {
+            let uv = [pixel.uv.x, pixel.uv.y].map(f64::from);
+            (pixel.hit == 1).then(|| Met { depth_m: pixel.depth.into(), uv, counts: true })
+        });
+        Self { size: scene.size(), met: met.collect() }
+    }
+
+    /// The pixels that show the relief.
+    pub fn mask(&self) -> Mask {
+        Mask::new(self.size, self.met.iter().map(Option::is_some).collect())
+    }
+}
+
+/// What the judge sees through a camera.
+#[derive(Clone, Debug)]
+pub struct Judged<'a> {
+    judge: &'a DisplacedMesh,
+    camera: Camera,
+    /// What it sees.
+    pub picture: Picture,
+}
+
+impl<'a> Judged<'a> {
+    /// What this judge sees through that camera.
+    pub fn new(judge: &'a DisplacedMesh, camera: Camera, size: [u32; 2]) -> Self {
+        let [columns, rows] = size;
+        let met = (0..columns * rows).into_par_iter().map(|pixel| {
+            let ray = camera.ray(pixel % columns, pixel / columns, columns, rows);
+            let hit = |sides| judge.first_hit(ray.origin.to_array(), ray.direction.to_array(), sides);
+            let first = hit(Sides::Both)?;
+            let is_front = first.side == Side::Front;
+            let seen = if is_front { first } else { hit(Sides::Front)? };
+            Some(Met { depth_m: seen.t, uv: seen.uv, counts: is_front && !seen.folded })
+        });
+        Self { judge, camera, picture: Picture { size, met: met.collect() } }
+    }
+
+    /// Whether a silhouette runs through a pixel near its middle: of depths in a row there, one is beside the
+    /// straight line by more than so many metres.
+    fn is_at_silhouette(&self, pixel: u32, jump_m: f64) -> bool {
+        let [columns, rows] = self.picture.size;
+        let [x, y] = [pixel % columns, pixel / columns];
+        let ray = |x, y| self.camera.ray(x, y, columns, rows);
+        let here = ray(x, y);
+        let [right, down] = [ray(x + 1, y), ray(x, y + 1)].map(|beside| {
+            [beside.origin - here.origin, beside.direction - here.direction]
+                .map(|change| change * NEAR_PIXELS)
+        });
+        let depth = |dx: f64, dy: f64| {
+            let [origin, direction] = [0, 1].map(|part| right[part] * dx + down[part] * dy);
+            let [origin, direction] = [here.origin + origin, here.direction + direction];
+            let hit = self.judge.first_hit(origin.to_array(), direction.to_array(), Sides::Front);
+            hit.map(|hit| hit.t)
+        };
+        let middle = depth(0.0, 0.0);
+        [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, -1.0]].into_iter().any(|[dx, dy]| {
+            let three = depth(-dx, -dy).zip(middle).zip(depth(dx, dy));
+            three.is_none_or(|((before, here), after)| (before + after - 2.0 * here).abs() > jump_m)
+        })
+    }
+}
+
+/// How hits differ, in units of their own.
+#[derive(Clone, Debug, Default)]
+pub struct Differences {
+    /// Of texture coordinates, in texels, whole tiles aside.
+    pub texels: Vec<f64>,
+    /// Of depths, in scales of the displacement.
+    pub depths: Vec<f64>,
+}
+
+/// How pictures differ from what the judge sees, over any number of views.
+#[derive(Clone, Debug, Default)]
+pub struct Comparison {
+    /// Distances in pixels of the outlines' pixels to the other outline.
+    pub outline: Vec<f64>,
+    /// Pixels that both cover, and that either does, small holes filled.
+    pub overlap: [usize; 2],
+    /// Pixels that both cover.
+    pub both: usize,
+    /// Hits, where the judge's count; not those that differ and lie at a silhouette, where a ray that is hardly
+    /// another one hits something else.
+    pub inside: Differences,
+    /// All hits.
+    pub all: Differences,
+    /// Pixels without a hit though the judge has one there, which counts, at no silhouette, and on all pixels
+    /// around.
+    pub open: usize,
+    /// Hits of those that lie more than a displacement behind the judge's.
+    pub behind: usize,
+    /// Of all hits.
+    pub all_behind: usize,
+}
+
+impl Comparison {
+    /// Adds a view: a picture, what the judge sees, and what both see of this relief.
+    pub fn add(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
+        self.add_outline(picture, &judged.picture);
+        self.add_hits(picture, judged, of);
+    }
+
+    /// Adds a view's outlines alone, which takes less time where most hits differ.
+    pub fn add_outline(&mut self, picture: &Picture, judged: &Picture) {
+        let [a, b] = [picture, judged].map(|picture| picture.mask().filled());
+        self.outline.extend(distances(&a, &b));
+        let [both, either] = overlap(&a, &b);
+        self.overlap = [self.overlap[0] + both, self.overlap[1] + either];
+    }
+
+    fn add_hits(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
+        let (inner, columns) = (judged.picture.mask().eroded(), picture.size[0]);
+        let scale_m = of.map.scale_m().abs();
+        let jump_m = JUMP_SCALES * scale_m;
+        for (pixel, (drawn, truth)) in (0..).zip(picture.met.iter().zip(&judged.picture.met)) {
+            let Some(truth) = truth else { continue };
+            let Some(drawn) = drawn else {
+                let is_inner = inner.at((pixel % columns).into(), (pixel / columns).into());
+                let counts = truth.counts && is_inner && !judged.is_at_silhouette(pixel, jump_m);
+                self.open += usize::from(counts);
+                continue;
+            };
+            self.both += 1;
+            let texels = of.texels(drawn.uv, truth.uv);
+            let behind = (drawn.depth_m - truth.depth_m) / scale_m;
+            self.all.add(texels, behind.abs());
+            self.all_behind += usize::from(behind > 1.0);
+            let differs = texels >= LOOKED_AT_TEXELS || behind > 1.0;
+            if truth.counts && !(differs && judged.is_at_silhouette(pixel, jump_m)) {
+                self.inside.add(texels, behind.abs());
+                self.behind += usize::from(behind > 1.0);
+            }
+        }
+    }
+
+    /// That part of the outlines' distances is not larger.
+    pub fn outline_at(&self, part: f64) -> f64 {
+        quantile(&self.outline, part)
+    }
+
+    /// Pixels that both cover over those that either does.
+    pub fn overlap(&self) -> f64 {
+        self.overlap[0] as f64 / self.overlap[1].max(1) as f64
+    }
+}
+
+impl Differences {
+    fn add(&mut self, texels: f64, depth: f64) {
+        self.texels.push(texels);
+        self.depths.push(depth);
+    }
+
+    /// That part of the hits is not farther from the judge's, in texels.
+    pub fn texels_at(&self, part: f64) -> f64 {
+        quantile(&self.texels, part)
+    }
+
+    /// That part of the hits is not deeper or less deep by more scales.
+    pub fn depths_at(&self, part: f64) -> f64 {
+        quantile(&self.depths, part)
+    }
+
+    /// The share of the hits that are more than half a texel from the judge's.
+    pub fn beyond_half(&self) -> f64 {
+        let beyond = self.texels.iter().filter(|texels| **texels > 0.5).count();
+        beyond as f64 / self.texels.len().max(1) as f64
+    }
+}
+
+impl Curved {
+    /// How far apart two places of the map are, in texels of its finest level. Whole tiles do not count where
+    /// the map goes on as it began.
+    fn texels(&self, a: [f64; 2], b: [f64; 2]) -> f64 {
+        let apart = |axis: usize| {
+            let apart = a[axis] - b[axis];
+            match self.map.wrap() {
+                Wrap::Repeat => apart - apart.round(),
+                _ => apart,
+            }
+        };
+        (apart(0) * f64::from(self.map.width())).hypot(apart(1) * f64::from(self.map.height()))
+    }
+}
+
+/// The least number that that part of them is not above; 0 where there are none.
+fn quantile(numbers: &[f64], part: f64) -> f64 {
+    let mut numbers = numbers.to_vec();
+    numbers.sort_unstable_by(f64::total_cmp);
+    let place = (numbers.len() as f64 * part) as usize;
+    numbers.get(place.min(numbers.len().saturating_sub(1))).copied().unwrap_or(0.0)
+}
