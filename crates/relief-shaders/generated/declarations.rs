@@ -121,18 +121,20 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "surface/quadric_perpendicular", head: r#"// The base as quadrics, from which distances are measured across the view.
 //
-// Oliveira and Policarpo 2005, section 3.1, equations 3 to 7: how deep a point of the ray is under the quadric is
-// its distance from it at right angles to the ray, in the plane of the ray and the normal; where that line
-// misses the quadric, it is the distance along the normal. The distance is no quadratic in the metres along the
-// ray, and jumps from one measure to the other. So the ray is cut into chords, whose heights are right at their
-// ends and in their middle. `params.x` is how many coefficients quadrics have, which the host fits; with
+// Oliveira and Policarpo 2005, section 3.1, equations 3 to 7: how deep a point of the ray is under the
+// quadric is its distance from it at right angles to the ray, in the plane of the ray and the normal; where
+// that line misses the quadric, it is the distance along the normal. The distance is no quadratic in the
+// metres along the ray, and jumps from one measure to the other. So the ray is cut into chords, whose heights
+// are right at their ends and in their middle. `params.x` is how many coefficients quadrics have, which the
+// host fits; with
 // `params.y` of 1 the base is smooth; `params.z` is the number of chords.
 "# },
     Module { path: "surface/quadric_vertical", head: r#"// The base as quadrics, over which heights are measured along the normal of the base point.
 //
-// Oliveira and Policarpo 2005, sections 3.2 to 3.4, equations 7 to 9; Szirmay-Kalos and Umenhoffer 2008, section
-// 5.1. The ray goes through the frame of the base point; what it comes down under the quadric is quadratic in
-// the metres along it. `params.x` is how many coefficients quadrics have, which the host fits; with
+// Oliveira and Policarpo 2005, sections 3.2 to 3.4, equations 7 to 9; Szirmay-Kalos and Umenhoffer 2008,
+// section 5.1. The ray goes through the frame of the base point; what it comes down under the quadric is
+// quadratic in the metres along it. `params.x` is how many coefficients quadrics have, which the host fits;
+// with
 // `params.y` of 1 the base is smooth.
 "# },
     Module { path: "surface/tetrahedra", head: r#"// Shells of the base triangles in three tetrahedra each: the ray is straight in each of them.
@@ -2860,8 +2862,8 @@ fn quadric_of(pixel: PixelIn, point: vec3f, lift: f32) -> vec4f {
         name: "bent_descent",
         sampling: None,
         uses: &["NEVER"],
-        text: r#"// Metres along a ray to where it comes down to that depth under the quadric, in metres, or NEVER. `descent` is
-// what it goes down with a metre where it is above the quadric's point, `bend` the quadric's height there.
+        text: r#"// Metres along a ray to where it comes down to that depth under the quadric, in metres, or NEVER. `descent`
+// is what it goes down with a metre where it is above the quadric's point, `bend` the quadric's height there.
 fn bent_descent(depth: f32, descent: f32, bend: f32) -> f32 {
     var t = NEVER;
     if (bend == 0.0) {
@@ -4775,7 +4777,8 @@ fn surface_prism_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, param
         name: "LEAST_SINE",
         sampling: None,
         uses: &[],
-        text: r#"// The least sine of the angle between ray and normal: a ray along the normal has no way across it to the base.
+        text: r#"// The least sine of the angle between ray and normal: a ray along the normal has no way across it to the
+// base.
 const LEAST_SINE = 0.0009765625;"#,
     },
     Declaration {
@@ -4892,7 +4895,8 @@ fn down_along(ray: Across, depth: f32) -> f32 {
         name: "reached",
         sampling: None,
         uses: &["Across", "NEVER", "SAME_DEPTH", "across_depth", "traced_scale_m"],
-        text: r#"// A parameter where the ray should be at that depth, or NEVER where the other equation or the other root holds.
+        text: r#"// A parameter where the ray should be at that depth, or NEVER where the other equation or the other root
+// holds.
 fn reached(ray: Across, depth: f32, t: f32) -> f32 {
     let off = abs(across_depth(ray, t) - depth);
     return select(NEVER, t, t < NEVER && off <= SAME_DEPTH * (traced_scale_m() + abs(depth)));
@@ -5019,7 +5023,13 @@ fn across_span(at: Entered, ray: Across, eye: f32) -> vec2f {
         name: "surface_quadric_perpendicular_polish",
         sampling: None,
         uses: &["Entered", "Hit", "Path", "PixelIn"],
-        text: r#"fn surface_quadric_perpendicular_polish(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Hit {
+        text: r#"fn surface_quadric_perpendicular_polish(
+    pixel: PixelIn,
+    at: Entered,
+    path: Path,
+    hit: Hit,
+    params: vec4f,
+) -> Hit {
     return hit;
 }"#,
     },
@@ -5127,7 +5137,13 @@ fn surface_quadric_perpendicular_place(
         sampling: None,
         uses: &["Entered", "Hit", "Path", "PixelIn", "base_height", "height_at", "quadric_at", "quadric_frame", "surface_settings", "traced_scale_m"],
         text: r#"// On the surface, whatever the height of the path there, in the frame that the quadric has there.
-fn surface_quadric_vertical_place(pixel: PixelIn, at: Entered, path: Path, hit: Hit, params: vec4f) -> Entered {
+fn surface_quadric_vertical_place(
+    pixel: PixelIn,
+    at: Entered,
+    path: Path,
+    hit: Hit,
+    params: vec4f,
+) -> Entered {
     let aside = hit.uv - at.uv;
     let height = surface_settings.bias_m + surface_settings.scale_m * height_at(hit.uv, at.level);
     let lifted = (base_height() - at.quadric.w) * traced_scale_m() + quadric_at(at.quadric.xyz, aside);

@@ -1,4 +1,5 @@
-//! Rays over quadrics: their paths beside the same in `f64`, what searches find on them, and the backends' bits.
+//! Rays over quadrics: their paths beside the same in `f64`, what searches find on them, and the backends'
+//! bits.
 
 use glam::{DMat3, DVec2, DVec3, Vec3};
 use relief_core::registry::RayClass;
@@ -91,8 +92,8 @@ impl Bent {
     }
 }
 
-/// The same ray, with others whose numbers differ by two roundings of `f32`: how far these are from it is what
-/// arithmetic in `f32` may make of it.
+/// The same ray, with others whose numbers differ by two roundings of `f32`: how far these are from it is
+/// what arithmetic in `f32` may make of it.
 struct Blurred {
     bent: Bent,
     beside: Vec<Bent>,
@@ -184,8 +185,8 @@ fn paths_are_those_of_the_definition() {
         }
     }
     println!(
-        "{paths} paths, {blurred} of them blurred, {silhouettes} silhouettes, {none} without a path, {noticed} \
-            notice a sign"
+        "{paths} paths, {blurred} of them blurred, {silhouettes} silhouettes, \
+            {none} without a path, {noticed} notice a sign"
     );
     assert!(paths > 2 * RAYS && silhouettes > RAYS / 4 && noticed > paths / 2);
 }
@@ -193,8 +194,8 @@ fn paths_are_those_of_the_definition() {
 /// Heights a tile by which the map changes at most: texels differ by up to a fifth of the relief.
 const STEEP: f64 = 20.0;
 
-/// Whether what was found is the first crossing by a march along the definition, from that many metres behind the
-/// base point on: on the surface to the slack in heights, and not behind where the march is in it.
+/// Whether what was found is the first crossing by a march along the definition, from that many metres behind
+/// the base point on: on the surface to the slack in heights, and not behind where the march is in it.
 fn is_first(bent: &Bent, map: &HeightMap, path: &Path, [from, slack]: [f64; 2], hit: Option<f64>) -> bool {
     const STEPS: u32 = 4000;
     let gap = |t: f64| {

@@ -7,7 +7,7 @@ use super::{NO_ENTRY_OF_LIGHT, Names, Paths, Proposal, QUADRIC_PARAMS, Refused};
 /// Quadrics, with distances at right angles to the ray.
 pub const ENTRY: Entry = Entry {
     name: "quadric-perpendicular",
-    summary: "quadrics around the polygon's points, distances across the view: silhouettes, for sampling searches",
+    summary: "quadrics around base points, distances across the view: silhouettes, for sampling searches",
     publication: Publication {
         paper: "Oliveira and Policarpo 2005, An Efficient Representation for Surface Details",
         section: "3.1",
@@ -33,10 +33,11 @@ pub const ENTRY: Entry = Entry {
         shadow: Guarantee::Approximate,
     },
     weakened: &[],
-    argument: "The distance across the view is no quadratic in the metres along the ray, and jumps to the one along \
-        the normal where the line across misses the quadric. Chords are right at their ends and in their middle \
-        alone, which is where a search of twice as many steps looks. Seen along its normal a relief is flat, as \
-        the distance across the view grows beyond all bounds there.",
+    argument: "The distance across the view is no quadratic in the metres along the ray, and jumps to the \
+        one along the normal where the line across misses the quadric. Chords are right at their \
+        ends and in their middle alone, which is where a search of twice as many steps looks. Seen \
+        along its normal a relief is flat, as the distance across the view grows beyond all bounds \
+        there.",
 };
 
 /// What it makes of rays.

@@ -7,7 +7,7 @@ use super::{NO_ENTRY_OF_LIGHT, Paths, Proposal, QUADRIC_PARAMS};
 /// Quadrics, with heights along the normal of the base point.
 pub const ENTRY: Entry = Entry {
     name: "quadric-vertical",
-    summary: "quadrics around the polygon's points, heights along the normal: silhouettes, one bent segment a ray",
+    summary: "quadrics around base points, heights along the normal: silhouettes, one bent segment a ray",
     publication: Publication {
         paper: "Oliveira and Policarpo 2005, An Efficient Representation for Surface Details",
         section: "3.2",
@@ -17,12 +17,13 @@ pub const ENTRY: Entry = Entry {
     states: &[],
     guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Exact, shadow: Guarantee::Approximate },
     weakened: &[],
-    argument: "In the frame of the base point the ray's height over the quadric is a quadratic in the metres along \
-        it, which the path holds as it is: its ends are roots without cancellation, the entry at height 1 to a \
-        rounding of f32, the exit a millionth of the relief below height 0 or where the path is above the relief \
-        again, which is a silhouette. The quadrics themselves approximate the base near the point, and the more \
-        the farther a ray runs. Relief is seen where its triangle is. Where it would rise above the base, the \
-        base moves out along its normals. Shadows are those of straight rays in the quadric's frame at the hit.",
+    argument: "In the frame of the base point the ray's height over the quadric is a quadratic in the \
+        metres along it, which the path holds as it is: its ends are roots without cancellation, the \
+        entry at height 1 to a rounding of f32, the exit a millionth of the relief below height 0 or \
+        where the path is above the relief again, which is a silhouette. The quadrics themselves \
+        approximate the base near the point, and the more the farther a ray runs. Relief is seen \
+        where its triangle is. Where it would rise above the base, the base moves out along its \
+        normals. Shadows are those of straight rays in the quadric's frame at the hit.",
 };
 
 /// What it makes of rays.

@@ -33,8 +33,8 @@ pub fn pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
     pixels
 }
 
-/// The same rays over a base that is bent: each corner has a quadric of its own, all of one form, by which the ray
-/// is bent from hardly at all to more than it takes to come out of the relief again.
+/// The same rays over a base that is bent: each corner has a quadric of its own, all of one form, by which
+/// the ray is bent from hardly at all to more than it takes to come out of the relief again.
 pub fn bent_pixels(map: &HeightMap, count: usize, seed: u64) -> Vec<PixelIn> {
     let mut rng = Rng::new(seed ^ 0x5bd1);
     let mut pixels = pixels(map, count, seed);
