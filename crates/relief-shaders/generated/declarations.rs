@@ -4230,8 +4230,9 @@ fn rounded_gap(path: Path, slack: f32, texels: f32) -> f32 {
         sampling: None,
         uses: &["NEVER", "Path", "cell_gap", "cell_leave", "cell_next", "cell_of", "first_root", "grid_of", "quadratic", "rounded_gap"],
         text: r#"// The parameter at which a path that begins under the surface is above it by more than rounding: 0 where it
-// does not begin so, its exit where it never comes out. What rounding and `texels` may see under the surface is
-// so only on its way out, and where it does not go deeper before: else the way there may have met the surface.
+// does not begin so, its exit where it never comes out. What rounding and `texels` may see under the surface
+// is so only on its way out, and where it does not go deeper before: else the way there may have met the
+// surface.
 fn out_of_ground(path: Path, slack: f32, texels: f32) -> f32 {
     let grid = grid_of(path);
     let least = rounded_gap(path, slack, texels);

@@ -23,15 +23,14 @@ const BIASES_M: [f64; 2] = [-SCALE_M, 0.0];
 /// Tiles over a mesh.
 const TILES: Vec2 = Vec2::new(6.0, 3.0);
 
-const SIZE: [u32; 2] = [200, 150];
+const SIZE: [u32; 2] = [160, 120];
 
 const TETRAHEDRA: Drawn = Drawn::flat("tetrahedra");
 const PRISM: Drawn = Drawn::flat("prism");
 const LIFTED: Drawn = Drawn { lifted: true, ..PRISM };
 
-/// Views in which cracks are looked for, of each mesh on the CPU, and as large as these pictures.
+/// Views in which cracks are looked for, of each mesh on the CPU.
 const CRACK_VIEWS: usize = 24;
-const CRACK_SIZE: [u32; 2] = [160, 120];
 
 /// The same on the GPU, of which the CPU is one in tests.
 const CRACK_VIEWS_GPU: usize = 6;
@@ -83,8 +82,8 @@ fn shells_as_they_are_show_what_the_judge_sees() {
             let comparison = compared(&relief, PRISM, &relief, true);
             let Comparison { inside, both, open, behind, all, .. } = &comparison;
             println!(
-                "of {both} hits {}: texels {:.5} {:.4}, beyond half {:.5} (of all {:.5}), depths {:.6} {:.5}; \
-                 {open} open, {behind} behind",
+                "of {both} hits {}: texels {:.5} {:.4}, beyond half {:.5} (of all {:.5}), \
+                 depths {:.6} {:.5}; {open} open, {behind} behind",
                 inside.texels.len(),
                 inside.texels_at(0.5),
                 inside.texels_at(0.99),
@@ -144,8 +143,8 @@ fn look_for_cracks(backend: BackendChoice, views: usize) {
             for view in 0..views / 2 {
                 let closeness = if view % 2 == 0 { 1.0 } else { rng.between(1.0, 2.0) };
                 let camera = relief.random_camera(&mut rng, closeness);
-                let scene = relief.scene(PRISM, camera, CRACK_SIZE, backend);
-                let judged = Judged::new(&judge, camera, CRACK_SIZE);
+                let scene = relief.scene(PRISM, camera, SIZE, backend);
+                let judged = Judged::new(&judge, camera, SIZE);
                 comparison.add(&Picture::rendered(&scene, &mut renderer), &judged, &relief);
             }
             let Comparison { both, open, behind, all_behind, .. } = comparison;

@@ -1,5 +1,7 @@
 //! Pictures of curved surfaces beside what the exact judge of displaced meshes sees along the same rays.
 
+mod comparison;
+
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -14,21 +16,16 @@ use relief_render::mesh::Mesh;
 use relief_render::scene::{BackendChoice, Scene, Surface};
 use relief_shaders::Selection;
 
-use crate::outline::{Mask, distances, overlap};
+use crate::outline::Mask;
 use crate::rng::Rng;
+
+pub use comparison::{Comparison, Differences};
 
 /// Vertical field of view of all cameras, in degrees.
 const FOV_DEGREES: f64 = 40.0;
 
-/// Hits that differ by so many texels or more are looked at more closely: whether they lie at a silhouette.
-const LOOKED_AT_TEXELS: f64 = 0.05;
-
 /// How far from a pixel's middle silhouettes are looked for, in pixels.
 const NEAR_PIXELS: f64 = 0.0625;
-
-/// How far three depths in a row may be beside a straight line where there is no silhouette, in scales of the
-/// displacement.
-const JUMP_SCALES: f64 = 0.03;
 
 /// A relief on a mesh.
 #[derive(Clone, Debug)]
@@ -214,112 +211,6 @@ impl<'a> Judged<'a> {
     }
 }
 
-/// How hits differ, in units of their own.
-#[derive(Clone, Debug, Default)]
-pub struct Differences {
-    /// Of texture coordinates, in texels, whole tiles aside.
-    pub texels: Vec<f64>,
-    /// Of depths, in scales of the displacement.
-    pub depths: Vec<f64>,
-}
-
-/// How pictures differ from what the judge sees, over any number of views.
-#[derive(Clone, Debug, Default)]
-pub struct Comparison {
-    /// Distances in pixels of the outlines' pixels to the other outline.
-    pub outline: Vec<f64>,
-    /// Pixels that both cover, and that either does, small holes filled.
-    pub overlap: [usize; 2],
-    /// Pixels that both cover.
-    pub both: usize,
-    /// Hits, where the judge's count; not those that differ and lie at a silhouette, where a ray that is hardly
-    /// another one hits something else.
-    pub inside: Differences,
-    /// All hits.
-    pub all: Differences,
-    /// Pixels without a hit though the judge has one there, which counts, at no silhouette, and on all pixels
-    /// around.
-    pub open: usize,
-    /// Hits of those that lie more than a displacement behind the judge's.
-    pub behind: usize,
-    /// Of all hits.
-    pub all_behind: usize,
-}
-
-impl Comparison {
-    /// Adds a view: a picture, what the judge sees, and what both see of this relief.
-    pub fn add(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
-        self.add_outline(picture, &judged.picture);
-        self.add_hits(picture, judged, of);
-    }
-
-    /// Adds a view's outlines alone, which takes less time where most hits differ.
-    pub fn add_outline(&mut self, picture: &Picture, judged: &Picture) {
-        let [a, b] = [picture, judged].map(|picture| picture.mask().filled());
-        self.outline.extend(distances(&a, &b));
-        let [both, either] = overlap(&a, &b);
-        self.overlap = [self.overlap[0] + both, self.overlap[1] + either];
-    }
-
-    fn add_hits(&mut self, picture: &Picture, judged: &Judged, of: &Curved) {
-        let (inner, columns) = (judged.picture.mask().eroded(), picture.size[0]);
-        let scale_m = of.map.scale_m().abs();
-        let jump_m = JUMP_SCALES * scale_m;
-        for (pixel, (drawn, truth)) in (0..).zip(picture.met.iter().zip(&judged.picture.met)) {
-            let Some(truth) = truth else { continue };
-            let Some(drawn) = drawn else {
-                let is_inner = inner.at((pixel % columns).into(), (pixel / columns).into());
-                let counts = truth.counts && is_inner && !judged.is_at_silhouette(pixel, jump_m);
-                self.open += usize::from(counts);
-                continue;
-            };
-            self.both += 1;
-            let texels = of.texels(drawn.uv, truth.uv);
-            let behind = (drawn.depth_m - truth.depth_m) / scale_m;
-            self.all.add(texels, behind.abs());
-            self.all_behind += usize::from(behind > 1.0);
-            let differs = texels >= LOOKED_AT_TEXELS || behind > 1.0;
-            if truth.counts && !(differs && judged.is_at_silhouette(pixel, jump_m)) {
-                self.inside.add(texels, behind.abs());
-                self.behind += usize::from(behind > 1.0);
-            }
-        }
-    }
-
-    /// That part of the outlines' distances is not larger.
-    pub fn outline_at(&self, part: f64) -> f64 {
-        quantile(&self.outline, part)
-    }
-
-    /// Pixels that both cover over those that either does.
-    pub fn overlap(&self) -> f64 {
-        self.overlap[0] as f64 / self.overlap[1].max(1) as f64
-    }
-}
-
-impl Differences {
-    fn add(&mut self, texels: f64, depth: f64) {
-        self.texels.push(texels);
-        self.depths.push(depth);
-    }
-
-    /// That part of the hits is not farther from the judge's, in texels.
-    pub fn texels_at(&self, part: f64) -> f64 {
-        quantile(&self.texels, part)
-    }
-
-    /// That part of the hits is not deeper or less deep by more scales.
-    pub fn depths_at(&self, part: f64) -> f64 {
-        quantile(&self.depths, part)
-    }
-
-    /// The share of the hits that are more than half a texel from the judge's.
-    pub fn beyond_half(&self) -> f64 {
-        let beyond = self.texels.iter().filter(|texels| **texels > 0.5).count();
-        beyond as f64 / self.texels.len().max(1) as f64
-    }
-}
-
 impl Curved {
     /// How far apart two places of the map are, in texels of its finest level. Whole tiles do not count where
     /// the map goes on as it began.
@@ -333,12 +224,4 @@ impl Curved {
         };
         (apart(0) * f64::from(self.map.width())).hypot(apart(1) * f64::from(self.map.height()))
     }
-}
-
-/// The least number that that part of them is not above; 0 where there are none.
-fn quantile(numbers: &[f64], part: f64) -> f64 {
-    let mut numbers = numbers.to_vec();
-    numbers.sort_unstable_by(f64::total_cmp);
-    let place = (numbers.len() as f64 * part) as usize;
-    numbers.get(place.min(numbers.len().saturating_sub(1))).copied().unwrap_or(0.0)
 }
