@@ -3,8 +3,8 @@
 use glam::DVec2;
 use relief_core::{HeightMap, MaxPyramid, MinPyramid};
 
-/// Texels beyond a triangle's own that its segments may read: they reach beyond it by rounding, and by as much
-/// as they may be beside the ray.
+/// Texels beyond a triangle's own that its segments may read: they reach beyond it by rounding, and by as
+/// much as they may be beside the ray.
 const BEYOND_TEXELS: f64 = 2.0;
 
 /// What is known of the heights under triangles.

@@ -196,8 +196,8 @@ fn surface_settings(
     }
 }
 
-/// The matrix for the rasteriser, with planes that hold all meshes, and how near to the eye hits are ordered as
-/// finely as farther away.
+/// The matrix for the rasteriser, with planes that hold all meshes, and how near to the eye hits are ordered
+/// as finely as farther away.
 fn view_projection(camera: &Camera, surfaces: &[Surface], size: [u32; 2]) -> (DMat4, f64) {
     let depth = |vertex: &Vertex| camera.forward().dot(vertex.position.as_dvec3() - camera.eye());
     let depths = |toward: f64| {

@@ -3825,8 +3825,8 @@ fn offsets_of(shell: Shell) -> vec2f {
         name: "lift_of",
         sampling: None,
         uses: &[],
-        text: r#"// How much higher the smooth base is at a point of the triangle. In this order: with a common factor taken out
-// compilers make other bits of it.
+        text: r#"// How much higher the smooth base is at a point of the triangle. In this order: with a common factor taken
+// out compilers make other bits of it.
 fn lift_of(lift: vec3f, w: vec3f) -> f32 {
     return lift.x * w.y * w.z + lift.y * w.z * w.x + lift.z * w.x * w.y;
 }"#,

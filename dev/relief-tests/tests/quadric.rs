@@ -149,7 +149,7 @@ fn paths_are_those_of_the_definition() {
             let at = program.enter(pixel);
             let path = program.segment(pixel, at, 0);
             let long = bent.scale_m / bent.rate.z.abs();
-            if at.segments == 0 || !(path.exit > 0.0) {
+            if at.segments == 0 || path.exit <= 0.0 {
                 // The ray never comes down into the relief in front of the eye.
                 none += 1;
                 if bent.begin >= 1.0 && bent.distance >= 0.0 {

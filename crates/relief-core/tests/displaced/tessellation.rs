@@ -1,8 +1,8 @@
 //! Small triangles in place of the sheet, each inside one cell, with a bound of their distance from it.
 //!
-//! Over a small triangle inside one cell, with corner displacements `D_k`, normals `N_k` and places
-//! `(x_k, y_k)`, `X` and the flat triangle `T` with the same corners differ by `D N - Σ λ_k D_k N_k`. With
-//! the linear interpolation `L` of the `D_k` that is `(D - L) N + (L N - Σ λ_k D_k N_k)`. The first bracket is
+//! Over a small triangle inside one cell, with corner displacements `D_k`, normals `N_k` and places `(x_k,
+//! y_k)`, `X` and the flat triangle `T` with the same corners differ by `D N - Σ λ_k D_k N_k`. With the
+//! linear interpolation `L` of the `D_k` that is `(D - L) N + (L N - Σ λ_k D_k N_k)`. The first bracket is
 //! `-s d Σ_{i<j} λ_i λ_j (x_i - x_j)(y_i - y_j)`, with the cell's twist `d` and the scale `s`; the second is
 //! `-Σ_{i<j} λ_i λ_j (D_i - D_j)(N_i - N_j)`. As `Σ_{i<j} λ_i λ_j <= 1/3`, each is at most a third of its
 //! largest product.

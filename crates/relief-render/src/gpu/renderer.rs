@@ -1,5 +1,5 @@
-//! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel that it is the nearest
-//! in so far; of several samples each so, and then added up.
+//! Pictures, in two passes for each surface: rasterise and trace, then shade each pixel that it is the
+//! nearest in so far; of several samples each so, and then added up.
 
 use std::ops::ControlFlow;
 

@@ -108,15 +108,15 @@ impl<'a> Program<'a> {
         self.0.visible_lights(placed, hit)
     }
 
-    /// The ray from a placed hit to the light of that number: to a point of its disc, by its number and how many
-    /// there are, as the shadow `soft` has them, or to its centre where there are none.
+    /// The ray from a placed hit to the light of that number: to a point of its disc, by its number and how
+    /// many there are, as the shadow `soft` has them, or to its centre where there are none.
     #[inline]
     pub fn ray_to_light(&self, placed: Entered, hit: Hit, light: u32, [k, count]: [u32; 2]) -> LightRay {
         self.0.ray_to_light(placed, hit, light, k, count)
     }
 
-    /// The part of a light that arrives at a placed hit, for a light of some degrees whose direction is that of the
-    /// pixel's ray after a mirror in the base surface.
+    /// The part of a light that arrives at a placed hit, for a light of some degrees whose direction is that
+    /// of the pixel's ray after a mirror in the base surface.
     #[inline]
     pub fn mirrored_light(&self, pixel: PixelIn, placed: Entered, hit: Hit) -> f32 {
         self.0.mirrored_light(pixel, placed, hit)

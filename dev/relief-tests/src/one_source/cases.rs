@@ -155,11 +155,10 @@ pub fn probe(program: &Program, ray: &PixelIn, higher: f32) -> Probe {
     let mut probe = Probe::read(&[0; Probe::SIZE]);
     for number in 0..at.segments {
         let mut path = program.segment(*ray, at, number);
-        if !(path.exit > 0.0) {
-            continue;
+        if path.exit > 0.0 {
+            path.h.x += higher;
+            probe = probe_segment(program, ray, at, number, path);
         }
-        path.h.x += higher;
-        probe = probe_segment(program, ray, at, number, path);
         if probe.found == 1 {
             break;
         }

@@ -87,7 +87,7 @@ fn pixel(rng: &mut Rng, map: &HeightMap) -> PixelIn {
     let far = (size + thick) * rng.pick(&[0.1, 2.0, 2.0, 10.0]);
     let direction = -from * rng.between(-3.0, 3.0).exp2();
     let [origin, direction] = [inside + from * far, direction].map(|v| v.as_vec3().to_array());
-    let numbers = [0, 1, 2].map(|_| rng.below(1000) as u32);
+    let numbers = [0, 1, 2].map(|_| rng.below(1000));
     let lift = [0, 1, 2].map(|_| (rng.between(-0.1, 0.1) * thick) as f32);
     let shell = Shell::between([0.0, 1.0], Shell::places_of(numbers), lift);
     let shell = if rng.below(10) == 0 { shell.folded() } else { shell };
