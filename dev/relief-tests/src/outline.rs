@@ -157,7 +157,7 @@ mod tests {
         assert!(inside.area() < whole.area() && overlap(&inside, &whole) == [inside.area(), whole.area()]);
         let is_apart = |&[x, y]: &[i64; 2]| !inside.at(x, y);
         assert!(whole.boundary().iter().all(is_apart));
-        assert!(inside.at(40, 11) && !inside.at(40, 10));
+        assert!(inside.at(40, 12) && !inside.at(40, 11));
     }
 
     #[test]
