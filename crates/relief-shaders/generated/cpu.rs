@@ -2715,13 +2715,14 @@ impl<'g> Resources<'g> {
         let area_2 = ((tt * bb) - (tb * tb));
         let _e67 = rt::Scalar(self.surface_settings.scale_m);
         let metric_1 = <rt::Vec4<f32>>::from_scalars(tt, tb, bb, _e67);
+        let descent_2 = (rt::Scalar(0f32) - normal_15.dot((pixel_13.direction / rt::Vec3::splat_from_scalar(pixel_13.direction.length()))));
         if rt::Scalar::into_branch_condition(area_2.elementwise_gt(rt::Scalar(0f32))) {
-            local_9 = normal_15.dot(pixel_13.direction).elementwise_lt(rt::Scalar(0f32));
+            local_9 = descent_2.elementwise_gt(rt::Scalar(0f32));
         } else {
             local_9 = rt::Scalar(false);
         }
-        let _e80 = local_9;
-        let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e80);
+        let _e86 = local_9;
+        let segments = rt::Scalar(0u32).select(rt::Scalar(1u32), _e86);
         return <Entered>::new(segments, point_10, uv_21, tangent_1, bitangent, normal_15, metric_1, rt::Scalar(0u32), _e2, <rt::Vec2<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32)), <rt::Vec4<f32>>::from_scalars(rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32), rt::Scalar(0f32)), rt::Scalar(0f32), rt::Scalar(0f32));
     }
     pub(crate) fn middle_of(
@@ -3744,17 +3745,17 @@ impl<'g> Resources<'g> {
         let direction_5 = (pixel_30.direction / rt::Vec3::splat_from_scalar(along_14));
         let _e9 = self.v_climb(at_27, direction_5);
         let duv_4 = _e9.xy();
-        let descent_2 = (rt::Scalar(0f32) - at_27.normal.dot(direction_5));
+        let descent_3 = (rt::Scalar(0f32) - at_27.normal.dot(direction_5));
         let _e15 = self.v_traced_scale_m();
         let _e16 = self.v_base_height();
-        let slope_5 = ((rt::Scalar(0f32) - descent_2) / _e15);
+        let slope_5 = ((rt::Scalar(0f32) - descent_3) / _e15);
         let _e20 = self.v_plane_normal(pixel_30);
         let _e21 = self.v_plane_distance(pixel_30, _e20);
         let distance = (_e21 * along_14);
         let eye_2 = (rt::Scalar(0f32) - distance);
-        let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_2);
+        let top_3 = (((_e16 - rt::Scalar(1f32)) * _e15) / descent_3);
         enter = top_3.max(eye_2);
-        leave_4 = ((_e16 * _e15) / descent_2);
+        leave_4 = ((_e16 * _e15) / descent_3);
         let _e34 = leave_4;
         let _e35 = leave_4;
         leave_4 = (_e34 + ((_e35 - top_3) * rt::Scalar(0.000001f32)));
@@ -4231,17 +4232,17 @@ impl<'g> Resources<'g> {
         let direction_6 = (pixel_34.direction / rt::Vec3::splat_from_scalar(along_18));
         let _e9 = self.v_climb(at_31, direction_6);
         let duv_7 = _e9.xy();
-        let descent_3 = (rt::Scalar(0f32) - at_31.normal.dot(direction_6));
+        let descent_4 = (rt::Scalar(0f32) - at_31.normal.dot(direction_6));
         let _e15 = self.v_traced_scale_m();
         let height_8 = at_31.quadric.w();
-        let slope_8 = ((rt::Scalar(0f32) - descent_3) / _e15);
+        let slope_8 = ((rt::Scalar(0f32) - descent_4) / _e15);
         let _e23 = self.v_quadric_at(at_31.quadric.xyz(), duv_7);
         let curve = ((rt::Scalar(0f32) - _e23) / _e15);
         let _e27 = self.v_plane_normal(pixel_34);
         let _e28 = self.v_plane_distance(pixel_34, _e27);
         let distance_2 = (_e28 * along_18);
         let eye_3 = (rt::Scalar(0f32) - distance_2);
-        let _e35 = self.v_bent_descent(((height_8 - rt::Scalar(1f32)) * _e15), descent_3, _e23);
+        let _e35 = self.v_bent_descent(((height_8 - rt::Scalar(1f32)) * _e15), descent_4, _e23);
         if rt::Scalar::into_branch_condition(_e35.elementwise_lt(rt::Scalar(300000000000000000000000000000000000000f32))) {
             if rt::Scalar::into_branch_condition((!height_8.elementwise_lt(rt::Scalar(1f32)))) {
                 local_19 = _e35.elementwise_ge(rt::Scalar(0f32));
@@ -4264,7 +4265,7 @@ impl<'g> Resources<'g> {
         let _e70 = self.v_bent_exit(<rt::Vec3<f32>>::from_scalars(begin_3, (slope_8 + ((rt::Scalar(2f32) * curve) * _e66)), curve));
         leave_5 = (_e63 + _e70);
         if rt::Scalar::into_branch_condition(_e23.elementwise_eq(rt::Scalar(0f32))) {
-            leave_5 = ((height_8 * _e15) / descent_3);
+            leave_5 = ((height_8 * _e15) / descent_4);
             let _e77 = leave_5;
             let _e78 = leave_5;
             leave_5 = (_e77 + ((_e78 - _e35) * rt::Scalar(0.000001f32)));

@@ -113,11 +113,11 @@ pub const MODULES: &[Module] = &[
 "# },
     Module { path: "surface/prism", head: r#"// Shells of the base triangles as normals that are interpolated, and not normalised, span them.
 //
-// After Ogaki 2023, Nonlinear Ray Tracing for Displacement. The ray's way through texture coordinates and
-// heights is curved. It is cut into chords: straight in texture coordinates, with heights that bend through
-// their middle. Where along the ray a chord is, is known by the ray's own parameter, which also serves where
-// the ray runs along the shell. `params.x` is how far chords may be beside the way, in texels; with
-// `params.y` of 1 the base is smooth.
+// After Ogaki 2023, Nonlinear Ray Tracing for Displacement and Shell Mapping. The ray's way through texture
+// coordinates and heights is curved. It is cut into chords: straight in texture coordinates, with heights
+// that bend through their middle. Where along the ray a chord is, is known by the ray's own parameter, which
+// also serves where the ray runs along the shell. `params.x` is how far chords may be beside the way, in
+// texels; with `params.y` of 1 the base is smooth.
 "# },
     Module { path: "surface/quadric_perpendicular", head: r#"// The base as quadrics, from which distances are measured across the view.
 //
@@ -4303,7 +4303,9 @@ fn path_from(path: Path, t: f32) -> Path {
     let bb = dot(bitangent, bitangent);
     let area = tt * bb - tb * tb;
     let metric = vec4f(tt, tb, bb, surface_settings.scale_m);
-    let segments = select(0u, 1u, area > 0.0 && dot(normal, pixel.direction) < 0.0);
+    // By the unit direction, as the segment has it: a longer one may descend where that does not.
+    let descent = 0.0 - dot(normal, pixel.direction / length(pixel.direction));
+    let segments = select(0u, 1u, area > 0.0 && descent > 0.0);
     return Entered(
         segments,
         point,

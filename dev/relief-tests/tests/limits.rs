@@ -8,7 +8,7 @@ use relief_render::mesh::torus;
 use relief_render::scene::{Scene, Surface};
 use relief_render::wgpu::{DeviceDescriptor, Features, Instance, Limits, RequestAdapterOptions};
 use relief_shaders::wgsl::Sampling;
-use relief_shaders::{METHODS, Selection, ambient, detail, shadow};
+use relief_shaders::{METHODS, Selection, ambient, detail, shadow, surface};
 use relief_tests::adapter::has_adapter;
 use relief_tests::maps;
 
@@ -39,7 +39,13 @@ fn selections() -> Vec<Selection> {
             selection
         })
     });
-    methods.chain(others).collect()
+    // The method that every surface can be used with.
+    let surfaces = surface::ENTRIES.iter().map(|entry| {
+        let mut selection = Selection::method("relief").expect("a method");
+        selection.choose("surface", entry.name).expect("a listed name");
+        selection
+    });
+    methods.chain(others).chain(surfaces).collect()
 }
 
 /// Renders everything within these limits and looks whether there is something to be seen, in all samplings

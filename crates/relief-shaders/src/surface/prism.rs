@@ -8,7 +8,7 @@ use super::{Paths, Proposal, SEGMENTS_REFUSE};
 pub const ENTRY: Entry = Entry {
     name: "prism",
     summary: "the triangle's shell as interpolated normals span it: silhouettes, with bent rays",
-    publication: Publication { paper: "Ogaki 2023, Nonlinear Ray Tracing for Displacement", section: "" },
+    publication: Publication { paper: "Ogaki 2023, Nonlinear Ray Tracing for Displacement and Shell Mapping", section: "" },
     maps: &[],
     params: &[
         Param {
@@ -38,7 +38,8 @@ pub const ENTRY: Entry = Entry {
         way through the shell and whose heights bend with it, as many as the tolerance asks for; what they \
         miss is at most that wide. The hit is moved by what the chord was beside the ray. Chords reach \
         beyond the sides by rounding and tolerance, so that nothing passes between neighbours. Shells that \
-        overlap themselves have no such way, and are traced in tetrahedra.",
+        overlap themselves have no such way, and are traced in tetrahedra. Shadows go straight through the \
+        relief in the frame of the hit, as on `plane`.",
 };
 
 /// What it makes of rays.

@@ -18,7 +18,8 @@ pub const ENTRY: Entry = Entry {
         The displaced surface is that of this map: it bends at the tetrahedra's faces, and is up to some \
         texels beside the one that runs along interpolated normals. Neighbours share their sides, cut along \
         the same diagonal, and reach beyond them by the rounding of where the ray is, so that nothing passes \
-        between. A segment that begins under the surface by more than rounding begins where it comes out.",
+        between. A segment that begins under the surface by more than rounding begins where it comes out. \
+        Shadows go straight through the relief in the frame of the hit, as on `plane`.",
 };
 
 /// What it makes of rays.
