@@ -8,7 +8,10 @@ use super::{Paths, Proposal, SEGMENTS_REFUSE};
 pub const ENTRY: Entry = Entry {
     name: "prism",
     summary: "the triangle's shell as interpolated normals span it: silhouettes, with bent rays",
-    publication: Publication { paper: "Ogaki 2023, Nonlinear Ray Tracing for Displacement and Shell Mapping", section: "" },
+    publication: Publication {
+        paper: "Ogaki 2023, Nonlinear Ray Tracing for Displacement and Shell Mapping",
+        section: "",
+    },
     maps: &[],
     params: &[
         Param {
