@@ -39,7 +39,8 @@ pub const KIND: Kind = Kind {
     summary: "least and greatest height over squares of 1, 2, 4 ... dual cells, as a mip chain",
     revision: 1,
     publication: Publication {
-        paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU; Tevs, Ihrke and Seidel 2008, Maximum mipmaps",
+        paper: "Szirmay-Kalos and Umenhoffer 2008, Displacement mapping on the GPU; Tevs, Ihrke and \
+            Seidel 2008, Maximum mipmaps",
         section: "4.3.3",
     },
     params: PARAMS,
@@ -70,8 +71,8 @@ pub const OVER_LEVELS: u32 = 2;
 
 const OVER: Param = Param {
     name: "over",
-    summary: "what nodes are over: 0 dual cells, which bounds the surface, 1 texels, as published, which does \
-        not, 2 dual cells of the map and of its levels of detail, which bounds the surface of each",
+    summary: "what nodes are over: 0 dual cells, which bounds the surface, 1 texels, as published, which \
+        does not, 2 dual cells of the map and of its levels of detail, which bounds the surface of each",
     unit: "",
     min: 0.0,
     max: 2.0,

@@ -54,18 +54,14 @@ const SEGMENTS_REFUSE: &[Refused] = &[
         names: Names::These(&["fade"]),
         reason: "a segment may begin anywhere in the relief there, and a flatter one may be above it",
     },
-    Refused {
-        stage: "shadow",
-        names: Names::These(&["entry"]),
-        reason: "where a ray to a light enters the relief is not known there",
-    },
+    NO_ENTRY_OF_LIGHT,
 ];
 
-/// What surfaces of quadrics refuse.
+/// What all surfaces refuse on which the relief bends with the mesh.
 const NO_ENTRY_OF_LIGHT: Refused = Refused {
     stage: "shadow",
     names: Names::These(&["entry"]),
-    reason: "where a ray to a light enters a bent relief is not known",
+    reason: "where a ray to a light enters the relief is not known there",
 };
 
 /// The settings of surfaces of quadrics. Hosts read them, too: see
@@ -80,16 +76,19 @@ const QUADRIC_PARAMS: &[Param] = &[
         default: 3.0,
         integer: true,
     },
-    Param {
-        name: "lift",
-        summary: "1 lays the relief on a smooth base in place of flat triangles",
-        unit: "",
-        min: 0.0,
-        max: 1.0,
-        default: 0.0,
-        integer: true,
-    },
+    LIFT,
 ];
+
+/// The parameter of surfaces that can begin on a smooth base.
+const LIFT: Param = Param {
+    name: "lift",
+    summary: "1 lays the relief on a smooth base in place of flat triangles",
+    unit: "",
+    min: 0.0,
+    max: 1.0,
+    default: 0.0,
+    integer: true,
+};
 
 /// Variants that a surface cannot be used with.
 #[derive(Clone, Copy, Debug)]

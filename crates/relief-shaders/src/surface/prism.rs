@@ -2,7 +2,7 @@
 
 use relief_core::registry::{Entry, Guarantee, Guarantees, Param, Publication, RayClass};
 
-use super::{Paths, Proposal, SEGMENTS_REFUSE};
+use super::{LIFT, Paths, Proposal, SEGMENTS_REFUSE};
 
 /// Shells with normals interpolated over the triangle.
 pub const ENTRY: Entry = Entry {
@@ -23,15 +23,7 @@ pub const ENTRY: Entry = Entry {
             default: 0.0625,
             integer: false,
         },
-        Param {
-            name: "lift",
-            summary: "1 lays the relief on a smooth base in place of flat triangles",
-            unit: "",
-            min: 0.0,
-            max: 1.0,
-            default: 0.0,
-            integer: true,
-        },
+        LIFT,
     ],
     states: &[],
     guarantee: Guarantees { view: Guarantee::Exact, bent: Guarantee::Exact, shadow: Guarantee::Exact },
